@@ -71,20 +71,7 @@ class Table {
                     "places must be within the table");
         }
         auto made = new_array<float, 4>({n, lommel::molecule_images, table_.height, table_.width});
-        released([&] {
-            lommel::for_blocks(n, threads, 2.0, [&](std::size_t first, std::size_t last) {
-                lommel::MoleculeImages images(table_);
-                lommel::Floats four(lommel::molecule_images * table_.pixels());
-                for (std::size_t i = first; i < last; ++i) {
-                    const double* const p = places.data() + 3 * i;
-                    images.write({p[0], p[1], p[2]}, four.data());
-                    float* to = made.data() + i * lommel::molecule_images * table_.height * table_.width;
-                    for (std::size_t row = 0; row < lommel::molecule_images * table_.height; ++row) {
-                        to = std::copy_n(&four[row * table_.stride()], table_.width, to);
-                    }
-                }
-            });
-        });
+        released([&] { lommel::molecule_stack(table_, places.data(), n, threads, made.data()); });
         return made;
     }
 

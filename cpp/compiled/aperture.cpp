@@ -1,4 +1,5 @@
 // Compiles the geometry, the quadrature and the fields of apertures of parts. Headers before LOMMEL_DEFINES are compiled by other units.
+#include "lommel/base/cache.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/legendre.hpp"

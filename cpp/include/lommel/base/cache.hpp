@@ -11,6 +11,7 @@
 
 #include "lommel/base/fork.hpp"
 #include "lommel/base/lock.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/watch.hpp"
 
 #if !defined(LOMMEL_SINGLE_THREADED)
@@ -68,7 +69,7 @@ class Shared : protected ForkAware {
     }
 
    protected:
-    Shared() { all().push_back(this); }
+    Shared();
     ~Shared() = default;
 
     Mutex mutex_;
@@ -91,6 +92,10 @@ class Shared : protected ForkAware {
         }
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
+#endif
 
 // Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, for images may take
 // two in turn, of the aperture and of its obscuration. A table is made from its key, and says whether it serves another by is().

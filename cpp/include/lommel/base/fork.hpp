@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lommel/base/lock.hpp"
+#include "lommel/base/once.hpp"
 
 // Where there is one thread, it has done what it began.
 #if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
@@ -21,26 +22,7 @@ class ForkAware {
     ForkAware& operator=(const ForkAware&) = delete;
 
    protected:
-    ForkAware() {
-#if defined(LOMMEL_FORKS)
-        if (all().empty()) {
-            pthread_atfork(
-                [] {
-                    for (ForkAware* one : all())
-                        one->before_fork();
-                },
-                [] {
-                    for (ForkAware* one : all())
-                        one->after_fork(false);
-                },
-                [] {
-                    for (ForkAware* one : all())
-                        one->after_fork(true);
-                });
-        }
-#endif
-        all().push_back(this);
-    }
+    ForkAware();
     ~ForkAware() = default;
 
     virtual void before_fork() {}
@@ -52,5 +34,28 @@ class ForkAware {
         return list;
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE ForkAware::ForkAware() {
+#if defined(LOMMEL_FORKS)
+    if (all().empty()) {
+        pthread_atfork(
+            [] {
+                for (ForkAware* one : all())
+                    one->before_fork();
+            },
+            [] {
+                for (ForkAware* one : all())
+                    one->after_fork(false);
+            },
+            [] {
+                for (ForkAware* one : all())
+                    one->after_fork(true);
+            });
+    }
+#endif
+    all().push_back(this);
+}
+#endif
 
 }  // namespace lommel

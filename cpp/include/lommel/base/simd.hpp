@@ -533,7 +533,7 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
     dispatch(processor_level(), kernel);
 }
 
-// Compiled for AVX-512 as well: for kernels that it makes much faster. Images by series gain a twentieth, and do without.
+// Compiled for AVX-512 as well: for kernels that it makes much faster. Most others gain a twentieth, and do without.
 template <class Kernel>
 LOMMEL_INLINE void dispatch_widest([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86

@@ -9,6 +9,7 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 
 namespace lommel {
 
@@ -197,6 +198,25 @@ class MoleculeImages {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void MoleculeImages::write(const Place& place, float* images) {
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
+}
+#endif
+
+// Values and slopes at `count` places of (row, column, z): [place][image][row][column], without gaps.
+void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to) {
+    for_blocks(count, threads, 2.0, [&](std::size_t first, std::size_t last) {
+        MoleculeImages images(table);
+        Floats four(molecule_images * table.pixels());
+        for (std::size_t i = first; i < last; ++i) {
+            const double* const p = places + 3 * i;
+            images.write({p[0], p[1], p[2]}, four.data());
+            float* at = to + i * molecule_images * table.height * table.width;
+            for (std::size_t row = 0; row < molecule_images * table.height; ++row) {
+                at = std::copy_n(&four[row * table.stride()], table.width, at);
+            }
+        }
+    });
 }
 #endif
 

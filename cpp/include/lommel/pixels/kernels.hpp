@@ -197,6 +197,11 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
     };
     // `some` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
     // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
+    if constexpr (I::lanes == 8) {
+        while (harmonics - j == 4 || harmonics - j > 6) {
+            some(std::integral_constant<std::size_t, 4>{});
+        }
+    }
     while (harmonics - j == 3 || harmonics - j > 4) {
         some(std::integral_constant<std::size_t, 3>{});
     }

@@ -286,8 +286,9 @@ struct PixelTable : PixelRings {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void PixelRings::sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values,
                                       double* out) const {
-    dispatch([&](auto isa)
-                 LOMMEL_INLINE_LAMBDA { sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out); });
+    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out);
+    });
 }
 
 LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads, bool many)

@@ -153,15 +153,16 @@ class ZernikeAnalysis {
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { prepare(isa, rule, phase); });
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { prepare(isa, rule, phase); });
         rings_.resize(orders * 4 * rule.rings);
         const double nodes = static_cast<double>(rule.rings) * static_cast<double>(rule.fft.n + degrees * orders);
         const int worth = worthwhile_threads(threads, 1e-3 * nodes);
         parallel_for(rule.rings / fft_rows, worth, [&](std::size_t, std::size_t group) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { transform(isa, rule, phase.amplitude, orders, group * fft_rows); });
+            dispatch_widest([&](auto isa)
+                                LOMMEL_INLINE_LAMBDA { transform(isa, rule, phase.amplitude, orders, group * fft_rows); });
         });
         parallel_for(orders, worth, [&](std::size_t, std::size_t m) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { project(isa, rule, m, series); });
+            dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { project(isa, rule, m, series); });
         });
     }
 

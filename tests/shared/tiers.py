@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIST = ROOT / "tests" / "slow_tests.txt"
 SLOW = 0.2  # seconds of a processor
 DRAWN = 0.01  # the share of slow tests that is in the quick tier
-# Whatever each test takes: the live page needs a browser, costs of hostile files are measured for all of them at once.
+# Whatever each test takes: the live page needs a browser; costs of hostile files are measured for all at once.
 ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
 # Their first import is no cost of the test that happens to come first.
 COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")

@@ -84,8 +84,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out the tests of the other tier."""
     if config.option.quick != config.option.slow:
         share = 0.0 if config.option.measure else DRAWN
-        kept = [item for item in items if is_quick(item, share) == config.option.quick]
-        config.hook.pytest_deselected(items=[item for item in items if is_quick(item, share) != config.option.quick])
+        kept, left = [], []
+        for item in items:
+            (kept if is_quick(item, share) == config.option.quick else left).append(item)
+        config.hook.pytest_deselected(items=left)
         items[:] = kept
 
 

@@ -1,9 +1,10 @@
-"""Frameworks that traced plans are tested in, each on the devices that a processor can emulate."""
+"""Frameworks that traced plans are tested in, on devices that a processor can emulate and on a graphics processor."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
+from ctypes import CDLL
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any, NamedTuple
@@ -46,6 +47,8 @@ class Framework(NamedTuple):
 
     def array(self, xp: Any, values: Any) -> Any:
         """Return an array there."""
+        if self.module == "cupy":  # whose asarray takes no device
+            return xp.asarray(np.array(values, dtype=np.float64))
         return xp.asarray(np.array(values, dtype=np.float64), device=self.place(xp))
 
     def to_numpy(self, values: Any) -> np.ndarray:
@@ -54,6 +57,8 @@ class Framework(NamedTuple):
             values = values.to_device(import_module(self.module).Device("CPU_DEVICE"))
         elif self.module == "torch":
             values = values.detach().cpu().numpy()
+        elif self.module == "cupy":
+            values = values.get()
         return np.asarray(values, dtype=np.float64)
 
 
@@ -64,12 +69,28 @@ ALL = [
     Framework("jax.numpy"),
     Framework("jax.numpy", double=False),
     Framework("torch"),
+    Framework("torch", "cuda"),
+    Framework("cupy"),
 ]
+
+
+def _missing(one: Framework) -> str | None:
+    """Return what a framework lacks here."""
+    if not find_spec(one.module.partition(".")[0]):
+        return f"{one.module} is not installed"
+    if one.device == "cuda" or one.module == "cupy":
+        try:
+            CDLL("libcuda.so.1")
+        except OSError:
+            return "there is no graphics processor with its driver"
+    return None
+
+
 THERE = [
     pytest.param(
         one,
         id="-".join(filter(None, [one.module, one.device, "" if one.double else "float32"])),
-        marks=[] if find_spec(one.module.partition(".")[0]) else pytest.mark.skip(f"{one.module} is not installed"),
+        marks=[pytest.mark.skip(why)] if (why := _missing(one)) else [],
     )
     for one in ALL
 ]

@@ -124,7 +124,8 @@ def test_what_is_not_proven_is_poisoned_and_its_neighbours_are_not(f):
     bad = np.array([False, True, True, True, False])
     assert np.array_equal(np.isnan(images).all(axis=(1, 2)), bad)
     assert np.array_equal(np.isinf(bound), bad)
-    assert np.array_equal(images[0], f(c[0]))
+    # A graphics processor rounds products of another size otherwise.
+    np.testing.assert_allclose(images[0], f(c[0]), rtol=0.0, atol=1e-13)
     gradient = jax.jit(jax.grad(lambda c: jnp.sum(f(c)[0] ** 2) + jnp.sum(f(c)[4] ** 2)))(c)
     alone = jax.jit(jax.grad(lambda c: jnp.sum(f(c) ** 2)))(c[:1])
     assert np.isfinite(gradient[~bad]).all()

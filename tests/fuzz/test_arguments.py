@@ -328,6 +328,7 @@ NAMES: dict[str, tuple[str, ...]] = {
     "energy": ("windows",),
     "largest": ("windows",),
     "depth": ("windows",),
+    "depths": ("windows",),
     "wavefront": ("wavelength", "table"),
     "angle": ("must not be empty",),
     "rms": ("must not be empty",),

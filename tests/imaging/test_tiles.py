@@ -196,6 +196,7 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
         ({"depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN"),
         ({"depth": np.full((70, 90), -1.0)}, ValueError, "depth must be > 0 metres, got -1.0"),
         ({"depth": np.full((70, 90), "a")}, TypeError, "depth must hold metres"),
+        ({"depths": (1.0, np.nan)}, ValueError, "depths must be the nearest and the farthest"),
         ({"image": np.full((70, 90, 3), np.nan)}, ValueError, "image must be finite, got nan"),
         ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
         ({"depth": np.full((70, 90), 0.5)}, ValueError, "windows of more than 71 pixels a side"),

@@ -238,20 +238,23 @@ def windows(count):
     return states
 
 
+def light_of_pixels(state, pixel):
+    """Return the sum of the averages over as many as 90 000 pixels, each as exact as can be proven."""
+    window = stated_pupil(state), state["side"], pixel * 1e-6
+    for tol in (1e-10, 1e-9, 1e-8):
+        try:
+            return lm.psf(*window, integrate=True, method=white(state), tol=tol, dtype=np.float64).values.sum()
+        except lm.ToleranceError:
+            continue
+    raise AssertionError("no tolerance is proven")
+
+
 @pytest.mark.parametrize("state", windows(30), ids=lambda s: f"{s['view']}-{s['light']}-{s['side']}")
 def test_the_light_in_the_window_is_that_of_the_square(engine, state):
     found = engine.measures(state)
     pixel = engine.psf(state)["pixel"] if state["view"] == "fine" else state["pixel"]
     # Pixels that average hold all the light of the window that they make up, whatever is computed for the view.
-    whole = lm.psf(
-        stated_pupil(state),
-        state["side"],
-        pixel * 1e-6,
-        integrate=True,
-        method=white(state),
-        tol=1e-8,
-        dtype=np.float64,
-    ).values.sum()
+    whole = light_of_pixels(state, pixel)
     assert abs(found["inside"] - whole) <= found["inside_error"] <= 2e-5
     assert abs(found["inside"] - whole) <= 2e-6
     quick = engine.measures(state, "drag")

@@ -453,14 +453,14 @@ def test_fringes_that_the_picture_does_not_resolve_are_grey(visit: Callable[...,
 
 
 def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&pixel=2")
+    page = visit("/mounted#side=64&pixel=1")
     marks = page.locator(".rings text").evaluate_all(
         "all => all.map((node) => [node.textContent, node.getAttribute('x')])"
     )
     assert marks.pop()[0] == "cycles/mm"
     assert [name for name, _ in marks] == ["50", "100"]
     for name, place in marks:  # 36 cycles around, so many micrometres from the middle
-        assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3) / 2, rel=1e-6)
+        assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3), rel=1e-6)
     page.get_by_label("Picture", exact=True).select_option("text")
     page.locator(".rings").wait_for(state="hidden")
 

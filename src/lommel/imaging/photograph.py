@@ -464,8 +464,9 @@ class TileBlur:
         self.missing = "raise" if settings.missing == "nearest" else settings.missing
         self.encoding, self._occlusion = encoding, settings.occlusion
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
-        extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
-        if extremes.shape != (1, 2):
+        with np.errstate(over="ignore"):  # long doubles
+            extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
+        if extremes.shape != (1, 2) or np.isnan(extremes).any():
             raise ValueError(f"depths must be the nearest and the farthest, got {validation.shown(depths)}")
         self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
         self._reach = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))

@@ -228,6 +228,7 @@ def holed(*places: tuple[int, int], value: float = math.nan) -> np.ndarray:
         ({"center": (500, 500)}, "opd must leave samples inside the pupil"),
         ({"radius": 0}, "radius must be > 0 pixels, got 0"),
         ({"radius": 400.0}, "do not determine 45 terms"),
+        ({"radius": 1e-300}, "opd must leave samples inside the pupil"),
         ({"tol": 0.0}, "tol must be > 0, got 0"),
         ({"tol": math.nan}, "tol must be finite, got nan"),
         ({"opd": np.random.default_rng(0).normal(size=(3, 16, 16)), "tol": 0.1}, r"residual of map \d has an rms of"),

@@ -53,13 +53,20 @@ struct Stack {
 struct Box {
     std::vector<double> least, most, farthest;
 
-    explicit Box(const Stack& stack) : least(stack.coefficients, stack.coefficients + stack.terms), most(least) {
+    Box() = default;
+    explicit Box(const Stack& stack) { hold(stack); }
+
+    // Allocates nothing where as many terms were held before.
+    void hold(const Stack& stack) {
+        least.assign(stack.coefficients, stack.coefficients + stack.terms);
+        most = least;
         for (std::size_t i = 1; i < stack.count; ++i) {
             for (std::size_t k = 0; k < stack.terms; ++k) {
                 least[k] = std::min(least[k], stack[i].coefficients[k]);
                 most[k] = std::max(most[k], stack[i].coefficients[k]);
             }
         }
+        farthest.clear();
         for (std::size_t k = 0; k < stack.terms; ++k) {
             farthest.push_back(std::max(std::abs(least[k]), std::abs(most[k])));
         }

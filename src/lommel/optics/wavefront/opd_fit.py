@@ -553,6 +553,7 @@ def _pupil_coordinates(
     height, width = shape
     row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
     size = 0.5 * min(shape) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
-    with np.errstate(over="ignore"):  # pixels far outside of a small pupil
-        y, x = np.meshgrid((np.arange(height) - row) / size, (np.arange(width) - column) / size, indexing="ij")
+    with np.errstate(over="ignore"):  # pixels far outside of a small pupil, whose squares must be finite
+        sides = [(np.arange(count) - at) / size for count, at in ((height, row), (width, column))]
+    y, x = np.meshgrid(*(np.clip(side, -1e150, 1e150) for side in sides), indexing="ij")
     return x, y

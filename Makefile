@@ -92,8 +92,9 @@ test: core-tests lint ## build, lint, check the types and run all tests but the 
 GROUP ?= peers
 beside = TORCH="$(TORCH)" .ci/beside "$(uv)" $(1) $(2)
 with = PYTHONPATH="$(CURDIR):$(subst .tools,$(CURDIR)/.tools,$(1))" $(pytest) -p no:cacheprovider -W default::DeprecationWarning
-torch_tests := tests/traced tests/imaging/test_traced_blur.py tests/imaging/test_traced_sensor.py tests/adapters/test_deepinv.py
-peer_tests := tests/adapters tests/compat tests/optics/layers/test_objective_peers.py tests/imaging/field/test_blur.py
+torch_tests := tests/traced tests/imaging/test_traced_blur.py tests/imaging/test_traced_sensor.py tests/imaging/field/test_blur.py \
+	tests/adapters/test_deepinv.py
+peer_tests := tests/adapters tests/compat tests/optics/layers/test_objective_peers.py
 peers: build ## fetch other packages for make bench to compare with, or GROUP=lenses those of the adapters, into .tools/peers
 	@$(call beside,peers,$(GROUP))
 test-torch: build env ## run the tests of differentiable functions in PyTorch, in .tools/torch
@@ -105,7 +106,8 @@ test-all: browser core-tests page lint ## run all tests: slow and random ones, t
 	for group in compat lenses peers torch; do
 		$(call beside,$$group,$$group) || echo "make: the group $$group does not install here: tests of its packages are skipped" >&2
 	done
-	$(call with,.tools/compat:.tools/lenses:.tools/peers:.tools/torch) $(peer_tests) $(torch_tests) --thorough || status=$$?
+	$(call with,.tools/compat:.tools/lenses:.tools/peers) $(peer_tests) --thorough || status=$$?
+	$(call with,.tools/torch) $(torch_tests) --thorough || status=$$?
 	exit $${status:-0}
 browser:
 	@command -v "$${LOMMEL_BROWSER:-chromium}" || command -v chromium-browser || command -v google-chrome || \

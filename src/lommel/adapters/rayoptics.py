@@ -11,15 +11,17 @@ Conversions:
 - Wavelengths are nanometres there, metres here.
 - The amplitude is taken as uniform.
 
-ray-optics is optional, and none of it is imported before a function is called. From 0.9.10 on it needs Python 3.12
-and downloads a database of glasses when first imported; without a network the environment variable
+ray-optics is optional, and none of it is imported before a function is called. It takes 0.9.10 or newer, which needs
+Python 3.12 and downloads a database of glasses when first imported; without a network the environment variable
 ``refractiveindexinfodb`` names a folder that has it.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
+from importlib import metadata
 
 import numpy as np
 
@@ -29,6 +31,8 @@ from lommel.base.arrays import Array
 from lommel.base.optional import library
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
+
+_LEAST = (0, 9, 10)
 
 
 def pupil(
@@ -121,9 +125,19 @@ def field_map(
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, circular=circular)
 
 
+def _require_version(found: str) -> None:
+    """Raise ImportError for versions whose optical path differences have a wrong sign in fields along x."""
+    if tuple(int(part) for part in re.findall(r"\d+", found)[:3]) < _LEAST:
+        raise ImportError(
+            f"this needs ray-optics {'.'.join(map(str, _LEAST))} or newer, which takes Python 3.12, got {found}: before "
+            "that optical path differences of fields along x are wrong"
+        )
+
+
 def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
     library("rayoptics.optical.opticalmodel", "this needs", "")
+    _require_version(metadata.version("rayoptics"))
     from rayoptics.optical.opticalmodel import OpticalModel
     from rayoptics.raytr import trace as rays
     from rayoptics.raytr.opticalspec import Field

@@ -129,8 +129,8 @@ def _require_version(found: str) -> None:
     """Raise ImportError for versions whose optical path differences have a wrong sign in fields along x."""
     if tuple(int(part) for part in re.findall(r"\d+", found)[:3]) < _LEAST:
         raise ImportError(
-            f"this needs ray-optics {'.'.join(map(str, _LEAST))} or newer, which takes Python 3.12, got {found}: before "
-            "that optical path differences of fields along x are wrong"
+            f"this needs ray-optics {'.'.join(map(str, _LEAST))} or newer, which takes Python 3.12, got {found}: "
+            "before that optical path differences of fields along x are wrong"
         )
 
 

@@ -65,11 +65,11 @@ listed := $(shell cat .venv/build.stamp 2>/dev/null)
 	mv $@.new $@
 # CMake knows what has changed since.
 build: .venv/build.stamp ## compile the core and install the package, editable, in .venv
-	@$(cmake) --build $(folder)
+	@$(cmake) --build $(folder) $(if $(wildcard $(folder)/_core_tests.*),--target all core_tests)
 	[ -n "$$(find $(folder) -maxdepth 1 -name '_core.*' -newer .venv/build.stamp)" ] || exit 0
 	$(cmake) --install $(folder) --strip --prefix "$$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("platlib"))')" >/dev/null
 	touch .venv/build.stamp
-core-tests: build env # a compiled module of functions that tests alone call
+core-tests: build env ## compile what tests of the core alone call, once: make build then keeps it
 	@$(cmake) --build $(folder) --target core_tests
 
 psf: build ## compile, the first time, compute the PSF of Hubble in 1990 and draw it beside the design, to out/hubble-1990.*

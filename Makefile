@@ -106,7 +106,7 @@ test-all: browser core-tests page lint ## run all tests: slow and random ones, t
 	for group in compat lenses peers torch; do
 		$(call beside,$$group,$$group) || echo "make: the group $$group does not install here: tests of its packages are skipped" >&2
 	done
-	$(call with,.tools/compat:.tools/lenses:.tools/peers) $(peer_tests) --thorough || status=$$?
+	$(call with,.tools/compat:.tools/lenses:.tools/peers:.tools/torch) $(peer_tests) --thorough || status=$$?
 	$(call with,.tools/torch) $(torch_tests) --thorough || status=$$?
 	exit $${status:-0}
 browser:

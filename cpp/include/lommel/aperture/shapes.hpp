@@ -251,9 +251,11 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
     const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + 1.0;
     std::vector<double> angles;
     if (std::abs(c[2]) < 1e-14 * size) {
-        // c0 + 2 |c1| cos(t + arg c1)
-        if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1])) {
-            const double turn = std::acos(-0.5 * c[0].real() / std::abs(c[1])), middle = -std::arg(c[1]);
+        // c0 + 2 |c1| cos(t + arg c1). Circles that touch but for rounding do: where no height parts the arcs on either side, a panel
+        // would be looked at in its middle, where they are one.
+        if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1]) + 1e-14 * size) {
+            const double cosine = -0.5 * c[0].real() / std::abs(c[1]), middle = -std::arg(c[1]);
+            const double turn = std::acos(std::min(1.0, std::max(-1.0, cosine)));
             angles = {middle + turn, middle - turn};
         }
     } else {

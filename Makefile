@@ -159,7 +159,7 @@ page_module := src/lommel/page/lommel-live.js
 page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js; fetches 200 MB the first time
 $(page_module): .venv/page.stamp $(shell find web cpp/include cpp/wasm src/lommel/page/state.py examples/lenses -type f) | build
 	@.venv/bin/python web/build.py --output $@
-cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*.cpp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*pp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check

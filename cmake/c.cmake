@@ -4,10 +4,11 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 # What the interface needs of the parts that are compiled once; see cpp/include/lommel/base/once.hpp.
-set(parts polar chordal_single chordal_double radial zernike chordal pixels special)
+set(parts polar chordal_single chordal_double radial zernike chordal pixels special focal)
 list(TRANSFORM parts PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
 list(TRANSFORM parts APPEND .cpp)
-add_library(lommel_c SHARED "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/lommel.cpp" ${parts})
+add_library(lommel_c SHARED "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/lommel.cpp"
+                            "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/live.cpp" ${parts})
 add_library(lommel::c ALIAS lommel_c)
 target_link_libraries(lommel_c PRIVATE $<BUILD_INTERFACE:lommel>)
 target_include_directories(

@@ -77,7 +77,7 @@ nanobind_add_module(_core ${module_options} ${bindings} $<TARGET_OBJECTS:lommel_
 set_core_options(_core)
 install(TARGETS _core LIBRARY DESTINATION lommel)
 # Half of the time of small bindings goes into the headers of nanobind.
-compile_together(_core bindings module estimation localize paper pixels process special)
+compile_together(_core bindings module estimation focal localize paper pixels process special)
 compile_together(_core bindings zernike aperture imaging stratified)
 compile_together(_core bindings chordal radial)
 # Loops over pixels are in cpp/compiled: bindings and nanobind take a fifth less time to compile by -O1, and no longer to run.

@@ -144,7 +144,6 @@ SECTIONS = [
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
         ("estimation", "localize.point_sources", "localize.crossings", "localize.lattice"),
-        more="estimation.pixel_transfer.pixel_transfer",
     ),
     Section(
         "Imaging",

@@ -50,7 +50,7 @@ CORE_ORDER = [
     {"aperture"},
     {"chordal"},
     {"stratified"},
-    {"paper", "imaging", "measures", "estimation", "localize"},
+    {"paper", "imaging", "focal", "measures", "estimation", "localize"},
 ]
 # Modules whose package has another name.
 ALONE = {"_core": "core", "__main__": "cli", "__init__": "the package"}

@@ -16,5 +16,6 @@ NB_MODULE(_core, m) {
     define_estimation(m);
     define_localize(m);
     define_stratified(m);
+    define_focal(m);
     define_process(m);
 }

@@ -36,6 +36,7 @@ void define_imaging(nb::module_& m);
 void define_estimation(nb::module_& m);
 void define_localize(nb::module_& m);
 void define_stratified(nb::module_& m);
+void define_focal(nb::module_& m);
 
 // Errors, signals, instructions and caches, as every module of the core needs them.
 void define_process(nb::module_& m);

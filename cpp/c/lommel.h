@@ -28,6 +28,7 @@
 #ifndef LOMMEL_H
 #define LOMMEL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if defined(_WIN32) && defined(LOMMEL_BUILDS_C)
@@ -105,6 +106,27 @@ LOMMEL_API int lommel_psf_zernike(const lommel_plan* plan, int32_t pupils, int32
 LOMMEL_API int lommel_psf_zernike_float(const lommel_plan* plan, int32_t pupils, int32_t terms, const int32_t* n,
                                         const int32_t* m, const double* coefficients, float* images,
                                         double* bounds) LOMMEL_NOTHROW;
+
+/* Live depth of frames that differ in focus. `tables` are the bytes of a file that LiveDepth.save() of the Python package
+ * has written, which know the lenses, the pixel, the range and the noise; they may go afterwards. Frames have height x width
+ * pixels, 64 to 16384 a side, and are shared out to so many threads. NULL where an argument is out of range. */
+typedef struct lommel_live lommel_live;
+LOMMEL_API lommel_live* lommel_live_new(const void* tables, size_t bytes, int32_t height, int32_t width,
+                                        int32_t threads) LOMMEL_NOTHROW;
+LOMMEL_API void lommel_live_free(lommel_live* live) LOMMEL_NOTHROW;
+
+/* How many frames belong together, and the blocks of 4 x 4 pixels that have a depth each: down x across. */
+LOMMEL_API int lommel_live_size(const lommel_live* live, int32_t* frames, int32_t* down, int32_t* across) LOMMEL_NOTHROW;
+
+/* Depth of frames[i], of 8 or 16 `bits` a pixel, rows `stride` pixels apart: depth[down][across], its standard error and
+ * the misfit, 1 where registration and noise are as stated. Where depth is not known it is NaN and its error infinite.
+ * Exposures are the ratio of the frames' means. Allocates no memory. One live may serve one thread at a time. */
+LOMMEL_API int lommel_live_frames(lommel_live* live, const void* const* frames, int32_t bits, int32_t stride, float* depth,
+                                  float* deviation, float* misfit) LOMMEL_NOTHROW;
+
+/* The sharp image of the same frames, which must not have changed: image[height][width], electrons. The tables must have
+ * been made with sharp=True. */
+LOMMEL_API int lommel_live_sharp(lommel_live* live, float* image) LOMMEL_NOTHROW;
 
 #ifdef __cplusplus
 }

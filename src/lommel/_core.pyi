@@ -379,6 +379,29 @@ def layered_profiles(rho: Annotated[NDArray[numpy.float64], dict(shape=(None,), 
     The orders of the azimuth of the intensity at rising v, and what their sum is off by.
     """
 
+class FocalStream:
+    """Depth and sharp images of frames that differ in focus."""
+
+    def __init__(self, sizes: Sequence[int], taps: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], residuals: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None, None), order='C', device='cpu', writable=False)], images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], forms: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], statistics: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], numbers: Sequence[float]) -> None: ...
+
+    def sums(self, frames: Sequence[object], full: float, known: Annotated[NDArray[numpy.uint8], dict(shape=(None, None), device='cpu', writable=False)] | None, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> None:
+        """Write sums of known pixels."""
+
+    def take(self, frames: Sequence[object], gains: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], offset: float, full: float, known: Annotated[NDArray[numpy.uint8], dict(shape=(None, None), device='cpu', writable=False)] | None) -> None:
+        """Filter frames."""
+
+    def depths(self, depth: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], deviation: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], misfit: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+        """Write depth, its standard error and misfit."""
+
+    def places(self, position: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], deviation: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], misfit: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+        """Write positions, their errors and misfit."""
+
+    def positions(self, out: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+        """Write positions of blocks, filled in."""
+
+    def mix(self, positions: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], side: int, factors: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+        """Write a sum of images."""
+
 def cached_bytes() -> tuple[int, int]:
     """
     Bytes of the tables that calls share, and the sum of the limits of all kinds.

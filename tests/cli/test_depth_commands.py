@@ -42,15 +42,16 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
     assert lines[0] == "float values, assumed linear; if they are sRGB, give --encoding srgb"
-    assert lines[1] == "80 x 80 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
+    assert lines[1] == "112 x 112 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
     assert lines[2] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
-    assert lines[3].startswith("depth known at 100 % of the pixels: 1.4")
-    assert lines[4].endswith("(1 if only noise is left): the model fits")
-    assert lines[5:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
+    assert lines[3].startswith("depth known at ")
+    assert lines[4].endswith("(1 if only noise is left): registration and noise agree")
+    assert lines[5].startswith("not tested, for photos cannot tell: which of them is focused nearer")
+    assert lines[6:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
     depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
-    assert np.median(depth) == pytest.approx(1.5, abs=2e-3)
+    assert np.nanmedian(depth) == pytest.approx(1.5, abs=2e-3)
     assert 5e-4 < np.median(deviation) < 1e-2
-    assert tifffile.imread(folder / "sharp.tif").shape == (80, 80)
+    assert tifffile.imread(folder / "sharp.tif").shape == (112, 112)
     found = lm.imaging.depth_from_defocus(
         [tifffile.imread(folder / f"{name}.tif") for name in ("near", "far")], PAIR, PIXEL, encoding="linear",
         noise=lm.Noise(white=1e4, read=3.0), between=(1.2, 2.0),
@@ -62,7 +63,7 @@ def test_json_has_all_facts(folder, call_lommel):
     found = json.loads(
         call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json", folder=folder).stdout
     )
-    assert found["known"] > 0.99
+    assert found["known"] > 0.6
     assert found["depth"]["50 %"] == pytest.approx(1.5, abs=2e-3)
     assert found["focus_distances"] == pytest.approx([1.35, 1.8])
     assert found["exposures"][0] == 1.0
@@ -72,12 +73,15 @@ def test_json_has_all_facts(folder, call_lommel):
 def test_photos_that_do_not_fit_are_told(folder, call_lommel):
     tifffile.imwrite(folder / "moved.tif", np.roll(tifffile.imread(folder / "far.tif"), 2, axis=1))
     result = call_lommel("depth", "near.tif", "moved.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
-    assert "does not fit the photos: check registration, noise and lens" in result.stdout
+    assert "the photos do not fit: check registration, noise and lens" in result.stdout
+    loud = ["--between", "1.2 m", "2 m", "--white", 1e4, "--read", 200]
+    result = call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *loud, folder=folder)
+    assert "less than the noise stated: the photos were denoised, or --white and --read overstate it" in result.stdout
     flat = np.full((64, 64), 0.5, dtype=np.float32)
-    tifffile.imwrite(
-        folder / "flat.tif", flat + 0.007 * np.random.default_rng(0).normal(size=flat.shape).astype("f4")
-    )
-    result = call_lommel("depth", "flat.tif", "flat.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
+    draw = np.random.default_rng(0)
+    for name in ("flat", "other"):
+        tifffile.imwrite(folder / f"{name}.tif", flat + 0.007 * draw.normal(size=flat.shape).astype("f4"))
+    result = call_lommel("depth", "flat.tif", "other.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
     assert "no depth found" in result.stdout
 
 

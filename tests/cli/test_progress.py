@@ -67,7 +67,7 @@ def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder,
     seen, console = [], Console(file=io.StringIO(), force_terminal=True, width=120)
     monkeypatch.setattr("rich.console.Console", lambda **_: console)
     monkeypatch.setattr(blur_module, "_BAND", 1)
-    monkeypatch.setattr(defocus_depth, "_CORE", 48)
+    monkeypatch.setattr(defocus_depth, "_ROWS", 48)
     tell = bars.Steps.__call__
 
     def told(self, *given):

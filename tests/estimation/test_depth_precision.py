@@ -15,37 +15,43 @@ PAIR = [LENS, LENS.focused(1.8)]
 NOISE = lm.Noise(white=1e4, read=3.0)
 
 
-def traces(lenses, distance, photons, contrast=0.35, window=4.0, side=128):
-    """Half the trace of C^-1 C' C^-1 C', summed over frequencies, C of two photographs; and what two ratios tell."""
-    f = np.fft.fftfreq(side)
+def traces(lenses, distance, photons, contrast=0.35, window=4.0, side=160):
+    """Half the mean trace of C^-1 C' C^-1 C' over frequencies, C of two photographs; and what two ratios tell."""
+    f = (np.arange(side) + 0.5) / side - 0.5
     fx, fy = np.meshgrid(f, f)
-    square = fx**2 + fy**2
-    square[0, 0] = np.inf
-    power = contrast**2 / square / (1.0 / square).mean()
     noise = (photons + 3.0**2) / photons**2
     radius = np.linspace(0.0, 3.6, 1500)
     step = 2e-4
 
-    def transfer(lens, u):
+    def power(fx, fy):
+        return contrast**2 / (2.0 * np.pi * np.log(64.0)) / np.maximum(fx**2 + fy**2, 128.0**-2)
+
+    def transfer(lens, u, fx, fy):
         on_axis = lm.otf(lens.pupil(1.0 / u), radius / PIXEL, tol=1e-8).real
-        return sum(
-            np.interp(np.hypot(fx + a, fy + b), radius, on_axis) * np.sinc(fx + a) * np.sinc(fy + b)
-            for a in range(-2, 3)
-            for b in range(-2, 3)
-        )
+        return np.interp(np.hypot(fx, fy), radius, on_axis) * np.sinc(fx) * np.sinc(fy)
+
+    def known(lens, u):
+        return transfer(lens, u, fx, fy)
 
     u = 1.0 / distance
-    h = np.array([transfer(lens, u) for lens in lenses])
-    slope = np.array([(transfer(lens, u + step) - transfer(lens, u - step)) / (2.0 * step) for lens in lenses])
+    h = np.array([known(lens, u) for lens in lenses])
+    slope = np.array([(known(lens, u + step) - known(lens, u - step)) / (2.0 * step) for lens in lenses])
+    # Texture of higher frequencies comes down as noise.
+    aliases = [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1) if a or b]
+    n = [
+        noise + sum(power(fx + a, fy + b) * transfer(lens, u, fx + a, fy + b) ** 2 for a, b in aliases)
+        for lens in lenses
+    ]
+    h, slope = (np.array([each / np.sqrt(m) for each, m in zip(several, n, strict=True)]) for several in (h, slope))
     outer = np.einsum("i...,j...->...ij", h, h)
     change = np.einsum("i...,j...->...ij", slope, h)
     change = change + np.swapaxes(change, -1, -2)
-    covariance = power[..., None, None] * outer + noise * np.eye(len(lenses))
-    solved = np.linalg.solve(covariance, power[..., None, None] * change)
+    s = power(fx, fy)
+    covariance = s[..., None, None] * outer + np.eye(len(lenses))
+    solved = np.linalg.solve(covariance, s[..., None, None] * change)
     whole = 0.5 * np.einsum("...ij,...ji->...", solved, solved).mean()
     ratio = h[0] * slope[1] - h[1] * slope[0]
-    hh = (h**2).sum(axis=0)
-    compared = (power**2 * ratio**2 / (noise * (noise + power * hh))).mean()
+    compared = (s**2 * ratio**2 / (1.0 + s * (h**2).sum(axis=0))).mean()
     return [distance**2 / math.sqrt(each * 4.0 * math.pi * window**2) for each in (whole, compared)]
 
 
@@ -54,8 +60,8 @@ def test_it_is_the_bound_of_the_covariances(f_number, distance):
     pair = [lens.stopped(f_number) for lens in PAIR]
     whole, compared = traces(pair, distance, 1e4)
     known = lm.depth_precision(pair, distance, PIXEL, noise=NOISE, known_texture=True)
-    assert known == pytest.approx(whole, rel=2e-3)
-    assert lm.depth_precision(pair, distance, PIXEL, noise=NOISE) == pytest.approx(compared, rel=2e-3)
+    assert known == pytest.approx(whole, rel=4e-3)
+    assert lm.depth_precision(pair, distance, PIXEL, noise=NOISE) == pytest.approx(compared, rel=4e-3)
     assert known <= compared
 
 
@@ -113,9 +119,7 @@ def test_the_best_foci_are_better_than_those_beside_them():
         ({"contrast": 1e308}, "contrast must be"),
         ({"window": 1e308}, "window must be"),
         ({"photons": 1e308}, "photons must be at most"),
-        ({"pixel": 1e-9}, r"windows would need \d+ x \d+ pixels; the limit is 1025 x 1025"),
-        ({"distance": 1e-9}, "windows would need .* pixels; the limit is 1025 x 1025"),
-        ({"distance": [1.5, 0.036]}, "windows would need .* pixels; the limit is 1025 x 1025"),
+        ({"distance": 1e-9}, "distance: light is spread over .* pixels, too many for depth from defocus"),
         ({"window": 0.5}, "window must be >= 1"),
         ({"known_texture": 1}, "known_texture must be True or False"),
     ],
@@ -132,8 +136,6 @@ def test_lenses_that_are_not_round_and_foci_that_there_are_none_of_are_told():
     )
     with pytest.raises(ValueError, match="radially symmetric"):
         lm.depth_precision([astigmatic, astigmatic], 1.5, PIXEL, noise=NOISE)
-    with pytest.raises(ValueError, match=r"windows would need .* pixels; the limit is 1025 x 1025"):
-        lm.best_foci(LENS, 1.5, 1e-9, noise=NOISE)
     with pytest.raises(ValueError, match="no pair of foci"):
         lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE, contrast=0.0)
 

@@ -35,6 +35,7 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("steps", "lommel restore"): "None takes that of the method",
     ("method", "lommel restore"): "spells out what None is elsewhere",
     ("read", "estimate_noise"): "is not left to the noise model: a stack alone does not separate it from the offset",
+    ("sharp", "LiveDepth"): "asks for images, where lommel depth names a file",
     ("wavelength", "LensRanges"): "is the light of lenses drawn at random, which no file describes",
 }
 """Options that differ, where, and why that is meant."""

@@ -18,7 +18,7 @@ from skimage.data import stereo_motorcycle
 
 import lommel as lm
 from lommel.base.encoding import to_light
-from lommel.estimation.pixel_transfer import pixel_transfer, squared_frequency
+from lommel.estimation.focal_model import transfer_curve
 from lommel.imaging.photograph import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -73,17 +73,15 @@ for place in places[1]:
 
 # %%
 # The same with discs of the circle of confusion and Gaussians of the same second moment in place of the PSF of the
-# lens, also pixel-integrated.
+# lens.
 
 
 def imitated(shape_of):
     """Return what makes transfer functions of the radius of the cone alone."""
 
-    def transfer(one, distances, _spectrum, pitch, shape, _half):
-        f = np.sqrt(squared_frequency(shape))
-        down, across = (np.sinc(np.arange(side // 2 + 1) / side) for side in shape)
-        radii = one.pupil(distances).geometric_radius() / pitch
-        return np.array([shape_of(2.0 * np.pi * r * f) * down[:, None] * across for r in radii], dtype=np.float32)
+    def transfer(one, vergence, _spectrum, pitch):
+        radii = one.pupil(1.0 / vergence).geometric_radius() / pitch
+        return lambda f: np.array([shape_of(2.0 * np.pi * r * f) for r in radii])
 
     return transfer
 
@@ -98,7 +96,7 @@ def gauss(x):
     return np.exp(-(x**2) / 8.0)
 
 
-models = {"PSF of the lens": pixel_transfer, "disc": imitated(disc), "Gaussian": imitated(gauss)}
+models = {"PSF of the lens": transfer_curve, "disc": imitated(disc), "Gaussian": imitated(gauss)}
 figure, places = plt.subplots(2, 3, figsize=(11, 5.2), layout="constrained", sharex=True, sharey=True)
 for column, (name, model) in zip(places.T, models.items(), strict=True):
     other = lm.imaging.depth_from_defocus(photographs, lenses, pixel, transfer=model, **camera)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera
     from lommel.optics.lens import Lens
 
-_MISFIT = 2.0
+_LEAST_MISFIT, _MISFIT = 0.7, 2.0
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
@@ -200,13 +200,18 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
     near, far = map(format_length, options["between"])
-    fits = "does not fit the photos: check registration, noise and lens" if left > _MISFIT else "fits"
+    fits = "registration and noise agree"
+    if left > _MISFIT:
+        fits = "the photos do not fit: check registration, noise and lens"
+    elif left < _LEAST_MISFIT:
+        fits = "less than the noise stated: the photos were denoised, or --white and --read overstate it"
     lines = [
         rest["read"],
         f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
         f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
         text,
-        f"misfit {left:.3g} (1 if only noise is left): the model {fits}",
+        f"misfit {left:.3g} (1 if only noise is left): {fits}",
+        "not tested, for photos cannot tell: which of them is focused nearer, focus distances, f-number, pixel",
     ]
     return Report(facts | rest, lines)
 

@@ -1,20 +1,13 @@
-r"""The achievable precision of depth from defocus (Cramér-Rao bound), and the best foci.
+"""The achievable precision of depth from defocus (Cramér-Rao bound), and the best foci.
 
-A texture has the power S; n photographs have the transfer functions h_i(u), u = 1 / distance, over their noise: their
-spectra at one frequency are Gaussian of covariance ``S h h^T + 1``. The information of a pixel about u is
-(Whittle 1953, doi:10.1007/BF02590998)
-
-    J = mean over f of [ 2 S^2 (h.h')^2 / (1 + S h.h)^2  +  S^2 h.h h'_^2 / (1 + S h.h) ] ,
-
-with ``h'_^2 = h'.h' - (h.h')^2 / h.h``, the part of the derivative orthogonal to h. The second term compares
-photographs, and needs no knowledge of S; the first compares the blur of each with a known S. A Gaussian window of rms
-width w holds the information of ``4 pi w^2`` pixels.
+The information of a pixel is J of :mod:`lommel.estimation.focal_model`; a Gaussian window of rms width w holds that
+of ``4 pi w^2`` pixels.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -22,18 +15,19 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
+from lommel.estimation.focal_model import FocalLight, FocalModel, transfer_curve
 from lommel.estimation.noise import Noise
-from lommel.estimation.pixel_transfer import WindowError, half_window, pixel_of, pixel_transfer, texture_frequencies
+from lommel.estimation.round_lenses import pixel_of
 from lommel.optics.base_pupil import object_distances
 from lommel.optics.lens import Lens
 
 _MOST_PHOTONS = 1e12
-# Largest structures, pixels, of the texture whose contrast is given.
-_SIDE = 128
 # Radians of defocus between the points of derivatives by differences of the fourth order.
 _STEP = 0.02
 # Relative rounding error of the information, which equal photographs leave.
 _ROUNDING = 1e-9
+# Rounding error of a transfer function; those before and behind a focus differ by no more.
+_ALIKE = 1e-9
 # Radians of defocus between an object and the foci of the first trials.
 _SPANS = np.geomspace(0.15, 30.0, 14)
 
@@ -82,12 +76,15 @@ def depth_precision(
     ------
     TypeError, ValueError
         If an argument is out of range or of another type, if the pupil of a lens is not circular and radially
-        symmetric, or if the blur needs windows of more than 1025 x 1025 pixels.
+        symmetric.
+    ToleranceError
+        If there is so much defocus that its transfer function takes more than 4096 nodes along a line.
 
     Notes
     -----
-    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by finite differences over
-    0.08 rad of defocus, with a relative error below 1e-5. Strong edges hold more information than such textures.
+    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by finite differences over 0.08
+    rad of defocus, with a relative error below 1e-3. A sensor samples a continuous scene: texture beyond its Nyquist
+    frequency is as noise. Strong edges hold more information than such textures.
 
     Examples
     --------
@@ -178,16 +175,11 @@ def best_foci(
 
     def cost(spans: Array) -> float:
         pair = focused(spans)
-        try:
-            return math.inf if pair is None else _deviation(pair, metres, pitch, surface)
-        except WindowError:
-            return math.inf
+        return math.inf if pair is None else _deviation(pair, metres, pitch, surface)
 
     starts = [np.log([each, each]) for each in _SPANS]
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
-        if (pair := focused(starts[0])) is not None:
-            _deviation(pair, metres, pitch, surface)  # raises if the windows are too large
         raise ValueError(
             f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
             "distance between the focal length and infinity"
@@ -198,15 +190,22 @@ def best_foci(
     return Foci(pair[0].focus_distance, pair[1].focus_distance, float(found.fun), (pair[0], pair[1]))
 
 
-# Noise over light of each photograph; contrast, window, and whether the texture is known.
-_Surface = tuple[Array, float, float, bool]
+class _Surface(NamedTuple):
+    """Electrons of a pixel of each photograph, read noise, contrast, window, and whether the texture is known."""
+
+    light: Array
+    read: float
+    contrast: float
+    window: float
+    known: bool
 
 
 def _surface(
     count: int, noise: Noise, photons: ArrayLike | None, contrast: float, window: float, known: bool
 ) -> _Surface:
     validation.instance("noise", noise, Noise)
-    if not all(isinstance(each, float | None) for each in (noise.white, noise.read)):
+    read = noise.read
+    if not isinstance(read, float) or not isinstance(noise.white, float | None):
         raise ValueError("noise must be the same for all pixels: white and read must be numbers")
     if (given := noise.white if photons is None else photons) is None:
         raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
@@ -215,44 +214,35 @@ def _surface(
         raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
     if light.max() > _MOST_PHOTONS:
         raise ValueError(f"photons must be at most {_MOST_PHOTONS:g}, got {light.max():g}")
-    light = np.broadcast_to(light, count)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        over = np.where(light > 0.0, noise.variance(light) / light / light, np.inf)
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
-    return np.sqrt(over), contrast, window, validation.truth("known_texture", known)
+    return _Surface(np.broadcast_to(light, count), read, contrast, window, validation.truth("known_texture", known))
 
 
 def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard deviation of one distance, metres."""
-    noise, contrast, window, known = surface
-    if math.isinf(distance) or not contrast or not np.any(np.isfinite(noise)):
+    lit = np.flatnonzero(surface.light)
+    if math.isinf(distance) or not surface.contrast or not lit.size:
         return math.inf
-    widest = max(lens.aperture_diameter for lens in lenses)
-    step = _STEP * 2.0 * min(lens.wavelength for lens in lenses) / (math.pi * (0.5 * widest) ** 2)
+    seen, light = [lenses[int(k)] for k in lit], surface.light[lit]
+    widest = max(lens.aperture_diameter for lens in seen)
+    step = _STEP * 2.0 * min(lens.wavelength for lens in seen) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # not beyond infinity
-    around = 1.0 / (1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0]))
-    half = half_window(lenses, around, pixel)
-    side = max(_SIDE, 2 * half + 2)
-    value, slope = np.zeros((2, len(lenses), side // 2 + 1, side // 2 + 1))
-    for k, lens in enumerate(lenses):
-        if math.isfinite(noise[k]):
-            spectrum = [(lens.wavelength, 1.0)]
-            values = pixel_transfer(lens, around, spectrum, pixel, (side, side), half).astype(np.float64) / noise[k]
-            value[k] = values[4]
-            slope[k] = (values[0] - values[3] + 8.0 * (values[2] - values[1])) / (12.0 * step)
-    square, times = texture_frequencies((side, side))
-    whole, share = texture_frequencies((_SIDE, _SIDE))
-    texture = contrast**2 / float((share / whole).sum()) / square
-    hh = (value * value).sum(axis=0)
-    along = (value * slope).sum(axis=0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        across = np.where(hh > 0.0, (slope * slope).sum(axis=0) - along**2 / hh, 0.0)
-    signal = 1.0 + texture * hh
-    terms = texture**2 * hh * np.maximum(across, 0.0) / signal
-    if known:
-        terms += 2.0 * (texture * along / signal) ** 2
-    total, most = (float((times * part).sum()) for part in (terms, texture * (slope * slope).sum(axis=0)))
-    if total <= _ROUNDING * most:
+    around = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
+    frames = FocalLight(float(light[0]), surface.read, tuple((light / light[0]).tolist()), surface.contrast)
+
+    def own_light(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
+        return transfer_curve(lens, vergence, [(lens.wavelength, 1.0)], pitch)
+
+    model = FocalModel.of(seen, around, (), pixel, frames, transfer=own_light)
+    h = model.transfer
+    if np.abs(h[:2] - h[3:1:-1]).max() <= _ALIKE:
         return math.inf
-    return distance**2 / math.sqrt(total * (4.0 * math.pi * window**2))
+    slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
+    total, most = (
+        model.at(4).information(slope[None], known_texture=surface.known),
+        model.texture * (slope * slope).sum(0),
+    )
+    if float(total[0]) <= _ROUNDING * float(most @ model.band.share):
+        return math.inf
+    return distance**2 / math.sqrt(float(total[0]) * (4.0 * math.pi * surface.window**2))

@@ -7,6 +7,8 @@ from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.field_photograph import field_photograph
 from lommel.imaging.linear import LinearBlur
+from lommel.imaging.live import LiveDepth, LiveDepthMap
+from lommel.imaging.live_sharpen import LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
 from lommel.imaging.restoration import Restoration, restore, restore_with
@@ -25,6 +27,9 @@ __all__ = [
     "FocusPlan",
     "LensRanges",
     "LinearBlur",
+    "LiveDepth",
+    "LiveDepthMap",
+    "LiveSharpen",
     "Occlusion",
     "PhotoError",
     "Photograph",

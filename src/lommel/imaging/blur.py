@@ -18,7 +18,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.core import engine
-from lommel.estimation.pixel_transfer import require_round
+from lommel.estimation.round_lenses import require_round
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters

@@ -8,11 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.estimation.pixel_transfer import transfer_of_windows
 from lommel.methods.bounds import growth, quadrature_nodes
 from lommel.methods.choice import of_large_phases, of_profiles
 from lommel.methods.pixels.rule import local_rule, pixel_rule, quarters, sums_of_windows
@@ -161,20 +159,6 @@ def too_large(
         f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{known}"
         f"; stop down, {larger}or ask for less of it (energy=)"
     )
-
-
-def sensor_transfer(
-    lens: Lens,
-    distances: Array,
-    spectrum: Sequence[tuple[float, float]],
-    pixel: float,
-    shape: tuple[int, int],
-    half: int,
-) -> NDArray[np.float32]:
-    """Return :func:`lommel.estimation.pixel_transfer.pixel_transfer` at no more cost for pixels of many lambda*N."""
-    light = SensorLight.of(lens, spectrum, pixel)
-    octants = light.shares(light.defocused(lens.defocus(distances)), half)
-    return transfer_of_windows(np.asarray(quarters(octants, half)), shape)
 
 
 _ERROR = 1e-9  # of windows whose peaks are about 1

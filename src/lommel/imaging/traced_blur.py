@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.optional import library
-from lommel.estimation.pixel_transfer import require_round
+from lommel.estimation.round_lenses import require_round
 from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
 from lommel.imaging.defocus_layers import chebyshev, chebyshev_nodes, defocus_layers

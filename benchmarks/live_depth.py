@@ -1,0 +1,246 @@
+"""Depth of frames and photographs that differ in focus: how true it is, beside what is possible, and how fast.
+
+Scenes are continuous, 8 x 8 points a pixel, and rendered without this package (tests/shared/scenes.py): planes, and a
+square before a plane. Lenses of 540 nm: 35 mm at f/8 and f/2.8, focused at 1.35 m and 1.8 m, and 8 mm at f/2.8, at
+0.5 m and 2 m, with pixels of 4 and 3 um; 50 mm at f/1.8, at 2.3 m and 3.6 m, with pixels of 50 um, whose blur is
+geometric. ``python benchmarks/live_depth.py`` prints tables in Markdown; ``--speed`` only those of time, in one
+thread, beside an FFT of 1024 x 1024 by NumPy.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import math
+import sys
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+import lommel as lm
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "shared"))
+
+from scenes import ThinLens, averaged, before, lommel_lens, plane, record, texture
+
+Array = NDArray[Any]
+SIDE, LIGHT, READ, OFFSET = 256, 5000.0, 3.0, 100.0
+NOISE = lm.Noise(read=READ, offset=OFFSET)
+
+
+class Setup(NamedTuple):
+    """A lens at its foci, with the range of distances, those of planes, and the textures that are tried."""
+
+    focal_length: float
+    f_number: float
+    foci: tuple[float, float]
+    pixel: float
+    between: tuple[float, float]
+    planes: tuple[float, ...]
+    textures: tuple[str, ...]
+
+    def lenses(self) -> list[ThinLens]:
+        """Return the lens at each focus."""
+        return [ThinLens(self.focal_length, self.f_number, focus, 540e-9, self.pixel) for focus in self.foci]
+
+
+ALL = ("pink", "leaves", "soft", "text")
+SETUPS = {
+    "35 mm f/8": Setup(35e-3, 8.0, (1.35, 1.8), 4e-6, (1.2, 2.0), (1.25, 1.35, 1.45, 1.57, 1.7, 1.8, 1.92), ALL),
+    "8 mm f/2.8": Setup(8e-3, 2.8, (0.5, 2.0), 3e-6, (0.3, 5.0), (0.35, 0.5, 0.6, 0.8, 1.1, 2.0, 3.5), ALL),
+    "35 mm f/2.8": Setup(35e-3, 2.8, (1.35, 1.8), 4e-6, (1.2, 2.0), (1.25, 1.35, 1.45, 1.57, 1.7, 1.8, 1.92), ALL),
+    "50 mm f/1.8, 50 um": Setup(
+        50e-3, 1.8, (2.3, 3.6), 50.2e-6, (2.05, 5.0), (2.4, 2.5, 2.9, 3.3), ("soft", "leaves")
+    ),
+}
+
+
+def live(
+    setup: Setup, shape: tuple[int, int] = (SIDE, SIDE), light: float = LIGHT, **options: Any
+) -> lm.imaging.LiveDepth:
+    """Return what finds depth in frames."""
+    lenses = [lommel_lens(lens) for lens in setup.lenses()]
+    given: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": shape, "light": light, "threads": 1}
+    return lm.imaging.LiveDepth(lenses, setup.pixel, **(given | options))
+
+
+def standard(depth: Array, deviation: Array, truth: Array | float) -> Array:
+    """Return errors of 1 / distance over their standard errors, where depth is known."""
+    known = np.isfinite(deviation)
+    u = 1.0 / depth[known].astype(np.float64)
+    return np.asarray((u - 1.0 / np.broadcast_to(truth, depth.shape)[known]) / (deviation[known] * u**2))
+
+
+def robust(values: Array) -> float:
+    """Return the standard deviation of the middle of values."""
+    return float(1.4826 * np.median(np.abs(values - np.median(values))))
+
+
+def planes(name: str, setup: Setup) -> list[str]:
+    """Return rows of each texture and light: the largest and least of what planes came to."""
+    rows = []
+    for light in (LIGHT, 0.1 * LIGHT):
+        finder = live(setup, light=light)
+        for kind in setup.textures:
+            found = []
+            for distance in setup.planes:
+                scene = texture(kind, SIDE, 7)
+                result = finder(*record(plane(scene, setup.lenses(), distance, light), seed=int(1000 * distance)))
+                z = standard(result.depth, result.deviation, distance)
+                seen = averaged(scene)
+                bound = lm.depth_precision(
+                    [lommel_lens(lens) for lens in setup.lenses()],
+                    distance,
+                    setup.pixel,
+                    noise=lm.Noise(read=READ),
+                    photons=light,
+                    contrast=float(seen.std() / seen.mean()),
+                )
+                scatter = robust(result.depth[np.isfinite(result.deviation)]) / bound if kind == "pink" else math.nan
+                if z.size > 50:
+                    found.append((np.median(z), robust(z), np.mean(np.abs(z) > 3.0), scatter))
+            medians, spreads, beyond, scatters = np.array(found).T
+            told = f"{scatters.min():.2f} to {scatters.max():.2f}" if kind == "pink" else ""
+            rows.append(
+                f"| {name} | {kind} | {light:g} | {np.abs(medians).max():.2f} | "
+                f"{spreads.min():.2f} to {spreads.max():.2f} | "
+                f"{100.0 * beyond.max():.1f} % | {told} |"
+            )
+    return rows
+
+
+def edges(name: str, setup: Setup, near: float, far: float) -> str:
+    """Return a row about a square before a plane."""
+    points = SIDE * 8
+    mask = np.zeros((points, points))
+    mask[points // 4 : 3 * points // 4, points // 4 : 3 * points // 4] = 1.0
+    scene = before(texture("leaves", SIDE, 11), mask, near, texture("pink", SIDE, 12), far, setup.lenses(), LIGHT)
+    result = live(setup)(*record(scene, seed=4))
+    inside = averaged(mask).reshape(SIDE // 4, 4, SIDE // 4, 4).mean(axis=(1, 3)) > 0.5
+    truth = np.where(inside, near, far)
+    from scipy.ndimage import distance_transform_edt
+
+    away = 4.0 * np.where(inside, distance_transform_edt(inside), distance_transform_edt(~inside)) - 2.0
+    cells = []
+    for low, high in ((0, 8), (8, 16), (16, 32)):
+        here = (away >= low) & (away < high)
+        deviation = np.where(here, result.deviation, np.inf)
+        z = standard(result.depth, deviation, truth)
+        cells.append(f"{1.4826 * np.median(np.abs(z)):.2f} at {100.0 * np.isfinite(deviation[here]).mean():.0f} %")
+    return f"| {name} | {near:g} m before {far:g} m | " + " | ".join(cells) + " |"
+
+
+def models(setup: Setup) -> list[str]:
+    """Return rows of depth from photographs by several transfer functions: bias and scatter, mm."""
+
+    def imitated(shape: Callable[[Array], Array]) -> Any:
+        def transfer(lens: lm.Lens, vergence: Array, _spectrum: Any, pitch: float) -> Callable[[Array], Array]:
+            radii = lens.pupil(1.0 / vergence).geometric_radius() / pitch
+            return lambda f: np.array([shape(2.0 * math.pi * radius * f) for radius in radii])
+
+        return transfer
+
+    from scipy.special import j1
+
+    from lommel.estimation.focal_model import transfer_curve
+
+    kinds = {
+        "the lens's own": transfer_curve,
+        "disc": imitated(lambda x: 2.0 * j1(np.maximum(x, 1e-9)) / np.maximum(x, 1e-9)),
+        "Gaussian": imitated(lambda x: np.exp(-(x**2) / 8.0)),
+    }
+    rows = []
+    for name, transfer in kinds.items():
+        cells = []
+        for distance in (1.4, 1.5, 1.6, 1.7):
+            counts = record(
+                plane(texture("pink", SIDE, 3), setup.lenses(), distance, LIGHT), seed=int(1000 * distance)
+            )
+            found = lm.imaging.depth_from_defocus(
+                [(one - OFFSET) / 1e4 for one in counts],
+                [lommel_lens(lens) for lens in setup.lenses()],
+                setup.pixel,
+                encoding="linear",
+                noise=lm.Noise(white=1e4, read=READ),
+                between=setup.between,
+                transfer=transfer,
+            )
+            e = 1e3 * (found.depth - distance)[np.isfinite(found.deviation)]
+            z = standard(found.depth, found.deviation, distance)
+            cells.append(f"{np.median(e):+.1f}, {robust(e):.1f} ({robust(z):.2f})" if e.size > 500 else "not known")
+        rows.append(f"| f/{setup.f_number:g}, {name} | " + " | ".join(cells) + " |")
+    return rows
+
+
+def fastest(run: Callable[[], object], turns: int = 25) -> float:
+    """Return the least CPU time of a call, in seconds."""
+    run()
+    times = []
+    for _ in range(turns):
+        begin = time.process_time()
+        run()
+        times.append(time.process_time() - begin)
+    return min(times)
+
+
+def speed(name: str, setup: Setup, distance: float, transform: float) -> str:
+    """Return a row about frames of 640 x 480, whatever the texture a plane nearly all of which is known."""
+    pair = record(plane(texture("leaves", SIDE, 7), setup.lenses(), distance, LIGHT), seed=1)
+    frames = [np.ascontiguousarray(np.tile(one, (2, 3))[:480, :640]) for one in pair]
+    finder, both = live(setup, (480, 640)), live(setup, (480, 640), sharp=True)
+    out = np.empty((480, 640), np.float32)
+
+    def with_image() -> None:
+        both(*frames)
+        both.sharp(out)
+
+    alone, together = fastest(lambda: finder(*frames)), fastest(with_image)
+    pairs = live(setup, (480, 640), threads=2)
+    times = []
+    for _ in range(25):
+        begin = time.perf_counter()
+        pairs(*frames)
+        times.append(time.perf_counter() - begin)
+    return (
+        f"| {name} | {finder.binning[0]} | {finder.rank[0]} | {1e3 * alone:.1f} ms | {alone / transform:.2f} | "
+        f"{1.0 / alone:.0f} | {1.0 / together:.0f} | {alone / min(times):.2f} |"
+    )
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Print all tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--speed", action="store_true", help="only what time it takes")
+    asked = parser.parse_args(arguments)
+    values = np.random.default_rng(0).random((1024, 1024))
+    transform = fastest(lambda: np.fft.rfft2(values))
+    print(f"640 x 480, an FFT of 1024 x 1024 takes {1e3 * transform:.1f} ms\n")
+    print("| lens | pixels | images | depth | over the FFT | frames/s | with a sharp image | of two threads |")
+    print("|---|---|---|---|---|---|---|---|")
+    for name, distance in (("35 mm f/8", 1.5), ("8 mm f/2.8", 0.8), ("35 mm f/2.8", 1.5)):
+        print(speed(name, SETUPS[name], distance, transform), flush=True)
+    if asked.speed:
+        return
+    print(
+        "\n| lens | texture | electrons | median z | sd of z | beyond 3 | scatter / bound |\n"
+        "|---|---|---|---|---|---|---|"
+    )
+    for name, setup in SETUPS.items():
+        print("\n".join(planes(name, setup)), flush=True)
+    print("\n| lens | edge | 0 to 8 pixels beside it | 8 to 16 | 16 to 32 |\n|---|---|---|---|---|")
+    for name, near, far in (("35 mm f/8", 1.4, 1.75), ("8 mm f/2.8", 0.5, 0.9), ("35 mm f/2.8", 1.4, 1.75)):
+        print(edges(name, SETUPS[name], near, far), flush=True)
+    print("\n| photographs, PSF | 1.4 m | 1.5 m | 1.6 m | 1.7 m |\n|---|---|---|---|---|")
+    for name in ("35 mm f/8", "35 mm f/2.8"):
+        print("\n".join(models(SETUPS[name])), flush=True)
+
+
+if __name__ == "__main__":
+    main()

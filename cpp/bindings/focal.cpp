@@ -1,0 +1,195 @@
+// Depth and sharp images of frames that differ in focus.
+#include <array>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+
+#include "lommel/focal/stream.hpp"
+
+#include "python.hpp"
+
+using namespace bindings;
+
+namespace {
+
+using Frame = nb::ndarray<nb::ro, nb::ndim<2>, nb::device::cpu>;
+using Known = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::device::cpu>;
+
+class Stream {
+   public:
+    // Residuals are those of each channel; forms and statistics of all together. Sizes: height and width in squares, pixels a side of these, squares a side of a block, depths a block along an axis,
+    // squares that light is spread over, strips. Statistics: rows of each candidate, of the energy of noise and the parts of the variance of half of its derivative.
+    // Numbers: variance of a square without light, pixels of a window, vergence of the first candidate and from one to the next,
+    // least and largest position and largest standard error of what is known.
+    Stream(const std::array<std::size_t, 7>& sizes, In<float, 1> taps, In<float, 4> residuals, In<float, 3> images,
+           In<float, 1> weights, In<float, 2> forms, In<float, 2> statistics, const std::array<float, 7>& numbers) {
+        const auto [height, width, binning, side, fine, blur, strips] = sizes;
+        require(taps.size() == 2 || taps.size() == 3, "two or three taps, from the middle on");
+        require(binning == 1 || binning == 2 || binning == 4, "squares of 1, 2 or 4 pixels a side");
+        require(side == 1 || side == 2 || side == 4, "blocks of 1, 2 or 4 squares a side");
+        require(fine >= 1 && fine <= 16, "1 to 16 depths a block");
+        require(height >= 8 && width >= 8 && height <= 40000 && width <= 40000, "8 to 40000 squares a side");
+        require(blur <= 4096 && strips >= 1 && strips <= 1024 && weights.size() >= 1 && weights.size() <= 31,
+                "blur, strips and weights are too many");
+        const std::size_t channels = residuals.shape(0), count = residuals.shape(1), frames = residuals.shape(2),
+                          terms = residuals.shape(3);
+        require(channels >= 1 && channels <= 16 && frames >= 1 && terms >= 2 && images.shape(1) == frames &&
+                    images.shape(2) == terms,
+                "residuals and images are of the same frames and terms");
+        require(count <= 48 && images.shape(0) <= 60, "at most 48 residuals and 60 images");
+        require(count == 0 || (forms.shape(1) == channels * count * (count + 1) / 2 && forms.shape(0) >= 9 &&
+                               forms.shape(0) % 4 == 1 && statistics.shape(0) == 3 && statistics.shape(1) == forms.shape(0)),
+                "forms and statistics are of 4 n + 1 candidates, 9 or more");
+        require((terms - 1) * (taps.size() - 1) < height, "the filters are higher than the frames");
+        lommel::FocalPlan plan{height,
+                               width,
+                               binning,
+                               channels,
+                               frames,
+                               {terms - 1, taps.size() - 1, {}},
+                               residuals.data(),
+                               count,
+                               images.data(),
+                               images.shape(0),
+                               {side, {weights.data(), weights.data() + weights.size()}},
+                               fine,
+                               blur,
+                               strips};
+        std::copy_n(taps.data(), taps.size(), plan.taps.values);
+        const std::size_t candidates = forms.shape(0);
+        const float* const s = statistics.data();
+        const lommel::FocalCandidates given{candidates,         forms.data(), s,          s + candidates,
+                                            s + 2 * candidates, numbers[0],   numbers[1], numbers[2],
+                                            numbers[3],         numbers[4],   numbers[5], numbers[6]};
+        stream_.emplace(plan, &given);
+        first_ = numbers[2], step_ = numbers[3];
+        frames_.resize(channels * frames);
+    }
+
+    // Sums of pixels known in all frames, as stored, in 8 x 8 parts of the frames, and last how many these are.
+    void sums(const nb::typed<nb::sequence, nb::object>& frames, float full, const std::optional<Known>& known,
+              Out<double, 3> out) {
+        constexpr std::size_t cells = lommel::FocalSums::cells;
+        require(out.shape(0) == frames_.size() + 1 && out.shape(1) == cells && out.shape(2) == cells, "one sum a part");
+        look_at(frames, full, known);
+        released([&] { stream_->sum(frames_.data(), out.data()); });
+    }
+
+    // Frames of uint8, uint16 or float32, with six gains each and the value of no light, and values from which on pixels are full.
+    void take(const nb::typed<nb::sequence, nb::object>& frames, const In<float, 2>& gains, float offset, float full,
+              const std::optional<Known>& known) {
+        require(gains.shape(0) == frames_.size() && gains.shape(1) == 6, "as many gains as planned");
+        look_at(frames, full, known);
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            frames_[i].offset = offset;
+            std::copy_n(gains.data() + 6 * i, 6, frames_[i].gain);
+        }
+        released([&] { stream_->take(frames_.data()); });
+    }
+
+    // Depth, standard error and misfit of blocks: NaN and infinity where it is not known.
+    void depths(Out<float, 2> depth, Out<float, 2> deviation, Out<float, 2> misfit) {
+        require(stream_->has_depth(), "there are no residuals");
+        for (const auto& one : {depth, deviation, misfit}) {
+            require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a block");
+        }
+        released([&] {
+            stream_->search();
+            const lommel::FocalPlace* const places = stream_->places();
+            for (std::size_t i = 0; i < depth.size(); ++i) {
+                const float vergence = first_ + step_ * places[i].position;
+                depth.data()[i] = 1.0f / vergence;
+                deviation.data()[i] = places[i].deviation * step_ / (vergence * vergence);
+                if (!(vergence > 0.0f)) {
+                    deviation.data()[i] = std::numeric_limits<float>::infinity();
+                }
+                misfit.data()[i] = places[i].misfit;
+            }
+        });
+    }
+
+    // Position in candidates, its standard error, and misfit.
+    void places(Out<float, 2> position, Out<float, 2> deviation, Out<float, 2> misfit) {
+        require(stream_->has_depth(), "there are no residuals");
+        for (const auto& one : {position, deviation, misfit}) {
+            require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a depth");
+        }
+        released([&] {
+            stream_->search();
+            const lommel::FocalPlace* const places = stream_->places();
+            for (std::size_t i = 0; i < position.size(); ++i) {
+                position.data()[i] = places[i].position;
+                deviation.data()[i] = places[i].deviation;
+                misfit.data()[i] = places[i].misfit;
+            }
+        });
+    }
+
+    // Positions of blocks in candidates, known or between those that are.
+    void positions(Out<float, 2> out) const {
+        require(stream_->has_depth() && out.shape(0) == stream_->down() && out.shape(1) == stream_->across(),
+                "one value a block");
+        std::memcpy(out.data(), stream_->filled(), out.size() * sizeof(float));
+    }
+
+    // The sum of images at positions, of blocks of `side` squares, with factors of each candidate.
+    void mix(const In<float, 2>& positions, std::size_t side, const In<float, 2>& factors, Out<float, 2> out) {
+        const lommel::FocalPlan& plan = stream_->plan();
+        require(out.shape(0) == plan.height && out.shape(1) == plan.width, "the image has the planned size");
+        require(factors.shape(1) == plan.image_count && factors.shape(0) >= 2, "factors match the images");
+        require(side >= 1 && positions.shape(0) >= 1 && positions.shape(1) >= 1 && positions.shape(0) * side <= plan.height &&
+                    positions.shape(1) * side <= plan.width,
+                "positions match the image");
+        released([&] {
+            stream_->mix(positions.data(), positions.shape(0), positions.shape(1), side, factors.data(), factors.shape(0),
+                         out.data());
+        });
+    }
+
+   private:
+    void look_at(const nb::typed<nb::sequence, nb::object>& frames, float full, const std::optional<Known>& known) {
+        const lommel::FocalPlan& plan = stream_->plan();
+        require(nb::len(frames) == plan.planes(), "as many frames as planned");
+        const std::size_t height = plan.height * plan.binning, width = plan.width * plan.binning;
+        const auto fits = [&](const auto& one) {
+            return one.shape(0) >= height && one.shape(1) >= width && one.stride(1) == 1 && one.stride(0) >= 0;
+        };
+        require(!known || fits(*known), "known pixels have the planned size, those of a row next to one another");
+        for (std::size_t i = 0; i < plan.planes(); ++i) {
+            const auto one = nb::cast<Frame>(frames[i]);
+            require(fits(one), "frames have the planned size, the pixels of a row next to one another");
+            using Kind = lommel::FocalFrame::Kind;
+            const bool bytes = one.dtype() == nb::dtype<std::uint8_t>(), floats = one.dtype() == nb::dtype<float>();
+            require(bytes || floats || one.dtype() == nb::dtype<std::uint16_t>(), "frames are uint8, uint16 or float32");
+            lommel::FocalFrame& frame = frames_[i];
+            frame.kind = floats ? Kind::floats : bytes ? Kind::bytes : Kind::words;
+            frame.data = one.data();
+            frame.stride = static_cast<std::size_t>(one.stride(0));
+            frame.full = full;
+            frame.known = known ? known->data() : nullptr;
+            frame.known_stride = known ? static_cast<std::size_t>(known->stride(0)) : 0;
+        }
+    }
+
+    std::optional<lommel::FocalStream> stream_;
+    std::vector<lommel::FocalFrame> frames_;
+    float first_ = 0.0f, step_ = 0.0f;
+};
+
+}  // namespace
+
+void bindings::define_focal(nb::module_& m) {
+    nb::class_<Stream>(m, "FocalStream", "Depth and sharp images of frames that differ in focus.")
+        .def(nb::init<const std::array<std::size_t, 7>&, In<float, 1>, In<float, 4>, In<float, 3>, In<float, 1>, In<float, 2>,
+                      In<float, 2>, const std::array<float, 7>&>(),
+             "sizes"_a, "taps"_a, "residuals"_a, "images"_a, "weights"_a, "forms"_a, "statistics"_a, "numbers"_a)
+        .def("sums", &Stream::sums, "frames"_a, "full"_a, "known"_a.none(), "out"_a, "Write sums of known pixels.")
+        .def("take", &Stream::take, "frames"_a, "gains"_a, "offset"_a, "full"_a, "known"_a.none(), "Filter frames.")
+        .def("depths", &Stream::depths, "depth"_a, "deviation"_a, "misfit"_a, "Write depth, its standard error and misfit.")
+        .def("places", &Stream::places, "position"_a, "deviation"_a, "misfit"_a, "Write positions, their errors and misfit.")
+        .def("positions", &Stream::positions, "out"_a, "Write positions of blocks, filled in.")
+        .def("mix", &Stream::mix, "positions"_a, "side"_a, "factors"_a, "out"_a, "Write a sum of images.");
+}

@@ -1,0 +1,193 @@
+// Depth of each block from the energies at all candidates: the place of the least, its standard error, and whether it is known.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+// Of each candidate: the energy as a quadratic form, of white noise, and the parts of the variance of half of its derivative.
+struct FocalCandidates {
+    std::size_t count;  // 4 n + 1, 9 or more
+    const float *forms, *noise, *by_texture, *by_noise;
+    float read_variance;  // of a square without light
+    float pixels;  // of a window
+    float first, step;  // vergence
+    float low, high;  // positions between which depths are asked for
+    float largest;  // standard error of what is known, in candidates
+};
+
+// What is known of one block.
+struct FocalPlace {
+    float position, deviation, misfit;  // in candidates; NaN and infinite where not known
+};
+
+class FocalSearch {
+   public:
+    FocalSearch(const FocalCandidates& given, std::size_t products)
+        : given_(given), products_(products), width_(given.count + near), forms_(products * width_),
+          rough_((given.count + 3) / 4 * products), noise_(given.count + near),
+          by_texture_(given.by_texture, given.by_texture + given.count),
+          by_noise_(given.by_noise, given.by_noise + given.count) {
+        for (std::size_t q = 0; q < products; ++q) {
+            for (std::size_t c = 0; c < given.count; ++c) {
+                forms_[q * width_ + c] = given.forms[c * products + q];
+            }
+            for (std::size_t c = 0; c < roughs(); ++c) {
+                rough_[q * roughs() + c] = given.forms[rough_step * c * products + q];
+            }
+        }
+        std::copy_n(given.noise, given.count, noise_.begin());
+        given_.forms = given_.noise = given_.by_texture = given_.by_noise = nullptr;
+    }
+
+    const FocalCandidates& candidates() const { return given_; }
+
+    // Room for one thread.
+    struct Scratch {
+        explicit Scratch(const FocalSearch& of) : energies(of.roughs() * lanes_) {}
+        Floats energies;
+    };
+
+    // Blocks from `sums`, rows of products `pitch` apart, averages over windows and over the variance of the noise, and from how much
+    // of a window is trusted; as many as lanes.
+    template <class I>
+    LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
+                                  Scratch& scratch, FocalPlace* out) const {
+        using V = typename I::floats;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const std::size_t count = roughs();
+        float* const energies = scratch.energies.data();
+        // Every fourth candidate, for all blocks at once.
+        for (std::size_t c = 0; c < count; c += 4) {
+            const std::size_t several = std::min<std::size_t>(4, count - c);
+            V total[4] = {};
+            for (std::size_t q = 0; q < products_; ++q) {
+                const V sum = load<V>(sums + q * pitch);
+                const float* const form = rough_.data() + q * count + c;
+                for (std::size_t t = 0; t < 4; ++t) {
+                    total[t] = total[t] + splat<V>(form[t < several ? t : 0]) * sum;
+                }
+            }
+            for (std::size_t t = 0; t < several; ++t) {
+                store(energies + (c + t) * lanes, total[t]);
+            }
+        }
+        for (std::size_t l = 0; l < std::min(lanes, blocks); ++l) {
+            // Of `near` candidates.
+            const auto energy = [&](std::size_t start, float* to) LOMMEL_INLINE_LAMBDA {
+                V sum[near / lanes] = {};
+                for (std::size_t q = 0; q < products_; ++q) {
+                    const V one = splat<V>(sums[q * pitch + l]);
+                    const float* const form = forms_.data() + q * width_ + start;
+                    for (std::size_t v = 0; v < near / lanes; ++v) {
+                        sum[v] = sum[v] + one * load<V>(form + v * lanes);
+                    }
+                }
+                for (std::size_t v = 0; v < near / lanes; ++v) {
+                    store(to + v * lanes, sum[v] - load<V>(noise_.data() + start + v * lanes));
+                }
+            };
+            const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
+            out[l] = trust[l] >= least_trust ? place(energy, rough, given_.pixels * trust[l])
+                                             : FocalPlace{unknown, infinite, unknown};
+        }
+    }
+
+   private:
+    static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16;
+    static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    static constexpr float least_trust = 0.5f;
+    static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods, and standard deviations of an energy
+
+    std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
+
+    template <class Energy, class Rough>
+    LOMMEL_INLINE FocalPlace place(const Energy& energy, const Rough& rough, float pixels) const {
+        const std::size_t count = roughs(), last = given_.count - 1;
+        std::size_t best = 0;
+        float least = rough(0), sum = least;
+        for (std::size_t c = 1; c < count; ++c) {
+            const float e = rough(c);
+            sum += e;
+            best = e < least ? c : best;
+            least = e < least ? e : least;
+        }
+        // The candidates around it, and two more on either side.
+        const std::size_t middle = rough_step * best, start = middle > 5 ? middle - 5 : 0, end = std::min(middle + 5, last);
+        float around[near];
+        energy(start, around);
+        std::size_t at = start;
+        for (std::size_t c = start; c <= end; ++c) {
+            at = around[c - start] < around[at - start] ? c : at;
+        }
+        const float noise = noise_[at];
+        FocalPlace found{unknown, infinite, 1.0f + around[at - start] / noise};
+        if (at == 0 || at == last || at == start || at == end) {
+            return found;
+        }
+        float g[5];
+        const float* const e = around + (at - start);
+        if (at >= start + 2 && at + 2 <= end) {
+            std::copy_n(e - 2, 5, g);
+        } else {  // a cubic beyond the three that there are
+            std::copy_n(e - 1, 3, g + 1);
+            const bool low = at < start + 2;
+            g[low ? 4 : 0] = low ? e[2] : e[-2];
+            g[low ? 0 : 4] =
+                low ? 4.0f * g[1] - 6.0f * g[2] + 4.0f * g[3] - g[4] : 4.0f * g[3] - 6.0f * g[2] + 4.0f * g[1] - g[0];
+        }
+        const float e1 = (g[0] - 8.0f * g[1] + 8.0f * g[3] - g[4]) / 12.0f;
+        const float e2 = (-g[0] + 16.0f * g[1] - 30.0f * g[2] + 16.0f * g[3] - g[4]) / 12.0f;
+        const float e3 = 0.5f * (-g[0] + 2.0f * g[1] - 2.0f * g[3] + g[4]);
+        const float e4 = g[0] - 4.0f * g[1] + 6.0f * g[2] - 4.0f * g[3] + g[4];
+        float x = 0.0f;
+        for (int step = 0; step < 3; ++step) {
+            const float slope = e1 + x * (e2 + x * (0.5f * e3 + x * e4 / 6.0f)), bend = e2 + x * (e3 + 0.5f * x * e4);
+            if (!(bend > 0.0f)) {
+                break;
+            }
+            x = std::min(1.0f, std::max(-1.0f, x - std::min(0.6f, std::max(-0.6f, slope / bend))));
+        }
+        const float curvature = 0.5f * (e2 + x * (e3 + 0.5f * x * e4));
+        if (!(curvature > 0.0f)) {
+            return found;
+        }
+        const float worse = std::max(1.0f, found.misfit), likelihood = 0.5f * pixels / worse, here = g[2];
+        // Better than the mean of all, and than any other valley.
+        const float better = likelihood * (sum / static_cast<float>(count) - here);
+        if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
+            return found;
+        }
+        std::size_t low = best, high = best;
+        while (low > 0 && rough(low - 1) >= rough(low)) {
+            --low;
+        }
+        while (high + 1 < count && rough(high + 1) >= rough(high)) {
+            ++high;
+        }
+        float second = infinite;
+        for (std::size_t c = 0; c < count; ++c) {
+            second = c < low || c > high ? std::min(second, rough(c)) : second;
+        }
+        if (!(likelihood * (second - here) >= apart)) {
+            return found;
+        }
+        const float variance = (by_texture_[at] * curvature + by_noise_[at] * worse) * worse / (curvature * curvature * pixels);
+        found.position = static_cast<float>(at) + x;
+        found.deviation = std::sqrt(variance);
+        return found;
+    }
+
+    FocalCandidates given_;
+    std::size_t products_, width_;
+    Floats forms_, rough_, noise_, by_texture_, by_noise_;
+};
+
+}  // namespace lommel

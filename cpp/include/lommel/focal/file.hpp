@@ -1,0 +1,226 @@
+// Tables of live depth as LiveDepth.save() writes them, and what they make of frames: all that a camera without Python needs.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "lommel/focal/stream.hpp"
+
+namespace lommel {
+
+// Little-endian: whole numbers of 32 bits, then floats. The order is that of the fields here.
+struct FocalFile {
+    static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // "LLMF"
+    enum Whole {
+        Magic,
+        Version,
+        Binning,
+        Side,
+        Blur,
+        Frames,
+        Degree,
+        Reach,
+        Residuals,
+        Candidates,
+        Weights,
+        ImageDegree,
+        ImageReach,
+        Images,
+        wholes
+    };
+    enum Number {
+        White = 6,
+        Offset,
+        Full,
+        ReadVariance,
+        Pixels,
+        First,
+        Step,
+        Low,
+        High,
+        Largest,
+        numbers
+    };  // after two sets of taps
+
+    std::array<std::int32_t, wholes> whole;
+    std::array<float, numbers> number;
+    std::vector<float> residuals, weights, forms, statistics, images, mixes;
+
+    // std::invalid_argument for what is no such file.
+    FocalFile(const void* data, std::size_t bytes) {
+        const std::uint16_t one = 1;
+        unsigned char low;
+        std::memcpy(&low, &one, 1);
+        require(low == 1, "tables are read on little-endian processors alone");
+        const auto* from = static_cast<const unsigned char*>(data);
+        const unsigned char* const end = from + bytes;
+        const auto take = [&](void* to, std::size_t size) {
+            require(static_cast<std::size_t>(end - from) >= size, "the tables end too early");
+            std::memcpy(to, from, size);
+            from += size;
+        };
+        take(whole.data(), sizeof whole);
+        require(whole[Magic] == magic, "these are no tables of live depth");
+        require(whole[Version] == version, "these tables are of another version of lommel");
+        const auto within = [&](Whole which, std::int32_t least, std::int32_t most) {
+            require(whole[which] >= least && whole[which] <= most, "the tables are damaged");
+            return static_cast<std::size_t>(whole[which]);
+        };
+        require(one_of(whole[Binning]) && one_of(whole[Side]), "the tables are damaged");
+        within(Blur, 0, 4096), within(Reach, 1, 2), within(ImageReach, 1, 2);
+        const std::size_t frames = within(Frames, 2, 16), terms = within(Degree, 1, 64) + 1, count = within(Residuals, 1, 48);
+        const std::size_t candidates = within(Candidates, 9, 4001), around = within(Weights, 1, 31);
+        const std::size_t image_terms = within(ImageDegree, 1, 64) + 1, kept = within(Images, 0, 60);
+        require(candidates % 4 == 1, "the tables are damaged");
+        take(number.data(), sizeof number);
+        const auto fill = [&](std::vector<float>& to, std::size_t size) {
+            to.resize(size);
+            take(to.data(), size * sizeof(float));
+            require(std::all_of(to.begin(), to.end(), [](float x) { return std::isfinite(x); }), "the tables are damaged");
+        };
+        fill(residuals, count * frames * terms);
+        fill(weights, around);
+        fill(forms, candidates * (count * (count + 1) / 2));
+        fill(statistics, 3 * candidates);
+        fill(images, kept * frames * image_terms);
+        fill(mixes, kept * candidates);
+        require(from == end, "the tables go on after their end");
+    }
+
+   private:
+    static bool one_of(std::int32_t x) { return x == 1 || x == 2 || x == 4; }
+    static void require(bool holds, const char* otherwise) {
+        if (!holds) {
+            throw std::invalid_argument(otherwise);
+        }
+    }
+};
+
+// Depth and a sharp image of frames of one size.
+class FocalCamera {
+   public:
+    FocalCamera(const FocalFile& file, std::size_t height, std::size_t width, std::size_t threads) : file_(file) {
+        const auto whole = [&](FocalFile::Whole which) { return static_cast<std::size_t>(file.whole[which]); };
+        const std::size_t binning = whole(FocalFile::Binning), frames = whole(FocalFile::Frames);
+        const float* const n = file_.number.data();
+        FocalPlan plan{height / binning,
+                       width / binning,
+                       binning,
+                       1,
+                       frames,
+                       {whole(FocalFile::Degree), whole(FocalFile::Reach), {n[0], n[1], n[2]}},
+                       file_.residuals.data(),
+                       whole(FocalFile::Residuals),
+                       nullptr,
+                       0,
+                       {whole(FocalFile::Side), file_.weights},
+                       1,
+                       whole(FocalFile::Blur),
+                       threads};
+        const std::size_t count = whole(FocalFile::Candidates);
+        const float* const s = file_.statistics.data();
+        const FocalCandidates candidates{count,
+                                         file_.forms.data(),
+                                         s,
+                                         s + count,
+                                         s + 2 * count,
+                                         n[FocalFile::ReadVariance],
+                                         n[FocalFile::Pixels],
+                                         n[FocalFile::First],
+                                         n[FocalFile::Step],
+                                         n[FocalFile::Low],
+                                         n[FocalFile::High],
+                                         n[FocalFile::Largest]};
+        stream_ = std::make_unique<FocalStream>(plan, &candidates);
+        if (!file_.mixes.empty()) {
+            plan.height = height, plan.width = width, plan.binning = 1;
+            plan.taps = {whole(FocalFile::ImageDegree), whole(FocalFile::ImageReach), {n[3], n[4], n[5]}};
+            plan.residuals = nullptr, plan.residual_count = 0;
+            plan.images = file_.images.data(), plan.image_count = whole(FocalFile::Images);
+            plan.window.side = 4, plan.blur = 0;
+            pictures_ = std::make_unique<FocalStream>(plan, nullptr);
+        }
+        frames_.resize(frames);
+        sums_.resize((frames + 1) * FocalSums::cells * FocalSums::cells);
+    }
+
+    std::size_t frames() const { return frames_.size(); }
+    std::size_t down() const { return stream_->down(); }
+    std::size_t across() const { return stream_->across(); }
+
+    // Frames of 8 or 16 bits a pixel, rows `stride` pixels apart. std::invalid_argument where one holds no light.
+    void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* deviation, float* misfit) {
+        const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            frames_[i] = {frames[i],
+                          words ? FocalFrame::Kind::words : FocalFrame::Kind::bytes,
+                          stride,
+                          full,
+                          file_.number[FocalFile::Offset],
+                          {},
+                          nullptr,
+                          0};
+        }
+        stream_->sum(frames_.data(), sums_.data());
+        constexpr std::size_t cells = FocalSums::cells * FocalSums::cells;
+        const auto total = [&](std::size_t i) {
+            double sum = 0.0;
+            for (std::size_t c = 0; c < cells; ++c) {
+                sum += sums_[i * cells + c];
+            }
+            return sum;
+        };
+        const double count = std::max(total(frames_.size()), 1.0), white = static_cast<double>(file_.number[FocalFile::White]);
+        const auto mean = [&](std::size_t i) {
+            return (total(i) / count - static_cast<double>(file_.number[FocalFile::Offset])) * white;
+        };
+        const double first = mean(0);
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            const double exposure = mean(i) / first;
+            if (!(first > 0.0) || !(exposure >= 0.5 && exposure <= 2.0)) {
+                throw std::invalid_argument(
+                    "frames must hold light, of exposures that differ by less than a factor of 2, and not be full everywhere");
+            }
+            frames_[i].gain[0] = static_cast<float>(white / exposure);
+        }
+        stream_->take(frames_.data());
+        stream_->search();
+        const FocalPlace* const places = stream_->places();
+        const float start = file_.number[FocalFile::First], step = file_.number[FocalFile::Step];
+        for (std::size_t i = 0; i < down() * across(); ++i) {
+            const float vergence = start + step * places[i].position;
+            depth[i] = 1.0f / vergence;
+            deviation[i] =
+                vergence > 0.0f ? places[i].deviation * step / (vergence * vergence) : std::numeric_limits<float>::infinity();
+            misfit[i] = places[i].misfit;
+        }
+        taken_ = true;
+    }
+
+    // The sharp image of the same frames, which must still be there. std::invalid_argument where there are no tables for it.
+    void sharpen(float* image) {
+        if (!pictures_ || !taken_) {
+            throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");
+        }
+        pictures_->take(frames_.data());
+        pictures_->mix(stream_->filled(), down(), across(), 4, file_.mixes.data(),
+                       static_cast<std::size_t>(file_.whole[FocalFile::Candidates]), image);
+    }
+
+   private:
+    FocalFile file_;
+    std::unique_ptr<FocalStream> stream_, pictures_;
+    std::vector<FocalFrame> frames_;
+    std::vector<double> sums_;
+    bool taken_ = false;
+};
+
+}  // namespace lommel

@@ -1,0 +1,230 @@
+// Rows of frames as a camera stores them, in electrons over the exposure, in squares of pixels, with what is not known.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+struct FocalFrame {
+    enum class Kind { bytes, words, floats };
+
+    const void* data;
+    Kind kind;
+    std::size_t stride;         // values from one row to the next
+    float full;                 // values from here on are not known
+    float offset;               // of a value without light
+    float gain[6];              // electrons over exposure, times 1, x, x^2, y, x y, y^2: x and y from -1 to 1 over the frame
+    const std::uint8_t*
+        known;  // 1, 0 for a pixel that is not, and 2 for one that holds light but is not to be trusted; or null
+    std::size_t known_stride;
+
+    bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
+};
+
+// Reads rows of squares of `binning` pixels a side, of frames of a height and width in squares.
+class FocalReader {
+   public:
+    FocalReader(std::size_t height, std::size_t width, std::size_t binning)
+        : height_(height), width_(width), binning_(binning) {}
+
+    // Writes row y to `out`, and to `unknown` where its squares are not known, 2, or not to be trusted, 1, if there are such, which it
+    // returns.
+    template <class I>
+    LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
+        switch (frame.kind) {
+            case FocalFrame::Kind::bytes:
+                return rows(isa, frame, static_cast<const std::uint8_t*>(frame.data), y, out, unknown);
+            case FocalFrame::Kind::words:
+                return rows(isa, frame, static_cast<const std::uint16_t*>(frame.data), y, out, unknown);
+            default:
+                return rows(isa, frame, static_cast<const float*>(frame.data), y, out, unknown);
+        }
+    }
+
+   private:
+    template <class I, class T>
+    LOMMEL_INLINE bool rows(I isa, const FocalFrame& frame, const T* data, std::size_t y, float* out, float* unknown) const {
+        const T* const first = data + y * binning_ * frame.stride;
+        if (binning_ == 1) {
+            copy<1>(first, frame.stride, out);
+        } else if (binning_ == 2) {
+            copy<2>(first, frame.stride, out);
+        } else {
+            copy<4>(first, frame.stride, out);
+        }
+        bool any = false;
+        // A square holds a full pixel only where its sum is as large, and one that is not finite where that is not.
+        float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
+        for (std::size_t x = 0; x < width_; ++x) {
+            most = out[x] > most ? out[x] : most;
+            all += out[x] * 0.0f;
+        }
+        if (frame.known != nullptr || most >= frame.full || !(all == 0.0f)) {
+            any = look_for(frame, first, y, unknown);
+        }
+        scale(isa, frame, y, out);
+        if (any) {
+            fill(out, unknown);
+        }
+        return any;
+    }
+
+    template <std::size_t B, class T>
+    LOMMEL_INLINE void copy(const T* from, std::size_t stride, float* out) const {
+        for (std::size_t x = 0; x < width_; ++x) {
+            if constexpr (B == 1) {
+                out[x] = static_cast<float>(from[x]);
+            } else {
+                using Sum = std::conditional_t<std::is_same_v<T, float>, float, std::int32_t>;
+                Sum sum = 0;
+                for (std::size_t i = 0; i < B; ++i) {
+                    for (std::size_t j = 0; j < B; ++j) {
+                        sum += static_cast<Sum>(from[i * stride + B * x + j]);
+                    }
+                }
+                out[x] = static_cast<float>(sum);
+            }
+        }
+    }
+
+    template <class T>
+    LOMMEL_INLINE bool look_for(const FocalFrame& frame, const T* from, std::size_t y, float* unknown) const {
+        bool any = false;
+        for (std::size_t i = 0; i < binning_; ++i) {
+            const std::uint8_t* const known = frame.known ? frame.known + (y * binning_ + i) * frame.known_stride : nullptr;
+            for (std::size_t x = 0; x < width_ * binning_; ++x) {
+                const float value = static_cast<float>(from[i * frame.stride + x]);
+                const bool lost = !(value < frame.full) || (known && known[x] == 0) || !(value * 0.0f == 0.0f);
+                if (lost || (known && known[x] != 1)) {
+                    float& square = unknown[x / binning_];
+                    square = lost ? lost_square : square == 0.0f ? 1.0f : square;
+                    any = true;
+                }
+            }
+        }
+        return any;
+    }
+
+    template <class I>
+    LOMMEL_INLINE void scale(I, const FocalFrame& frame, std::size_t y, float* out) const {
+        const float offset = frame.offset * static_cast<float>(binning_ * binning_);
+        if (frame.even()) {
+            const float gain = frame.gain[0];
+            for (std::size_t x = 0; x < width_; ++x) {
+                out[x] = gain * (out[x] - offset);
+            }
+            return;
+        }
+        const float* const g = frame.gain;
+        const float down = place(y, height_), step = 2.0f / static_cast<float>(width_);
+        const float a = g[0] + down * (g[3] + down * g[5]), b = g[1] + down * g[4];
+        for (std::size_t x = 0; x < width_; ++x) {
+            const float across = (static_cast<float>(static_cast<std::int32_t>(x)) + 0.5f) * step - 1.0f;
+            out[x] = (a + across * (b + across * g[2])) * (out[x] - offset);
+        }
+    }
+    static float place(std::size_t i, std::size_t side) {
+        return (static_cast<float>(i) + 0.5f) * 2.0f / static_cast<float>(side) - 1.0f;
+    }
+
+    // Between the known squares on either side, linearly; a row without any is left as it is, but finite.
+    LOMMEL_INLINE void fill(float* out, const float* unknown) const {
+        std::size_t x = 0;
+        while (x < width_) {
+            if (unknown[x] != lost_square) {
+                ++x;
+                continue;
+            }
+            std::size_t end = x;
+            while (end < width_ && unknown[end] == lost_square) {
+                ++end;
+            }
+            const float before = x > 0 ? out[x - 1] : end < width_ ? out[end] : 0.0f;
+            const float after = end < width_ ? out[end] : before;
+            const float slope = (after - before) / static_cast<float>(end - x + 1);
+            for (std::size_t i = x; i < end; ++i) {
+                out[i] = before + slope * static_cast<float>(i - x + 1);
+            }
+            x = end;
+        }
+    }
+
+    static constexpr float lost_square = 2.0f;
+
+    std::size_t height_, width_, binning_;
+};
+
+// Sums of the pixels that are known in all frames, as stored, and how many these are, in each of cells x cells parts of the frames:
+// [frames + 1][cells][cells].
+class FocalSums {
+   public:
+    static constexpr std::size_t cells = 8;
+
+    FocalSums(std::size_t height, std::size_t width) : height_(height), width_(width), good_(width) {}
+
+    template <class I>
+    LOMMEL_INLINE void operator()(I, const FocalFrame* frames, std::size_t count, double* out) {
+        std::fill_n(out, (count + 1) * cells * cells, 0.0);
+        for (std::size_t y = 0; y < height_; ++y) {
+            std::fill(good_.begin(), good_.end(), std::int32_t{1});
+            for (std::size_t i = 0; i < count; ++i) {
+                row(frames[i], y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { judge(from, frames[i], y); });
+            }
+            double* const at = out + y * cells / height_ * cells;
+            for (std::size_t i = 0; i < count; ++i) {
+                row(frames[i], y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { add(from, at + i * cells * cells); });
+            }
+            add(good_.data(), at + count * cells * cells);
+        }
+    }
+
+   private:
+    template <class Work>
+    static LOMMEL_INLINE void row(const FocalFrame& frame, std::size_t y, const Work& work) {
+        switch (frame.kind) {
+            case FocalFrame::Kind::bytes:
+                return work(static_cast<const std::uint8_t*>(frame.data) + y * frame.stride);
+            case FocalFrame::Kind::words:
+                return work(static_cast<const std::uint16_t*>(frame.data) + y * frame.stride);
+            default:
+                return work(static_cast<const float*>(frame.data) + y * frame.stride);
+        }
+    }
+    template <class T>
+    LOMMEL_INLINE void judge(const T* from, const FocalFrame& frame, std::size_t y) {
+        const float full = frame.full;
+        for (std::size_t x = 0; x < width_; ++x) {
+            const float value = static_cast<float>(from[x]);
+            good_[x] &= static_cast<std::int32_t>(value < full) & static_cast<std::int32_t>(value * 0.0f == 0.0f);
+        }
+        if (frame.known) {
+            const std::uint8_t* const known = frame.known + y * frame.known_stride;
+            for (std::size_t x = 0; x < width_; ++x) {
+                good_[x] &= static_cast<std::int32_t>(known[x] == 1);
+            }
+        }
+    }
+    template <class T>
+    LOMMEL_INLINE void add(const T* from, double* out) const {
+        using Sum = std::conditional_t<std::is_same_v<T, float>, float, std::int32_t>;
+        for (std::size_t c = 0; c < cells; ++c) {
+            Sum sum = 0;
+            for (std::size_t x = c * width_ / cells; x < (c + 1) * width_ / cells; ++x) {
+                sum += good_[x] != 0 ? static_cast<Sum>(from[x]) : Sum{0};
+            }
+            out[c] += static_cast<double>(sum);
+        }
+    }
+
+    std::size_t height_, width_;
+    std::vector<std::int32_t> good_;
+};
+
+}  // namespace lommel

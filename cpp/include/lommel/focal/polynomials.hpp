@@ -1,0 +1,110 @@
+// Chebyshev polynomials of one small filter, of the rows of several images at once, each order a few rows behind the one before.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+// A row of an image mirrored about the middle of its edges, of `side` rows; no more than one side beyond it.
+LOMMEL_INLINE std::size_t mirrored_row(std::ptrdiff_t y, std::size_t side) {
+    const auto rows = static_cast<std::ptrdiff_t>(side);
+    return static_cast<std::size_t>(y < 0 ? -1 - y : y >= rows ? 2 * rows - 1 - y : y);
+}
+
+// T_m(2 B - 1) y for m from 0 to `degree`, B being the product of symmetric taps along rows and columns, of which `reach`, 1 or 2,
+// are on either side of the middle. Images continue mirrored, as their filtered ones then do.
+struct FocalTaps {
+    std::size_t degree, reach;
+    float values[3];
+};
+
+// Rows of all orders of several images, in rings. Rows have `margin` floats on either side.
+class FocalRows {
+   public:
+    static constexpr std::size_t margin = 32;
+    static std::size_t padded(std::size_t width) { return (width + 31) / 32 * 32 + 2 * margin; }
+
+    // All orders of a row are there until that `ahead` rows further has been read.
+    FocalRows(const FocalTaps& taps, std::size_t images, std::size_t height, std::size_t width, std::size_t ahead)
+        : taps_(taps), height_(height), width_(width), pitch_(padded(width)), images_(images), column_(pitch_) {
+        for (std::size_t m = 0; m <= taps.degree; ++m) {
+            lengths_.push_back(std::max(ahead + 2 - m * taps.reach, std::size_t{0}) + 2 * taps.reach + 1);
+            starts_.push_back(total_);
+            total_ += lengths_[m] * pitch_;
+        }
+        rows_.resize(images * total_);
+    }
+
+    std::size_t images() const { return images_; }
+    const FocalTaps& taps() const { return taps_; }
+    std::size_t width() const { return width_; }
+    float* row(std::size_t image, std::size_t m, std::size_t y) {
+        return rows_.data() + image * total_ + starts_[m] + y % lengths_[m] * pitch_ + margin;
+    }
+
+    // Row y of order m > 0 of all images, from the orders before.
+    template <class I>
+    LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
+        for (std::size_t image = 0; image < images_; ++image) {
+            if (taps_.reach == 1) {
+                m == 1 ? order<1, true>(isa, image, m, y) : order<1, false>(isa, image, m, y);
+            } else {
+                m == 1 ? order<2, true>(isa, image, m, y) : order<2, false>(isa, image, m, y);
+            }
+        }
+    }
+
+   private:
+    template <std::size_t Reach, bool First, class I>
+    LOMMEL_INLINE void order(I, std::size_t image, std::size_t m, std::size_t y) {
+        using V = typename I::floats;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const auto at = static_cast<std::ptrdiff_t>(y);
+        const float* const here = row(image, m - 1, y);
+        const float *above[Reach], *below[Reach];
+        for (std::size_t k = 0; k < Reach; ++k) {
+            const auto away = static_cast<std::ptrdiff_t>(k + 1);
+            above[k] = row(image, m - 1, mirrored_row(at - away, height_));
+            below[k] = row(image, m - 1, mirrored_row(at + away, height_));
+        }
+        V taps[Reach + 1];
+        for (std::size_t k = 0; k <= Reach; ++k) {
+            taps[k] = splat<V>(taps_.values[k]);
+        }
+        float* const column = column_.data() + margin;
+        for (std::size_t x = 0; x < width_; x += lanes) {
+            V sum = taps[0] * load<V>(here + x);
+            for (std::size_t k = 0; k < Reach; ++k) {
+                sum = sum + taps[k + 1] * (load<V>(above[k] + x) + load<V>(below[k] + x));
+            }
+            store(column + x, sum);
+        }
+        for (std::size_t k = 0; k < Reach; ++k) {
+            column[-1 - static_cast<std::ptrdiff_t>(k)] = column[std::min(k, width_ - 1)];
+            column[width_ + k] = column[width_ - 1 - std::min(k, width_ - 1)];
+        }
+        const float* const before = First ? here : row(image, m - 2, y);
+        float* const out = row(image, m, y);
+        const V factor = splat<V>(First ? 2.0f : 4.0f), two = splat<V>(2.0f);
+        for (std::size_t x = 0; x < width_; x += lanes) {
+            V sum = taps[0] * load<V>(column + x);
+            for (std::size_t k = 1; k <= Reach; ++k) {
+                sum = sum + taps[k] * (load<V>(column + x - k) + load<V>(column + x + k));
+            }
+            const V rest = First ? load<V>(here + x) : two * load<V>(here + x) + load<V>(before + x);
+            store(out + x, factor * sum - rest);
+        }
+    }
+
+    FocalTaps taps_;
+    std::size_t height_, width_, pitch_, images_, total_ = 0;
+    std::vector<std::size_t> lengths_, starts_;
+    Floats rows_, column_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,578 @@
+// Frames that differ in focus to a depth map and to sharp images: rows are filtered as they come, nothing is allocated for a frame.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/focal/depth.hpp"
+#include "lommel/focal/energies.hpp"
+#include "lommel/focal/frames.hpp"
+#include "lommel/focal/polynomials.hpp"
+
+namespace lommel {
+
+// What is made of frames of a height and width in squares of `binning` pixels a side.
+struct FocalPlan {
+    std::size_t height, width, binning;
+    std::size_t channels, frames;  // images are those of the first channel, of the second, ...
+    FocalTaps taps;
+    const float* residuals;  // [channels][count][frames][degree + 1], whose products are summed over blocks
+    std::size_t residual_count;
+    const float* images;  // [count][frames][degree + 1] of the first channel, which are kept
+    std::size_t image_count;
+    FocalWindow window;
+    std::size_t fine;  // depths a block along either axis, by sums between those of blocks
+    std::size_t blur;  // squares that light is spread over, and that are not trusted beside what is not known
+    std::size_t strips;
+
+    std::size_t planes() const { return channels * frames; }
+    // Rows that are read before one is made.
+    std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
+};
+
+class FocalStream {
+   public:
+    FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
+        : plan_(plan), reader_(plan.height, plan.width, plan.binning),
+          summing_(plan.height * plan.binning, plan.width * plan.binning), down_(plan.height / plan.window.side),
+          across_(plan.width / plan.window.side), pitch_((across_ + 31) / 32 * 32 + 2 * FocalRows::margin) {
+        if (plan.residual_count > 0) {
+            each_ = plan.residual_count * (plan.residual_count + 1) / 2;
+            products_ = plan.channels * each_;
+            search_ = std::make_unique<FocalSearch>(*candidates, products_);
+            rows_ = products_ + plan.channels + 1;
+            sums_.resize(down_ * rows_ * pitch_);
+            places_.resize(down() * across());
+            filled_.resize(down() * across());
+            for (std::size_t h = down(), w = across(); h * w > 1; h = (h + 1) / 2, w = (w + 1) / 2) {
+                levels_.push_back({h, w, std::vector<float>(h * w), std::vector<float>(h * w)});
+            }
+            levels_.push_back({1, 1, std::vector<float>(1), std::vector<float>(1)});
+        }
+        row_ = (plan.width + 31) / 32 * 32;
+        images_.resize(plan.image_count * plan.height * row_ + 64);
+        const std::size_t strips = std::max<std::size_t>(1, std::min(plan.strips, down_ > 0 ? down_ : 1));
+        for (std::size_t s = 0; s < strips; ++s) {
+            strips_.push_back(std::make_unique<Strip>(plan, *this));
+        }
+    }
+
+    // Depths along the axes.
+    std::size_t down() const { return down_ * plan_.fine; }
+    std::size_t across() const { return across_ * plan_.fine; }
+    bool has_depth() const { return search_ != nullptr; }
+    const FocalPlan& plan() const { return plan_; }
+    const FocalPlace* places() const { return places_.data(); }
+    const float* filled() const { return filled_.data(); }
+
+    // Sums of known pixels and their numbers, as of FocalSums.
+    void sum(const FocalFrame* frames, double* out);
+
+    // Filters the frames, as many as the plan has; then search() and mix() answer.
+    void take(const FocalFrame* frames);
+
+    // Places and standard errors of all blocks, and positions everywhere, between the known ones where there is none.
+    void search();
+
+    // The sum of images at positions of candidates, given for blocks of `side` pixels: factors [candidates][images].
+    void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
+             std::size_t candidates, float* out);
+
+   private:
+    // What one thread needs.
+    struct Strip {
+        Strip(const FocalPlan& plan, const FocalStream& of)
+            : rows(plan.taps, plan.planes(), plan.height, plan.width, plan.ahead()),
+              images(plan.images, plan.image_count, 0, plan.frames, plan.taps.degree + 1),
+              lines((plan.residual_count + plan.image_count + 2) * FocalRows::padded(plan.width)),
+              kept(plan.ahead() + plan.blur + 2), pitch(FocalRows::padded(plan.width)), unknown(kept * pitch),
+              counts(plan.width), smooth{Floats(of.rows_ * of.pitch_), Floats(plan.fine > 1 ? of.rows_ * of.pitch_ : 0)},
+              padded(of.pitch_), between(plan.fine > 1 ? of.rows_ * (of.across() + 2 * FocalRows::margin) : 0),
+              coefficients(3 * plan.image_count * FocalRows::padded(plan.width)) {
+            const std::size_t each = plan.residual_count * plan.frames * (plan.taps.degree + 1);
+            for (std::size_t c = 0; c < plan.channels; ++c) {
+                residuals.emplace_back(plan.residuals + c * each, plan.residual_count, c * plan.frames, plan.frames,
+                                       plan.taps.degree + 1);
+                products.emplace_back(plan.residual_count, plan.width, plan.window.side);
+            }
+            if (of.search_) {
+                scratch = std::make_unique<FocalSearch::Scratch>(*of.search_);
+            }
+        }
+        float* unknown_row(std::size_t y) { return unknown.data() + y % kept * pitch; }
+
+        FocalRows rows;
+        std::vector<FocalMixture> residuals;  // of each channel
+        FocalMixture images;
+        std::vector<FocalProducts> products;
+        Floats lines;
+        std::size_t kept, pitch;  // rows of what is not known
+        Floats unknown;
+        std::vector<int> counts;  // of unknown squares around, for each column
+        Floats smooth[2], padded, between, coefficients;
+        std::size_t held[2] = {none, none};  // blocks whose smoothed sums these are
+        static constexpr std::size_t none = ~std::size_t{0};
+        std::unique_ptr<FocalSearch::Scratch> scratch;
+    };
+    struct Level {
+        std::size_t height, width;
+        std::vector<float> values, weights;
+    };
+
+    std::size_t line() const { return FocalRows::padded(plan_.width); }
+
+    // Rows of all orders of a strip, and what is made of them.
+    template <class I>
+    LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t top, std::size_t bottom) {
+        const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
+        const std::size_t first = top > ahead ? top - ahead : 0;
+        std::fill(strip.counts.begin(), strip.counts.end(), 0);
+        for (std::size_t t = first; t < bottom + ahead; ++t) {
+            if (t < plan_.height) {
+                read(isa, strip, frames, t);
+            }
+            for (std::size_t m = 1; m <= degree && t >= m * reach; ++m) {
+                const std::size_t y = t - m * reach, margin = (degree - m) * reach;
+                if (y < plan_.height && y + margin >= top && y < bottom + margin) {
+                    strip.rows.step(isa, m, y);
+                }
+            }
+            // What is not known comes near the row that is due, and leaves it.
+            const std::size_t blur = plan_.blur, span = 2 * blur + 1;
+            if (t + blur >= first + ahead && t + blur - ahead < plan_.height) {
+                count(strip, t + blur - ahead, 1);
+            }
+            if (t + blur >= first + ahead + span && t + blur - ahead - span < plan_.height) {
+                count(strip, t + blur - ahead - span, -1);
+            }
+            if (t >= top + ahead) {
+                emit(isa, strip, t - ahead);
+            }
+        }
+    }
+
+    template <class I>
+    LOMMEL_INLINE void read(I isa, Strip& strip, const FocalFrame* frames, std::size_t y) {
+        float* const unknown = strip.unknown_row(y);
+        std::fill_n(unknown, plan_.width, 0.0f);
+        bool any = false;
+        for (std::size_t i = 0; i < plan_.planes(); ++i) {
+            any = reader_(isa, frames[i], y, strip.rows.row(i, 0, y), unknown) || any;
+        }
+        unknown[plan_.width] = any ? 1.0f : 0.0f;
+    }
+    LOMMEL_INLINE void count(Strip& strip, std::size_t y, int sign) {
+        const std::size_t blur = plan_.blur, width = plan_.width;
+        const float* const unknown = strip.unknown_row(y);
+        for (std::size_t x = 0; x < width && unknown[width] != 0.0f; ++x) {
+            if (unknown[x] != 0.0f) {
+                for (std::size_t i = x > blur ? x - blur : 0; i < std::min(width, x + blur + 1); ++i) {
+                    strip.counts[i] += sign;
+                }
+            }
+        }
+    }
+
+    // Row y of all images.
+    template <class I>
+    LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y) {
+        float* lines[most_images + 2];
+        const std::size_t residuals = plan_.residual_count, pitch = line();
+        for (std::size_t k = 0; k < residuals + 2; ++k) {
+            lines[k] = strip.lines.data() + k * pitch;
+        }
+        const std::size_t block = y / plan_.window.side, within = y % plan_.window.side;
+        if (residuals > 0 && block < down_) {
+            float *const mean = lines[residuals], *const trust = lines[residuals + 1];
+            const bool edge = y < plan_.blur || y + plan_.blur >= plan_.height;
+            for (std::size_t x = 0; x < plan_.width; ++x) {
+                trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
+            }
+            float* const sums = sums_.data() + block * rows_ * pitch_ + FocalRows::margin;
+            const bool last = within + 1 == plan_.window.side;
+            for (std::size_t c = 0; c < plan_.channels; ++c) {
+                strip.residuals[c](isa, strip.rows, y, lines);
+                average_frames(strip, c, y, mean);
+                strip.products[c].take(isa, within, lines, mean, trust);
+                if (last) {
+                    strip.products[c].sum(isa, sums + c * each_ * pitch_, pitch_, sums + (products_ + c) * pitch_,
+                                          sums + (rows_ - 1) * pitch_);
+                }
+            }
+            for (std::size_t q = 0; last && q < rows_; ++q) {
+                smooth(isa, strip, sums + q * pitch_);
+            }
+        }
+        for (std::size_t k = 0; k < plan_.image_count; ++k) {
+            lines[k] = images_.data() + (k * plan_.height + y) * row_;
+        }
+        if (plan_.image_count > 0) {
+            strip.images(isa, strip.rows, y, lines);
+        }
+    }
+
+    LOMMEL_INLINE void average_frames(Strip& strip, std::size_t channel, std::size_t y, float* mean) {
+        const float share = 1.0f / static_cast<float>(plan_.frames);
+        for (std::size_t i = 0; i < plan_.frames; ++i) {
+            const float* const row = strip.rows.row(channel * plan_.frames + i, 0, y);
+            for (std::size_t x = 0; x < plan_.width; ++x) {
+                mean[x] = (i == 0 ? 0.0f : mean[x]) + share * row[x];
+            }
+        }
+    }
+
+    // Smooths a row of blocks along itself, in place; beyond its ends there is nothing.
+    template <class I>
+    LOMMEL_INLINE void smooth(I, Strip& strip, float* row) {
+        using V = typename I::floats;
+        const std::vector<float>& weights = plan_.window.weights;
+        float* const copy = strip.padded.data() + FocalRows::margin;
+        std::copy_n(row, across_, copy);
+        const std::size_t reach = std::min(weights.size(), FocalRows::margin - 1);
+        for (std::size_t x = 0; x < across_; x += 2 * I::lanes) {
+            V sum = splat<V>(weights[0]) * load<V>(copy + x);
+            for (std::size_t k = 1; k < reach; ++k) {
+                sum = sum + splat<V>(weights[k]) * (load<V>(copy + x - k) + load<V>(copy + x + k));
+            }
+            store(row + x, sum);
+        }
+    }
+
+    // Depths of row y.
+    template <class I>
+    LOMMEL_INLINE void decide(I isa, Strip& strip, std::size_t y) {
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const std::size_t fine = plan_.fine, width = across(), trust = rows_ - 1;
+        const float* sums = nullptr;
+        std::size_t pitch = pitch_;
+        if (fine == 1) {
+            sums = average(isa, strip, y);
+        } else {
+            const float place = (static_cast<float>(y) + 0.5f) / static_cast<float>(fine) - 0.5f;
+            const float within = std::min(std::max(place, 0.0f), static_cast<float>(down_ - 1));
+            const auto block = static_cast<std::size_t>(within);
+            const float *const a = average(isa, strip, block), *const b = average(isa, strip, std::min(block + 1, down_ - 1));
+            float* const between = strip.between.data();
+            pitch = width + 2 * FocalRows::margin;
+            for (std::size_t q = 0; q < rows_; ++q) {
+                expand(a + q * pitch_, b + q * pitch_, within - static_cast<float>(block), across_, fine, width,
+                       between + q * pitch);
+            }
+            sums = between;
+        }
+        for (std::size_t x = 0; x < width; x += lanes) {
+            (*search_)(isa, sums + x, pitch, sums + trust * pitch + x, width - x, *strip.scratch,
+                       places_.data() + y * width + x);
+        }
+    }
+
+    // Averages over the window around the blocks of a row: of products over the variance of the noise, of light, and of trust.
+    template <class I>
+    LOMMEL_INLINE const float* average(I, Strip& strip, std::size_t block) {
+        using V = typename I::floats;
+        const std::size_t slot = plan_.fine > 1 ? block % 2 : 0;
+        float* const out = strip.smooth[slot].data();
+        if (strip.held[slot] == block) {
+            return out + FocalRows::margin;
+        }
+        strip.held[slot] = block;
+        const std::vector<float>& weights = plan_.window.weights;
+        const std::size_t size = rows_ * pitch_;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const auto row = [&](std::size_t b) { return sums_.data() + b * size; };
+        const float scale = 1.0f / static_cast<float>(plan_.window.side * plan_.window.side);
+        const V first = splat<V>(scale * weights[0]);
+        for (std::size_t x = 0; x < size; x += lanes) {
+            store(out + x, first * load<V>(row(block) + x));
+        }
+        for (std::size_t k = 1; k < weights.size(); ++k) {
+            const V weight = splat<V>(scale * weights[k]);
+            for (const std::size_t b : {block - k, block + k}) {
+                if (b < down_) {  // also where it would be below 0
+                    for (std::size_t x = 0; x < size; x += lanes) {
+                        store(out + x, load<V>(out + x) + weight * load<V>(row(b) + x));
+                    }
+                }
+            }
+        }
+        // The mean light is of as much of the window as there is.
+        const float there = share(block, down_), read = search_->candidates().read_variance;
+        float *const sums = out + FocalRows::margin, *const over = strip.padded.data() + FocalRows::margin;
+        const float* const trust = sums + (rows_ - 1) * pitch_;
+        for (std::size_t c = 0; c < plan_.channels; ++c) {
+            const float* const light = sums + (products_ + c) * pitch_;
+            for (std::size_t x = 0; x < across_; ++x) {
+                const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
+                over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
+            }
+            for (std::size_t q = c * each_; q < (c + 1) * each_; ++q) {
+                float* const products = sums + q * pitch_;
+                for (std::size_t x = 0; x < across_; x += lanes) {
+                    store(products + x, load<V>(products + x) * load<V>(over + x));
+                }
+            }
+        }
+        return sums;
+    }
+    // The share of a window that lies within `side` blocks.
+    float share(std::size_t at, std::size_t side) const {
+        const std::vector<float>& weights = plan_.window.weights;
+        if (at + 1 >= weights.size() && at + weights.size() <= side) {
+            return 1.0f;
+        }
+        float sum = weights[0];
+        for (std::size_t k = 1; k < weights.size(); ++k) {
+            sum += (at >= k ? weights[k] : 0.0f) + (at + k < side ? weights[k] : 0.0f);
+        }
+        return sum;
+    }
+
+    // A window that lies across an edge of depth holds two, and its energy is least between them: its standard error includes how
+    // far the places around differ from a plane, and how much that slopes. What is beyond the range, or too uncertain, is not known.
+    void doubt() {
+        const FocalCandidates& given = search_->candidates();
+        const std::size_t strips = strips_.size();
+        const auto reach = static_cast<std::ptrdiff_t>(plan_.fine * (plan_.window.weights.size() - 1));
+        parallel_for(strips, static_cast<int>(strips), [&](std::size_t, std::size_t s) {
+            for (std::size_t y = down() * s / strips; y < down() * (s + 1) / strips; ++y) {
+                for (std::size_t x = 0; x < across(); ++x) {
+                    const FocalPlace& here = places_[y * across() + x];
+                    float doubt = here.deviation;
+                    if (std::isfinite(doubt)) {
+                        doubt = std::sqrt(doubt * doubt +
+                                          rough(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(x), reach));
+                    }
+                    filled_[y * across() + x] = doubt;
+                }
+            }
+        });
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            FocalPlace& here = places_[i];
+            here.deviation = filled_[i];
+            if (!(here.deviation <= given.largest && here.position >= given.low && here.position <= given.high)) {
+                here.deviation = std::numeric_limits<float>::infinity();
+                here.position = std::numeric_limits<float>::quiet_NaN();
+            }
+        }
+    }
+    // The variance that the places around one give it, beyond what their own errors explain: by how much they slope, and, where the
+    // frames do not fit a single depth, by how far they are from a plane.
+    float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
+        const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
+        const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];
+        const float mixed = std::min(1.0f, std::max(0.0f, (here.misfit - least_mixed) / (surely_mixed - least_mixed)));
+        constexpr std::ptrdiff_t ways[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
+        float slope = 0.0f, bent = 0.0f;
+        for (const auto& way : ways) {
+            for (std::ptrdiff_t away = reach; away <= (mixed > 0.0f ? 2 : 1) * reach; away += reach) {
+                const std::ptrdiff_t dy = way[0] * away, dx = way[1] * away;
+                const auto known = [&](std::ptrdiff_t i, std::ptrdiff_t j) -> const FocalPlace* {
+                    const bool inside = i >= 0 && j >= 0 && i < rows && j < columns;
+                    const FocalPlace* const one = inside ? &places_[static_cast<std::size_t>(i * columns + j)] : nullptr;
+                    return one && std::isfinite(one->deviation) ? one : nullptr;
+                };
+                const FocalPlace *const a = known(y - dy, x - dx), *const b = known(y + dy, x + dx);
+                float noise = here.deviation * here.deviation, bend = 0.0f;
+                if (a && b) {
+                    const float change = 0.5f * (b->position - a->position);
+                    const float theirs = a->deviation * a->deviation + b->deviation * b->deviation;
+                    if (away == reach && (dy == 0 || dx == 0)) {
+                        slope += std::max(0.0f, change * change - 0.25f * theirs);
+                    }
+                    bend = a->position + b->position - 2.0f * here.position;
+                    noise = theirs + 4.0f * noise;
+                } else if (a || b) {
+                    const FocalPlace& one = a ? *a : *b;
+                    bend = one.position - here.position;
+                    noise += one.deviation * one.deviation;
+                }
+                bent = std::max(bent, bend * bend - 4.0f * noise);
+            }
+        }
+        return slope_share * slope + mixed * bend_share * bent;
+    }
+    static constexpr float slope_share = 0.06f, bend_share = 0.12f, least_mixed = 2.0f, surely_mixed = 5.0f;
+
+    // Positions where none is known, from the mean of those around, coarse to fine.
+    void fill() {
+        Level& finest = levels_[0];
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const bool known = std::isfinite(places_[i].deviation);
+            finest.values[i] = known ? places_[i].position : 0.0f;
+            finest.weights[i] = known ? 1.0f : 0.0f;
+        }
+        for (std::size_t l = 1; l < levels_.size(); ++l) {
+            const Level& from = levels_[l - 1];
+            Level& to = levels_[l];
+            for (std::size_t y = 0; y < to.height; ++y) {
+                for (std::size_t x = 0; x < to.width; ++x) {
+                    float sum = 0.0f, weight = 0.0f;
+                    for (std::size_t i = 2 * y; i < std::min(2 * y + 2, from.height); ++i) {
+                        for (std::size_t j = 2 * x; j < std::min(2 * x + 2, from.width); ++j) {
+                            sum += from.weights[i * from.width + j] * from.values[i * from.width + j];
+                            weight += from.weights[i * from.width + j];
+                        }
+                    }
+                    to.values[y * to.width + x] = weight > 0.0f ? sum / weight : 0.0f;
+                    to.weights[y * to.width + x] = weight > 0.0f ? 1.0f : 0.0f;
+                }
+            }
+        }
+        Level& coarsest = levels_.back();
+        if (coarsest.weights[0] == 0.0f) {
+            coarsest.values[0] = 0.5f * static_cast<float>(search_->candidates().count - 1);
+        }
+        for (std::size_t l = levels_.size() - 1; l-- > 0;) {
+            const Level& from = levels_[l + 1];
+            Level& to = levels_[l];
+            for (std::size_t y = 0; y < to.height; ++y) {
+                for (std::size_t x = 0; x < to.width; ++x) {
+                    if (to.weights[y * to.width + x] == 0.0f) {
+                        to.values[y * to.width + x] = from.values[y / 2 * from.width + x / 2];
+                    }
+                }
+            }
+        }
+        std::copy(finest.values.begin(), finest.values.end(), filled_.begin());
+    }
+
+    template <class I>
+    LOMMEL_INLINE void blend(I, Strip& strip, const float* positions, std::size_t down, std::size_t across, std::size_t side,
+                             const float* factors, std::size_t candidates, float* out, std::size_t top, std::size_t bottom) {
+        using V = typename I::floats;
+        const std::size_t count = plan_.image_count, pitch = line();
+        // Factors of each image at the blocks of two rows, and of a row of pixels.
+        float* const before = strip.coefficients.data();
+        float* const after = before + count * pitch;
+        float* const here = after + count * pitch;
+        const auto factor_row = [&](std::size_t block, float* to) {
+            for (std::size_t x = 0; x < across; ++x) {
+                const float most = static_cast<float>(candidates - 1);
+                const float p = std::min(std::max(positions[block * across + x], 0.0f), most);
+                const std::size_t j = std::min(static_cast<std::size_t>(p), candidates - 2);
+                const float part = p - static_cast<float>(j);
+                const float* const f = factors + j * count;
+                for (std::size_t k = 0; k < count; ++k) {
+                    to[k * pitch + x] = f[k] + part * (f[count + k] - f[k]);
+                }
+            }
+        };
+        const float step = 1.0f / static_cast<float>(side);
+        std::size_t held[2] = {down, down};
+        for (std::size_t y = top; y < bottom; ++y) {
+            const float place =
+                std::min(std::max((static_cast<float>(y) + 0.5f) * step - 0.5f, 0.0f), static_cast<float>(down - 1));
+            const std::size_t block = static_cast<std::size_t>(place), next = std::min(block + 1, down - 1);
+            const float part = place - static_cast<float>(block);
+            if (held[0] != block) {
+                factor_row(block, before), held[0] = block;
+            }
+            if (held[1] != next) {
+                factor_row(next, after), held[1] = next;
+            }
+            float* const row = out + y * plan_.width;
+            for (std::size_t k = 0; k < count; ++k) {
+                const float *const a = before + k * pitch, *const b = after + k * pitch;
+                float* const to = here + FocalRows::margin;
+                expand(a, b, part, across, side, plan_.width, to);
+                const float* const image = images_.data() + (k * plan_.height + y) * row_;
+                for (std::size_t x = 0; x < plan_.width; ++x) {
+                    row[x] = (k == 0 ? 0.0f : row[x]) + to[x] * image[x];
+                }
+            }
+        }
+        static_cast<void>(sizeof(V));
+    }
+    // A row of pixels, linearly between the middles of blocks.
+    static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
+                                     std::size_t width, float* to) {
+        const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };
+        const std::size_t half = side / 2;
+        const float step = 1.0f / static_cast<float>(side), begin = side % 2 == 0 ? 0.5f * step : 0.0f;
+        float left = at(0);
+        for (std::size_t i = 0; i < half; ++i) {
+            to[i] = left;
+        }
+        for (std::size_t x = 0; x + 1 < across; ++x) {
+            const float right = at(x + 1), slope = right - left;
+            float* const cell = to + x * side + half;
+            if (side == 4) {
+                for (std::size_t i = 0; i < 4; ++i) {
+                    cell[i] = left + slope * (0.125f + 0.25f * static_cast<float>(i));
+                }
+            } else {
+                for (std::size_t i = 0; i < side; ++i) {
+                    cell[i] = left + slope * (begin + step * static_cast<float>(i));
+                }
+            }
+            left = right;
+        }
+        for (std::size_t i = (across - 1) * side + half; i < width; ++i) {
+            to[i] = left;
+        }
+    }
+
+    static constexpr std::size_t most_images = 64;
+
+    FocalPlan plan_;
+    FocalReader reader_;
+    FocalSums summing_;
+    std::size_t down_, across_, pitch_, each_ = 0, products_ = 0, rows_ = 0, row_ = 0;
+    std::unique_ptr<FocalSearch> search_;
+    Floats sums_, images_;
+    std::vector<FocalPlace> places_;
+    std::vector<float> filled_;
+    std::vector<Level> levels_;
+    std::vector<std::unique_ptr<Strip>> strips_;
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void FocalStream::sum(const FocalFrame* frames, double* out) {
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { summing_(isa, frames, plan_.planes(), out); });
+}
+
+LOMMEL_ONCE void FocalStream::take(const FocalFrame* frames) {
+    const std::size_t side = plan_.window.side, count = strips_.size();
+    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
+        const std::size_t top = down_ * s / count * side;
+        const std::size_t bottom = s + 1 == count ? plan_.height : down_ * (s + 1) / count * side;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { filter(isa, *strips_[s], frames, top, bottom); });
+    });
+}
+
+LOMMEL_ONCE void FocalStream::search() {
+    const std::size_t count = strips_.size();
+    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            strips_[s]->held[0] = strips_[s]->held[1] = Strip::none;
+            for (std::size_t y = down() * s / count; y < down() * (s + 1) / count; ++y) {
+                decide(isa, *strips_[s], y);
+            }
+        });
+    });
+    doubt();
+    fill();
+}
+
+LOMMEL_ONCE void FocalStream::mix(const float* positions, std::size_t down, std::size_t across, std::size_t side,
+                                  const float* factors, std::size_t candidates, float* out) {
+    const std::size_t count = strips_.size();
+    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            blend(isa, *strips_[s], positions, down, across, side, factors, candidates, out, plan_.height * s / count,
+                  plan_.height * (s + 1) / count);
+        });
+    });
+}
+#endif
+
+}  // namespace lommel

@@ -1,0 +1,276 @@
+"""Tables and streams of one kind of frames: what live depth and depth from photographs have in common."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.core.engine import FocalStream
+from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
+from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables
+from lommel.optics.lens import Lens
+
+BLOCK = 4
+"""Pixels a side of the blocks that energies are summed over."""
+
+CONTRAST = 0.2
+"""Of the texture that filters are designed for: the rms over the mean of structures of 2 to 128 pixels."""
+
+_USUAL = 61  # candidates
+_STEP, _LARGEST_STEP = 0.75, 2.0  # radians of defocus from one candidate to the next
+_EDGE = 0.3  # or pixels that the edge of the blur moves by, where that is more
+_MOST_RANK = 48
+_KNOWN = 0.17  # of the range of vergence: depths of a larger standard error are not known
+_MARGIN = 0.02  # of the range, by which the vergence of what is known may lie beyond it
+_FOCI = 5  # that images of other foci have their basis from
+_MOST_WEIGHTS = 30
+
+
+class FocalTask(NamedTuple):
+    """Frames, and what is asked of them: of `block` pixels a side, so many depths along either axis of each."""
+
+    lenses: Sequence[Lens]
+    vergence: Array
+    spectra: Sequence[Spectrum]  # of each channel
+    pixel: float
+    between: tuple[float, float]
+    window: float
+    block: int
+    fine: int
+    threads: int
+    transfer: Transfer = transfer_curve
+
+
+def ranged(
+    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, count: int | None, most: int
+) -> tuple[tuple[float, float], Array]:
+    """Return a range of distances and the vergence of its candidates; TypeError or ValueError."""
+    if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
+        raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
+    near = validation.real("between[0]", between[0], above=0.0, unit="metres")
+    far = validation.real("between[1]", between[1], above=0.0, infinite=True, unit="metres")
+    if not near < far:
+        raise ValueError(f"between must be the nearest and the farthest distance, got {near:g} and {far:g} m")
+    span = 0.0
+    for lens in lenses:
+        # The edge of the blur moves by 4 lambda N / pi a radian.
+        wide = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
+        span = max(span, float(abs(np.diff(lens.defocus([near, far]))[0])) * min(1.0, wide / _EDGE))
+    if count is None:
+        count = max(_USUAL, math.ceil(span / _STEP) + 1)
+        if count > most:
+            raise ValueError(
+                f"between spans defocus for which it takes {count} candidates, more than {most}: name nearer limits, "
+                "stop down, or bin pixels"
+            )
+    else:
+        count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=most)
+    return (near, far), candidates((near, far), count + -(count - 1) % 4, lenses)
+
+
+class FocalEngine:
+    """Tables for one level of light; streams for frames of any shape.
+
+    Parameters
+    ----------
+    task : FocalTask
+    light : FocalLight
+        Of a pixel of each channel.
+    """
+
+    def __init__(self, task: FocalTask, light: FocalLight) -> None:
+        self.task, self.light = task, light
+        first = focal_tables(
+            task.lenses, task.vergence, task.spectra[0], task.pixel, light, task.transfer, most=task.block
+        )
+        rest = [
+            focal_tables(task.lenses, task.vergence, one, task.pixel, light, task.transfer, like=first)
+            for one in task.spectra[1:]
+        ]
+        self.channels = [first, *rest]
+        if self.rank > _MOST_RANK:
+            near, far = task.between
+            raise ValueError(
+                f"between must span less defocus: depths from {near:g} to {far:g} m take {self.rank} filters, more "
+                f"than {_MOST_RANK}; name nearer limits, stop down, or bin pixels"
+            )
+        self._weights, self._pixels = block_weights(task.window, task.block)
+        self._low, self._high = ((1.0 / each - first.vergence[0]) / first.step for each in task.between[::-1])
+        self._factors = lru_cache(maxsize=16)(self._factors_of)
+        self.images: list[SharpTables] = []
+
+    @property
+    def binning(self) -> int:
+        """Pixels a side of the squares that frames are filtered in."""
+        return self.channels[0].binning
+
+    @property
+    def rank(self) -> int:
+        """Images whose products make all energies of a channel."""
+        return max(one.rank for one in self.channels)
+
+    @property
+    def blur(self) -> float:
+        """The farthest that light is spread, pixels."""
+        ends = np.asarray(self.task.between)
+        return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.task.lenses) / self.task.pixel
+
+    @property
+    def reach(self) -> int:
+        """How far what a depth depends on may be from its pixel, pixels."""
+        tables = self.channels[0]
+        filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
+        return filters + math.ceil(self.blur) + (len(self._weights) + 1) * self.task.block
+
+    @property
+    def design_error(self) -> float:
+        """Largest bias of the filters by themselves within the range, in standard errors of a window."""
+        inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
+        found = [np.abs(one.bias / one.deviation)[inner].max() for one in self.channels]
+        return float(max(found)) * math.sqrt(self._pixels) / self.binning
+
+    def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
+        """Make tables of sharp images, and of other foci; by the filters of the depth if a stream is to be shared."""
+        task, tables = self.task, self.channels[0]
+        taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
+        near, far = (1.0 / each for each in task.between)
+        with np.errstate(divide="ignore"):
+            foci = (1.0 / np.linspace(far, near, _FOCI if refocus else 0)).tolist()
+        for spectrum in task.spectra:
+            model = FocalModel.of(
+                task.lenses, task.vergence, spectrum, task.pixel, self.light, transfer=task.transfer
+            )
+            targets = [self._target(task.lenses[0].focused(each), spectrum, model) for each in foci]
+            self.images.append(SharpTables(model, taps, degree, targets))
+
+    def stream(self, shape: tuple[int, int], *, images: bool = False) -> FocalStream:
+        """Return what finds depth in frames of a shape, and makes images of the first channel."""
+        tables, rank = self.channels[0], self.rank
+        residuals = np.zeros((len(self.channels), rank, *tables.basis.shape[1:]))
+        forms = []
+        for one, basis in zip(self.channels, residuals, strict=True):
+            basis[: one.rank] = one.basis
+            forms.append(one.forms(rank))
+        kept = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
+        noise, by_noise = (
+            np.sum([getattr(one, name) for one in self.channels], axis=0) for name in ("noise", "by_noise")
+        )
+        by_texture = np.mean([one.by_texture for one in self.channels], axis=0)
+        statistics = np.stack([noise, by_texture, by_noise])
+        return self._stream(
+            shape, self.binning, tables.taps, residuals, kept, np.concatenate(forms, axis=1), statistics
+        )
+
+    def image_stream(self, shape: tuple[int, int], channel: int = 0) -> FocalStream:
+        """Return what makes sharp images of a channel of frames of a shape."""
+        tables = self.images[channel]
+        none = np.zeros((1, 0, *tables.basis.shape[1:]))
+        return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((3, 0)))
+
+    def tables(self, white: float, offset: float, full: float) -> bytes:
+        """Return what cpp/include/lommel/focal/file.hpp reads: tables of one channel, and of sharp images if any."""
+        one, count = self.channels[0], len(self.task.vergence)
+        images = self.images[0] if self.images else None
+        taps, degree = (one.taps, one.degree) if images is None else (images.taps, images.degree)
+        kept = np.zeros((0, *one.basis.shape[1:])) if images is None else images.basis
+        mixes = np.zeros((count, 0)) if images is None else self.factors(0, None)
+        whole = [
+            0x464D4C4C,
+            1,
+            one.binning,
+            self.task.block // one.binning,
+            math.ceil(self.blur / one.binning),
+            one.basis.shape[1],
+            one.degree,
+            len(one.taps.values) - 1,
+            one.rank,
+            count,
+            len(self._weights),
+            degree,
+            len(taps.values) - 1,
+            len(kept),
+        ]
+        numbers = [*one.taps.padded(), *taps.padded(), white, offset, min(full, 3e38), *self._numbers(one.binning)]
+        statistics = np.stack([one.noise, one.by_texture, one.by_noise])
+        arrays = (numbers, one.basis, self._weights, one.forms(one.rank), statistics, kept, mixes)
+        return np.asarray(whole, "<i4").tobytes() + b"".join(np.asarray(each, "<f4").tobytes() for each in arrays)
+
+    def _numbers(self, binning: int) -> tuple[float, ...]:
+        """Return the numbers of a stream."""
+        tables, margin = self.channels[0], _MARGIN * len(self.task.vergence)
+        return (
+            (self.light.read * binning) ** 2,
+            self._pixels / binning**2,
+            float(tables.vergence[0]),
+            tables.step,
+            self._low - margin,
+            self._high + margin,
+            _KNOWN * (self._high - self._low),
+        )
+
+    def _stream(
+        self,
+        shape: tuple[int, int],
+        binning: int,
+        taps: Taps,
+        residuals: Array,
+        images: Array,
+        forms: Array,
+        statistics: Array,
+    ) -> FocalStream:
+        task = self.task
+        height, width = (side // binning for side in shape)
+        sizes = height, width, binning, task.block // binning, task.fine, math.ceil(self.blur / binning), task.threads
+        return FocalStream(
+            sizes,
+            _single(taps.values),
+            _single(residuals),
+            _single(images),
+            _single(self._weights),
+            _single(forms),
+            _single(statistics),
+            self._numbers(binning),
+        )
+
+    def factors(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
+        """Return what mixes images to a sharp one of a channel, or to that of a lens."""
+        return self._factors(channel, lens)
+
+    def _factors_of(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
+        images = self.images[channel]
+        target = images.pixel if lens is None else self._target(lens, self.task.spectra[channel], images.model)
+        return np.ascontiguousarray(images.mixes(target), dtype=np.float32)
+
+    def _target(self, lens: Lens, spectrum: Spectrum, model: FocalModel) -> Array:
+        """Return what a lens transfers of each candidate."""
+        curve = self.task.transfer(lens, self.task.vergence, spectrum, self.task.pixel)
+        band = model.band
+        return np.asarray(curve(np.hypot(band.fx, band.fy)) * (np.sinc(band.fx) * np.sinc(band.fy)))
+
+
+def block_weights(window: float, block: int) -> tuple[Array, float]:
+    """Return weights of blocks, from the middle on, for a window of an rms width, and its independent pixels."""
+    rms = math.sqrt(max(window**2 - block**2 / 12.0, 0.04)) / block
+    away = np.arange(min(math.ceil(2.0 * rms), _MOST_WEIGHTS) + 1)
+    weights = np.exp(-0.5 * (away / rms) ** 2)
+    weights /= weights[0] + 2.0 * weights[1:].sum()
+    along = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block
+    return weights, 1.0 / along**2
+
+
+def _single(values: ArrayLike) -> NDArray[np.float32]:
+    return np.ascontiguousarray(values, dtype=np.float32)
+
+
+def processors() -> int:
+    """Return how many processors this process may use."""
+    import os
+
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,0 +1,391 @@
+"""Live depth: a depth map with its standard error, and a sharp image, of frames at video rate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import atomic, validation
+from lommel.estimation.focal_model import FocalLight
+from lommel.estimation.noise import Noise
+from lommel.estimation.round_lenses import pixel_of
+from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.focal_frames import FrameForm
+from lommel.imaging.settings import spectra
+from lommel.optics.lens import Lens
+
+_LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons of a pixel that tables are made for
+_MOST = 241  # candidates
+_CELLS = 8  # parts of a frame a side, of which sums are taken
+_UNLIKE = 2.0  # exposures that differ by more are to be stated
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LiveDepthMap:
+    """Depth of blocks of 4 x 4 pixels, in arrays that the next call of :class:`LiveDepth` overwrites.
+
+    Attributes
+    ----------
+    depth : ndarray of float32, shape (height // 4, width // 4)
+        Distance from the lens, metres; NaN where it is not known.
+    deviation : ndarray of float32
+        Its standard error, metres; inf where it is not known.
+    misfit : ndarray of float32
+        What is left of the difference of the frames at the best depth, over that of noise: 1 where registration and
+        noise are as stated. Above: motion, other registration, edges of depth. Below 0.7: noise overstated, or frames
+        denoised.
+    exposures : tuple of float
+        Exposure of each frame relative to the first, as given or measured.
+    light : float
+        Mean electrons of a pixel.
+    """
+
+    depth: NDArray[np.float32]
+    deviation: NDArray[np.float32]
+    misfit: NDArray[np.float32]
+    exposures: tuple[float, ...]
+    light: float
+
+    @property
+    def known(self) -> float:
+        """Fraction of the blocks whose depth is known."""
+        return float(np.isfinite(self.deviation).mean())
+
+    def __repr__(self) -> str:
+        inner = np.isfinite(self.deviation)
+        if not inner.any():
+            return "<LiveDepthMap: no depth is known>"
+        low, high = np.percentile(self.depth[inner], [5.0, 95.0])
+        return (
+            f"<LiveDepthMap: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
+            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm, misfit {np.median(self.misfit[inner]):.2f}>"
+        )
+
+
+class LiveDepth:
+    """Depth of frames that differ in focus, block by block, at video rate.
+
+    Parameters
+    ----------
+    lenses : sequence of Lens
+        Lens of each frame, at its focus distance and f-number; two or more. Circular or annular apertures and
+        radially symmetric aberrations only.
+    pixel : float
+        Pixel pitch, metres.
+    between : (float, float)
+        Nearest and farthest distance, metres; the farthest may be infinite.
+    noise : Noise
+        Of the values of the frames, with numbers for `white`, `read` and `offset`: for frames in counts `white` is
+        the gain in electrons per count.
+    shape : (int, int) or (int, int, int)
+        Height and width of the frames, pixels, 64 or more, and channels, of which the sum is taken.
+    wavelengths : sequence of (float, float), optional
+        Spectrum of the light: wavelengths, metres, and weights. By default the wavelength of the lenses.
+    light : float or sequence of float, optional
+        Mean electrons of a pixel that tables are made for; those nearest to a frame's are used. By default 500, 5000
+        and 50 000. Within a factor of three errors are hardly larger than by tables of their own.
+    exposures : sequence of float, optional
+        Exposure of each frame relative to the first. By default the ratio of the means of what is known in all
+        frames.
+    window : float, default 4.0
+        Rms width of the windows in which depth is taken to be constant, pixels, 2 to 16.
+    saturation : float, optional
+        Value from which on pixels are full, and ignored. By default the largest value of unsigned integers.
+    known : array_like of bool, shape (height, width), optional
+        Pixels of the sensor that are not broken.
+    sharp, refocus : bool, default False
+        Whether sharp images, by :meth:`sharp`, and those of other foci as well, by :meth:`refocus`, will be asked
+        for.
+    threads : int, optional
+        Number of threads; by default the number of processors. The result does not depend on it.
+
+    Attributes
+    ----------
+    binning : tuple of int
+        Pixels a side of the squares that each level of light is filtered in: depth loses little by them.
+    rank : tuple of int
+        Images whose products give the energies of each level.
+    design_error : float
+        Largest bias of the filters by themselves, in standard errors of a window, within the range.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range or of another shape, if a lens is not radially symmetric, or if the range spans
+        more defocus than few filters can tell apart.
+
+    Notes
+    -----
+    The residual of two frames, ``h_2 Y_1 - h_1 Y_2``, is noise at the true depth, whatever the texture. `h` is the
+    transfer function of the lens at a depth times that of the pixel, without aliases, for scenes are continuous;
+    aliases of the texture are noise. All residuals are polynomials of one small filter, and their energies quadratic
+    forms of few images (see the page on live depth). The standard error follows from the curvature of the energy, the
+    noise and the window; it grows with the misfit, with the slope of the depth map and next to edges of depth. Depth
+    is not known where another one costs hardly more, where its standard error exceeds a tenth of the range in 1 /
+    distance, and where half of a window or more is within the blur of the border or of pixels that are not known.
+
+    Not tested, because no pair of frames can tell: which of them is focused nearer, a shift that both foci share, and
+    the scale of distances.
+
+    Examples
+    --------
+    >>> lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
+    >>> live = lm.imaging.LiveDepth(
+    ...     [lens, lens.focused(1.8)], 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3), shape=(96, 96), light=5000
+    ... )
+    >>> live
+    <LiveDepth of 2 frames of 96 x 96, 1.2 to 2 m: pixels of 1, 6 images, for 5000 electrons>
+    """
+
+    def __init__(
+        self,
+        lenses: Sequence[Lens],
+        pixel: float,
+        *,
+        between: tuple[float, float],
+        noise: Noise,
+        shape: tuple[int, ...],
+        wavelengths: Sequence[tuple[float, float]] | None = None,
+        light: float | Sequence[float] | None = None,
+        exposures: Sequence[float] | None = None,
+        window: float = 4.0,
+        saturation: float | None = None,
+        known: ArrayLike | None = None,
+        sharp: bool = False,
+        refocus: bool = False,
+        threads: int | None = None,
+    ) -> None:
+        pitch = pixel_of(lenses, pixel)
+        if len(lenses) < 2:
+            raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
+        self._form = form = FrameForm(shape, noise, saturation, known)
+        self._given = None if exposures is None else _exposures(exposures, len(lenses))
+        width = validation.real("window", window, least=2.0, below=16.0 + 1e-9, unit="pixels")
+        count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
+        spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
+        self._between, vergence = ranged(between, lenses, pitch, None, _MOST)
+        sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
+        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count)
+        read = form.read * math.sqrt(form.channels)
+        given = self._given or (1.0,) * len(lenses)
+        self._levels = [
+            _Level(task, FocalLight(mean, read, given, CONTRAST), form, sharp or refocus, refocus)
+            for mean in _levels(light, form.channels)
+        ]
+        blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
+        self._depth, self._deviation, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
+        self._positions = np.zeros(blocks, dtype=np.float32)
+        self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
+        self._gains = np.zeros((len(lenses), 6), dtype=np.float32)
+        self._lenses = tuple(lenses)
+        self._planes = (
+            [np.empty(self._form.size, dtype=np.float32) for _ in lenses] if self._form.channels > 1 else None
+        )
+        self._refocus = refocus
+        self._last: _Taken | None = None
+
+    @property
+    def binning(self) -> tuple[int, ...]:
+        """Pixels a side of the squares that each level of light is filtered in."""
+        return tuple(level.engine.binning for level in self._levels)
+
+    @property
+    def rank(self) -> tuple[int, ...]:
+        """Images whose products give the energies of each level."""
+        return tuple(level.engine.rank for level in self._levels)
+
+    @property
+    def design_error(self) -> float:
+        """Largest bias of the filters by themselves, in standard errors of a window."""
+        return max(level.engine.design_error for level in self._levels)
+
+    def __repr__(self) -> str:
+        height, width = self._form.size
+        near, far = self._between
+        each = [f"{level.engine.light.mean:g}" for level in self._levels]
+        return (
+            f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {near:g} to {far:g} m: "
+            f"pixels of {', '.join(map(str, self.binning))}, {', '.join(map(str, self.rank))} images, "
+            f"for {', '.join(each)} electrons>"
+        )
+
+    def __call__(self, *frames: NDArray[Any], known: NDArray[Any] | None = None) -> LiveDepthMap:
+        """Return the depth of frames, in arrays that the next call overwrites.
+
+        Parameters
+        ----------
+        *frames : ndarray, shape (height, width) or (height, width, channels)
+            One of each lens, of uint8, uint16 or floats; NaN marks unknown pixels.
+        known : ndarray of bool, shape (height, width), optional
+            Pixels that are known in these frames.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If frames are of another number, shape or type, one holds no light, or none has a known pixel.
+        """
+        if len(frames) != len(self._lenses):
+            raise ValueError(f"frames must be as many as lenses, {len(self._lenses)}, got {len(frames)}")
+        stored = [self._form.checked(f"frames[{k}]", frame) for k, frame in enumerate(frames)]
+        full = self._form.full(frames[0].dtype)
+        mask = self._form.known(frames, full, known)
+        planes = list(stored) if self._planes is None else self._added(stored)
+        limit = full if self._planes is None else math.inf
+        first = self._levels[0].stream
+        first.sums(planes, limit, mask, self._sums)
+        exposures, light = self._exposed()
+        level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
+        white = self._form.white
+        self._gains[:, 0] = [white / each for each in exposures]
+        offset = self._form.offset * self._form.channels
+        level.stream.take(planes, self._gains, offset, limit, mask)
+        level.stream.depths(self._depth, self._deviation, self._misfit)
+        self._last = _Taken(level, stored, full, mask)
+        return LiveDepthMap(self._depth, self._deviation, self._misfit, exposures, light)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the tables to a file for cameras without Python: ``lommel_live_new`` of the C interface reads it.
+
+        The file holds the frames' noise, saturation and, where they were asked for, sharp images; the size of the
+        frames is stated there. ValueError for colour, exposures that are stated, several levels of light, or masks.
+        """
+        if len(self._levels) != 1 or self._form.channels != 1 or self._given is not None or self._form.masked:
+            raise ValueError(
+                "tables are saved of grey frames for one level of light (light=), without exposures= and known=; the "
+                "file has no place for more"
+            )
+        form, name = self._form, validation.path("path", path)
+        atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
+
+    def _added(self, frames: Sequence[NDArray[Any]]) -> list[NDArray[np.float32]]:
+        """Return the sums of the channels."""
+        assert self._planes is not None
+        for frame, plane in zip(frames, self._planes, strict=True):
+            np.sum(frame, axis=2, dtype=np.float32, out=plane)
+        return self._planes
+
+    def _exposed(self) -> tuple[tuple[float, ...], float]:
+        """Return the exposures, and the mean electrons of a pixel of the first frame."""
+        counts = float(self._sums[-1].sum())
+        if counts == 0.0:
+            raise ValueError("frames have no pixel that is known in all of them: they are full, NaN or masked")
+        white = self._form.white
+        means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._form.offset * self._form.channels) * white
+        for k, mean in enumerate(means):
+            if not mean > 0.0:
+                raise ValueError(
+                    f"frames[{k}] must hold light, got a mean of {mean:.4g} electrons above the offset "
+                    f"{self._form.offset:g} of the noise"
+                )
+        if self._given is not None:
+            return self._given, float(means[0])
+        found = tuple((means / means[0]).tolist())
+        if not 1.0 / _UNLIKE <= min(found) <= max(found) <= _UNLIKE:
+            raise ValueError(
+                "exposures must be stated where frames differ by more than a factor of 2: their means are "
+                + ", ".join(f"{mean:.4g}" for mean in means)
+                + " electrons"
+            )
+        return found, float(means[0])
+
+    def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+        """Return the sharp image of the frames of the last call, which must not have changed since.
+
+        By Wiener's filters at the depths found, in one pass; where depth is not known it is taken from around.
+
+        Parameters
+        ----------
+        out : ndarray of float32, of the shape of a frame, optional
+            To write to: then nothing is allocated.
+
+        Returns
+        -------
+        ndarray of float32
+            Electrons of each pixel at the exposure of the first frame.
+
+        Raises
+        ------
+        ValueError
+            If there are no frames yet, `out` is of another shape or type, or ``sharp=True`` was not asked for.
+        """
+        return self._mixed(None, out)
+
+    def refocus(self, distance: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+        """Return what the first lens would see if it were focused elsewhere, of the frames of the last call.
+
+        Parameters
+        ----------
+        distance : float
+            Distance in focus, metres. The first call with it makes a table.
+        out : ndarray of float32, optional
+            As of :meth:`sharp`, which has errors, results and units, too.
+        """
+        return self._mixed(validation.real("distance", distance, above=0.0, infinite=True, unit="metres"), out)
+
+    def _mixed(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
+        if self._last is None:
+            raise ValueError("there are no frames yet: call this with frames first")
+        level, planes, limit, mask = self._last
+        if level.pictures is None:
+            raise ValueError("images must be asked for: LiveDepth(..., sharp=True), or refocus=True")
+        if distance is not None and not self._refocus:
+            raise ValueError("images of other foci must be asked for: LiveDepth(..., refocus=True)")
+        out = self._form.image(out)
+        factors = level.engine.factors(0, None if distance is None else self._lenses[0].focused(distance))
+        level.stream.positions(self._positions)
+        if self._form.channels == 1:
+            if level.pictures is not level.stream:
+                level.pictures.take(planes, self._gains, self._form.offset, limit, mask)
+            level.pictures.mix(self._positions, BLOCK, factors, out)
+            return out
+        for c in range(self._form.channels):
+            one = [np.ascontiguousarray(frame[..., c]) for frame in planes]
+            level.pictures.take(one, self._gains, self._form.offset, limit, mask)
+            image = np.empty(self._form.size, dtype=np.float32)
+            level.pictures.mix(self._positions, BLOCK, factors, image)
+            out[..., c] = image
+        return out
+
+
+def _exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
+    values = validation.real_array("exposures", given, least=1e-6, most=1e6)
+    if values.shape != (count,):
+        raise ValueError(f"exposures must be {count}, one for each lens, got shape {values.shape}")
+    return tuple((values / values[0]).tolist())
+
+
+class _Level:
+    """Tables for one level of light, and the streams of frames that use them."""
+
+    def __init__(self, task: FocalTask, light: FocalLight, form: FrameForm, images: bool, refocus: bool) -> None:
+        self.engine = FocalEngine(task, light)
+        # Images of frames that are not binned are made in the pass that finds their depth.
+        shared = images and form.channels == 1 and self.engine.binning == 1
+        if images:
+            self.engine.sharpen(refocus=refocus, shared=shared)
+        self.stream = self.engine.stream(form.size, images=shared)
+        self.pictures = self.stream if shared else self.engine.image_stream(form.size) if images else None
+
+
+class _Taken(NamedTuple):
+    """What the last call took."""
+
+    level: _Level
+    frames: list[NDArray[Any]]
+    full: float
+    known: NDArray[np.uint8] | None
+
+
+def _levels(light: float | Sequence[float] | None, channels: int) -> list[float]:
+    if light is None:
+        return [each * channels for each in _LEVELS]
+    values = validation.real_array("light", light, least=1.0, most=1e9)
+    if values.ndim > 1 or not 1 <= values.size <= 16:
+        raise ValueError(f"light must be a number or up to 16, got shape {values.shape}")
+    return sorted(set(np.atleast_1d(values).tolist()))

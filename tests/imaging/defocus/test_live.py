@@ -1,0 +1,276 @@
+"""Live depth of frames that continuous scenes make, rendered without this package."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from scenes import ThinLens, averaged, before, lommel_lens, plane, record, texture
+
+SIDE, LIGHT = 128, 5000.0
+NOISE = lm.Noise(read=3.0, offset=100.0)
+
+
+def thin(f_number: float, foci: tuple[float, ...] = (1.35, 1.8)) -> list[ThinLens]:
+    return [ThinLens(35e-3, f_number, focus, 540e-9, 4e-6) for focus in foci]
+
+
+MILD, FAST = thin(8.0), thin(2.8)
+
+
+def made(lenses: list[ThinLens], **options: object) -> lm.imaging.LiveDepth:
+    given = {"between": (1.2, 2.0), "noise": NOISE, "shape": (SIDE, SIDE), "light": LIGHT, "threads": 1} | options
+    return lm.imaging.LiveDepth([lommel_lens(lens) for lens in lenses], 4e-6, **given)
+
+
+@pytest.fixture(scope="module")
+def mild() -> lm.imaging.LiveDepth:
+    return made(MILD, refocus=True)
+
+
+@pytest.fixture(scope="module")
+def fast() -> lm.imaging.LiveDepth:
+    return made(FAST, sharp=True)
+
+
+def frames(lenses: list[ThinLens], distance: float, kind: str = "leaves", light: float = LIGHT) -> list[np.ndarray]:
+    return record(plane(texture(kind, SIDE, seed=7), lenses, distance, light), seed=int(1000 * distance))
+
+
+def errors(found: object, distance: float) -> np.ndarray:
+    known = np.isfinite(found.deviation)
+    u = 1.0 / found.depth[known].astype(np.float64)
+    return (u - 1.0 / distance) / (found.deviation[known] * u**2)
+
+
+def test_the_lens_is_that_of_the_formulas():
+    for lens in (*MILD, *FAST):
+        own = lommel_lens(lens)
+        np.testing.assert_allclose(own.defocus([1.2, 2.0]), [lens.defocus(1.2), lens.defocus(2.0)], rtol=1e-9)
+        assert own.working_f_number == pytest.approx(lens.working())
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize("kind", ["pink", "leaves", "text"])
+@pytest.mark.parametrize("distance", [1.25, 1.45, 1.8])
+def test_planes_are_where_they_are_and_as_far_off_as_is_told(mild, kind, distance):
+    found = mild(*frames(MILD, distance, kind))
+    z = errors(found, distance)
+    inner = np.isfinite(found.deviation[4:-4, 4:-4])
+    assert inner.mean() > 0.9
+    assert abs(np.median(z)) < 0.6
+    assert 0.75 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.2
+    assert np.mean(np.abs(z) > 3.0) < 0.03
+    assert np.median(found.misfit[4:-4, 4:-4]) == pytest.approx(1.0, abs=0.1)
+
+
+@pytest.mark.parametrize("distance", [1.35, 1.57])
+def test_a_fast_lens_is_as_true(fast, distance):
+    found = fast(*frames(FAST, distance))
+    z = errors(found, distance)
+    assert np.isfinite(found.deviation[8:-8, 8:-8]).mean() > 0.9
+    assert abs(np.median(z)) < 0.6
+    assert 0.7 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.2
+    assert np.mean(np.abs(z) > 3.0) < 0.03
+
+
+def test_where_a_frame_is_nearly_sharp_on_large_pixels_there_is_no_bias():
+    lenses = [ThinLens(50e-3, 1.8, focus, 540e-9, 50.2e-6) for focus in (2.3, 3.6)]
+    live = lm.imaging.LiveDepth(
+        [lommel_lens(lens) for lens in lenses],
+        50.2e-6,
+        between=(2.05, 5.0),
+        noise=NOISE,
+        shape=(SIDE, SIDE),
+        light=LIGHT,
+    )
+    for distance in (2.4, 3.3):
+        z = errors(live(*frames(lenses, distance, "soft")), distance)
+        assert abs(np.median(z)) < 0.5
+
+
+def test_beside_an_edge_of_depth_errors_are_as_told_or_it_is_not_known(mild):
+    points = SIDE * 8
+    mask = np.zeros((points, points))
+    mask[points // 4 : 3 * points // 4, points // 4 : 3 * points // 4] = 1.0
+    electrons = before(texture("leaves", SIDE, seed=11), mask, 1.4, texture("pink", SIDE, seed=12), 1.75, MILD, LIGHT)
+    found = mild(*record(electrons, seed=4))
+    inside = averaged(mask).reshape(32, 4, 32, 4).mean(axis=(1, 3)) > 0.5
+    truth = np.where(inside, 1.4, 1.75)
+    edge = np.zeros_like(inside)
+    for axis in (0, 1):
+        for away in (-2, -1, 1, 2):
+            edge |= np.roll(inside, away, axis=axis) != inside
+    known = np.isfinite(found.deviation) & edge
+    assert known.sum() > 0.5 * edge.sum()
+    u = 1.0 / found.depth[known]
+    z = (u - 1.0 / truth[known]) / (found.deviation[known] * u**2)
+    assert 1.4826 * np.median(np.abs(z)) < 1.5
+
+
+@pytest.mark.parametrize("lens", ["mild", "fast"])
+def test_the_sharp_image_is_as_good_as_a_filter_that_knows_the_scene(request, lens):
+    live, lenses = request.getfixturevalue(lens), MILD if lens == "mild" else FAST
+    scene = texture("leaves", SIDE, seed=7)
+    pair = frames(lenses, 1.5)
+    live(*pair)
+    sharp, truth = live.sharp(), LIGHT * averaged(scene)
+    inner = np.s_[16:-16, 16:-16]
+
+    def off(image: np.ndarray) -> float:
+        return float(np.sqrt(((image - truth)[inner] ** 2).mean()))
+
+    # Wiener's filter with the spectrum of the scene itself, on pixels, of both frames.
+    f = np.hypot(np.fft.fftfreq(SIDE)[:, None], np.fft.rfftfreq(SIDE))
+    pixel = np.sinc(np.fft.fftfreq(SIDE))[:, None] * np.sinc(np.fft.rfftfreq(SIDE))
+    h = [
+        np.sinc(0.0) * np.interp(f, np.fft.rfftfreq(SIDE * 8, 1 / 8), one.transfer(1.5, SIDE * 8)[0]) * pixel
+        for one in lenses
+    ]
+    power = np.abs(np.fft.rfft2(truth - truth.mean())) ** 2 / SIDE**2 / LIGHT / np.maximum(pixel, 0.1) ** 2
+    total = 1.0 + power * (h[0] ** 2 + h[1] ** 2)
+    best = sum(np.fft.rfft2(y - 100.0) * (pixel * power * one / total) for y, one in zip(pair, h, strict=True))
+    best[0, 0] = np.fft.rfft2(0.5 * (pair[0] + pair[1].astype(float)) - 100.0)[0, 0]
+    assert off(sharp) < min(off(y - 100.0) for y in pair)
+    assert 20.0 * np.log10(off(sharp) / off(np.fft.irfft2(best, s=(SIDE, SIDE)))) < 1.5
+    assert sharp.mean() == pytest.approx(truth.mean(), rel=1e-3)
+    if lens == "mild":
+        seen = plane(scene, [ThinLens(35e-3, 8.0, 1.45, 540e-9, 4e-6)], 1.5, LIGHT)[0]
+        assert np.abs(live.refocus(1.45) - seen)[inner].std() < 0.02 * LIGHT
+
+
+def test_more_frames_colours_and_small_types_are_taken(mild):
+    pair = frames(MILD, 1.5)
+    before_ = mild(*pair)
+    depth, deviation = before_.depth.copy(), before_.deviation.copy()
+    assert mild(*(one.astype(np.float32) for one in pair)).depth == pytest.approx(depth, nan_ok=True)
+    three = made(thin(8.0, (1.35, 1.8, 1.55)))
+    found = three(*frames(thin(8.0, (1.35, 1.8, 1.55)), 1.5))
+    assert np.nanmedian(found.deviation) < np.nanmedian(deviation)
+    assert abs(np.median(errors(found, 1.5))) < 0.6
+    colour = made(MILD, shape=(SIDE, SIDE, 3), light=3 * LIGHT, sharp=True)
+    thirds = [
+        [record([e / 1.0], seed=s + k, read=3.0)[0] for k in range(3)]
+        for s, e in zip((1, 5), plane(texture("leaves", SIDE, seed=7), MILD, 1.5, LIGHT), strict=True)
+    ]
+    found = colour(*(np.stack(one, axis=2) for one in thirds))
+    assert abs(np.median(errors(found, 1.5))) < 0.6
+    assert np.nanmedian(found.deviation) < np.nanmedian(deviation)
+    assert colour.sharp().shape == (SIDE, SIDE, 3)
+    bytes_ = [np.clip((one.astype(float) - 100.0) / 40.0, 0, 254).astype(np.uint8) for one in pair]
+    eight = made(MILD, noise=lm.Noise(white=40.0, read=12.0))
+    assert abs(np.median(errors(eight(*bytes_), 1.5))) < 0.8
+
+
+def test_what_is_full_or_masked_is_left_out(mild):
+    pair = frames(MILD, 1.5)
+    whole = mild(*pair)
+    depth, deviation = whole.depth.copy(), whole.deviation.copy()
+    clipped = [one.copy() for one in pair]
+    clipped[1][60:68, 40:48] = 65535
+    found = mild(*clipped)
+    assert np.isinf(found.deviation[15:17, 10:12]).all()
+    away = np.s_[:, 22:]
+    np.testing.assert_allclose(found.depth[away], depth[away], equal_nan=True, rtol=1e-5)
+    mask = np.ones((SIDE, SIDE), dtype=bool)
+    mask[60:68, 40:48] = False
+    masked = mild(*pair, known=mask)
+    assert np.isinf(masked.deviation[15:17, 10:12]).all()
+    nan = [one.astype(np.float32) for one in pair]
+    nan[0][60:68, 40:48] = np.nan
+    assert np.array_equal(np.isinf(mild(*nan).deviation), np.isinf(masked.deviation))
+    assert np.isfinite(deviation[15:17, 10:12]).all()
+
+
+def test_the_answer_does_not_depend_on_threads_offsets_or_calls(mild):
+    pair = frames(MILD, 1.6)
+    one = mild(*pair)
+    kept = one.depth.copy(), one.deviation.copy(), one.misfit.copy()
+    again = mild(*pair)
+    for a, b in zip(kept, (again.depth, again.deviation, again.misfit), strict=True):
+        assert np.array_equal(a, b, equal_nan=True)
+    many = made(MILD, threads=3)(*pair)
+    for a, b in zip(kept, (many.depth, many.deviation, many.misfit), strict=True):
+        assert np.array_equal(a, b, equal_nan=True)
+    assert again.depth is one.depth
+    # Black levels that are stated wrong by ten electrons change next to nothing.
+    off = made(MILD, noise=lm.Noise(read=3.0, offset=90.0))(*pair)
+    assert np.nanmedian(np.abs(off.depth - kept[0]) / kept[1]) < 0.1
+
+
+def test_exposures_are_measured_or_taken(mild):
+    pair = plane(texture("leaves", SIDE, seed=7), MILD, 1.5, LIGHT)
+    brighter = record([pair[0], 1.3 * pair[1]], seed=3)
+    found = mild(*brighter)
+    assert found.exposures[1] == pytest.approx(1.3, rel=0.01)
+    assert abs(np.median(errors(found, 1.5))) < 0.6
+    stated = made(MILD, exposures=(1.0, 4.0))
+    assert abs(np.median(errors(stated(*record([pair[0], 4.0 * pair[1]], seed=3)), 1.5))) < 0.6
+
+
+def test_levels_of_light_are_chosen_by_the_frames():
+    live = made(MILD, light=(500.0, 5000.0))
+    for light in (400.0, 6000.0):
+        found = live(*frames(MILD, 1.5, light=light))
+        z = errors(found, 1.5)
+        assert found.light == pytest.approx(light, rel=0.02)
+        assert np.isfinite(found.deviation[4:-4, 4:-4]).mean() > 0.85
+        assert 0.75 < 1.4826 * np.median(np.abs(z)) < 1.3
+
+
+def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
+    pair = frames(MILD, 1.5)
+    assert np.median(mild(pair[0], np.roll(pair[1], 1, axis=1)).misfit[4:-4, 4:-4]) > 3.0
+    loud = made(MILD, noise=lm.Noise(read=60.0, offset=100.0))
+    assert np.median(loud(*pair).misfit[4:-4, 4:-4]) < 0.8
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"between": (2.0, 1.2)}, "between must be the nearest and the farthest distance, got 2 and 1.2 m"),
+        ({"between": (0.2, np.inf), "f": 1.0}, "between (spans|must span)"),
+        ({"shape": (32, 64)}, r"shape\[0\] must be from 64"),
+        ({"shape": 64}, "shape must be height and width"),
+        ({"noise": lm.Noise(read=np.ones((4, 4)))}, "noise.read must be a number"),
+        ({"exposures": (1.0,)}, "exposures must be 2, one for each lens"),
+        ({"light": 0.0}, "light must be finite and >= 1"),
+        ({"window": 1.0}, "window must be >= 2"),
+        ({"known": np.ones((4, 4), bool)}, r"known must be of bool and of shape \(128, 128\)"),
+        ({"threads": 0}, "threads must be from 1"),
+        ({"sharp": 1}, "sharp must be True or False"),
+    ],
+)
+def test_what_cannot_be_made_is_refused_by_name(change, message):
+    lenses = thin(change.pop("f")) if "f" in change else MILD
+    with pytest.raises((TypeError, ValueError), match=message):
+        made(lenses, **change)
+    with pytest.raises(ValueError, match="lenses must be two or more"):
+        made(MILD[:1])
+
+
+def test_frames_that_do_not_fit_are_refused_by_name(mild, fast):
+    pair = frames(MILD, 1.5)
+    for given, message in (
+        ((pair[0],), "frames must be as many as lenses, 2, got 1"),
+        ((pair[0], pair[1][:-1]), r"frames\[1\] must have the shape \(128, 128\), got \(127, 128\)"),
+        ((pair[0], pair[1].astype(np.int64)), r"frames\[1\] must be of uint8, uint16 or floats, got int64"),
+        ((pair[0], pair[1].tolist()), r"frames\[1\] must be an ndarray"),
+        ((pair[0], np.full_like(pair[1], 100)), r"frames\[1\] must hold light"),
+        ((pair[0], np.full_like(pair[1], 65535)), "frames have no pixel that is known in all of them"),
+        ((pair[0], 8 * (pair[1] - 100) + 100), "exposures must be stated where frames differ by more than"),
+    ):
+        with pytest.raises((TypeError, ValueError), match=message):
+            mild(*given)
+    live = made(MILD)
+    with pytest.raises(ValueError, match="there are no frames yet"):
+        live.sharp()
+    live(*pair)
+    with pytest.raises(ValueError, match="images must be asked for"):
+        live.sharp()
+    fast(*frames(FAST, 1.5))
+    with pytest.raises(ValueError, match="images of other foci must be asked for"):
+        fast.refocus(1.5)
+    with pytest.raises(ValueError, match="out must be a contiguous array of float32"):
+        fast.sharp(np.empty((3, 3), np.float32))

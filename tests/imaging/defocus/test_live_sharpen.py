@@ -1,0 +1,82 @@
+"""Sharp images of single frames of known depth, of continuous scenes that are rendered without this package."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from scenes import ThinLens, averaged, lommel_lens, plane, record, texture
+
+SIDE, LIGHT = 128, 5000.0
+LENS = ThinLens(35e-3, 8.0, 1.35, 540e-9, 4e-6)
+
+
+def made(**options):
+    given = {
+        "between": (1.2, 2.0),
+        "noise": lm.Noise(read=3.0, offset=100.0),
+        "shape": (SIDE, SIDE),
+        "threads": 1,
+    } | options
+    return lm.imaging.LiveSharpen(lommel_lens(LENS), 4e-6, **given)
+
+
+@pytest.fixture(scope="module")
+def sharpen():
+    return made()
+
+
+@pytest.mark.parametrize("distance", [1.25, 1.6, 1.9])
+def test_a_frame_is_nearer_to_the_scene(sharpen, distance):
+    scene = texture("leaves", SIDE, seed=7)
+    truth = LIGHT * averaged(scene)
+    frame = record(plane(scene, [LENS], distance, LIGHT), seed=3)[0]
+    found = sharpen(frame, distance)
+    inner = np.s_[16:-16, 16:-16]
+    assert (found - truth)[inner].std() < 0.85 * (frame - 100.0 - truth)[inner].std()
+    assert found.mean() == pytest.approx(frame.mean() - 100.0, rel=1e-4)
+    # A map of the same depth, of pixels or of blocks, and the other types tell the same.
+    for depth in (np.full((SIDE, SIDE), distance), np.full((SIDE // 4, SIDE // 4), distance)):
+        np.testing.assert_allclose(sharpen(frame, depth), found, rtol=2e-4)
+    np.testing.assert_allclose(sharpen(frame.astype(float), distance), found, rtol=1e-6)
+    out = np.empty((SIDE, SIDE), np.float32)
+    assert sharpen(frame, distance, out) is out
+
+
+def test_each_side_of_a_map_is_sharpened_by_its_own_depth(sharpen):
+    scene = texture("leaves", SIDE, seed=7)
+    frame = record(plane(scene, [LENS], 1.9, LIGHT), seed=3)[0]
+    depth = np.full((SIDE, SIDE), 1.9)
+    depth[:, 64:] = 1.35
+    found = sharpen(frame, depth)
+    np.testing.assert_allclose(found[:, :48], sharpen(frame, 1.9)[:, :48], rtol=1e-5)
+    np.testing.assert_allclose(found[:, 80:], sharpen(frame, 1.35)[:, 80:], rtol=1e-5)
+
+
+def test_colours_and_full_pixels_are_taken(sharpen):
+    scene = texture("leaves", SIDE, seed=7)
+    frame = record(plane(scene, [LENS], 1.7, LIGHT), seed=3)[0]
+    colour = made(shape=(SIDE, SIDE, 3))(np.stack([frame] * 3, axis=2), 1.7)
+    np.testing.assert_allclose(colour[..., 1], sharpen(frame, 1.7), rtol=1e-6)
+    full = frame.copy()
+    full[64, 64] = 65535
+    found = sharpen(full, 1.7)
+    assert np.abs(found - sharpen(frame, 1.7)).max() < 0.5 * LIGHT
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda s, f: s(f[:-1], 1.5), r"frame must have the shape \(128, 128\)"),
+        (lambda s, f: s(f, np.ones((3, 3))), r"depth must be a number, or have the shape \(128, 128\) or \(32, 32\)"),
+        (lambda s, f: s(f, np.full((SIDE, SIDE), np.nan)), "depth must be > 0 metres everywhere, got nan"),
+        (lambda s, f: s(f, -1.0), "depth must be > 0 metres everywhere, got -1.0"),
+        (lambda s, f: s(f, 1.5, np.empty((3, 3), np.float32)), "out must be a contiguous array of float32"),
+        (lambda s, f: made(light=0.0), "light must be >= 1"),
+        (lambda s, f: made(between=(2.0, 1.0)), "between must be the nearest and the farthest"),
+    ],
+)
+def test_what_does_not_fit_is_refused_by_name(sharpen, call, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        call(sharpen, np.full((SIDE, SIDE), 1000, np.uint16))

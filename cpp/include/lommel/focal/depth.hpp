@@ -31,16 +31,16 @@ struct FocalPlace {
 class FocalSearch {
    public:
     FocalSearch(const FocalCandidates& given, std::size_t products)
-        : given_(given), products_(products), width_(given.count + near), forms_(products * width_),
-          rough_((given.count + 3) / 4 * products), noise_(given.count + near),
-          by_texture_(given.by_texture, given.by_texture + given.count),
+        : given_(given), products_(products), padded_((products + 3) / 4 * 4), width_(given.count + near),
+          rough_width_((roughs() + several - 1) / several * several), forms_(padded_ * width_), rough_(products * rough_width_),
+          noise_(given.count + near), by_texture_(given.by_texture, given.by_texture + given.count),
           by_noise_(given.by_noise, given.by_noise + given.count) {
         for (std::size_t q = 0; q < products; ++q) {
             for (std::size_t c = 0; c < given.count; ++c) {
                 forms_[q * width_ + c] = given.forms[c * products + q];
             }
             for (std::size_t c = 0; c < roughs(); ++c) {
-                rough_[q * roughs() + c] = given.forms[rough_step * c * products + q];
+                rough_[q * rough_width_ + c] = given.forms[rough_step * c * products + q];
             }
         }
         std::copy_n(given.noise, given.count, noise_.begin());
@@ -51,7 +51,7 @@ class FocalSearch {
 
     // Room for one thread.
     struct Scratch {
-        explicit Scratch(const FocalSearch& of) : energies(of.roughs() * lanes_) {}
+        explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_) {}
         Floats energies;
     };
 
@@ -64,15 +64,14 @@ class FocalSearch {
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t count = roughs();
         float* const energies = scratch.energies.data();
-        // Every fourth candidate, for all blocks at once.
-        for (std::size_t c = 0; c < count; c += 4) {
-            const std::size_t several = std::min<std::size_t>(4, count - c);
-            V total[4] = {};
+        // Every fourth candidate, for all blocks at once; eight of them, for sums in a row wait for each other.
+        for (std::size_t c = 0; c < count; c += several) {
+            V total[several] = {};
             for (std::size_t q = 0; q < products_; ++q) {
                 const V sum = load<V>(sums + q * pitch);
-                const float* const form = rough_.data() + q * count + c;
-                for (std::size_t t = 0; t < 4; ++t) {
-                    total[t] = total[t] + splat<V>(form[t < several ? t : 0]) * sum;
+                const float* const form = rough_.data() + q * rough_width_ + c;
+                for (std::size_t t = 0; t < several; ++t) {
+                    total[t] = total[t] + splat<V>(form[t]) * sum;
                 }
             }
             for (std::size_t t = 0; t < several; ++t) {
@@ -80,18 +79,22 @@ class FocalSearch {
             }
         }
         for (std::size_t l = 0; l < std::min(lanes, blocks); ++l) {
-            // Of `near` candidates.
+            // Of `near` candidates, in four sums each.
             const auto energy = [&](std::size_t start, float* to) LOMMEL_INLINE_LAMBDA {
-                V sum[near / lanes] = {};
-                for (std::size_t q = 0; q < products_; ++q) {
-                    const V one = splat<V>(sums[q * pitch + l]);
-                    const float* const form = forms_.data() + q * width_ + start;
-                    for (std::size_t v = 0; v < near / lanes; ++v) {
-                        sum[v] = sum[v] + one * load<V>(form + v * lanes);
+                constexpr std::size_t vectors = near / lanes, chains = 4;
+                V sum[chains][vectors] = {};
+                for (std::size_t q = 0; q < padded_; q += chains) {
+                    for (std::size_t k = 0; k < chains; ++k) {
+                        const V one = splat<V>(sums[std::min(q + k, products_ - 1) * pitch + l]);
+                        const float* const form = forms_.data() + (q + k) * width_ + start;
+                        for (std::size_t v = 0; v < vectors; ++v) {
+                            sum[k][v] = sum[k][v] + one * load<V>(form + v * lanes);
+                        }
                     }
                 }
-                for (std::size_t v = 0; v < near / lanes; ++v) {
-                    store(to + v * lanes, sum[v] - load<V>(noise_.data() + start + v * lanes));
+                for (std::size_t v = 0; v < vectors; ++v) {
+                    const V total = (sum[0][v] + sum[1][v]) + (sum[2][v] + sum[3][v]);
+                    store(to + v * lanes, total - load<V>(noise_.data() + start + v * lanes));
                 }
             };
             const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
@@ -101,7 +104,7 @@ class FocalSearch {
     }
 
    private:
-    static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16;
+    static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     static constexpr float least_trust = 0.5f;
     static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods, and standard deviations of an energy
@@ -186,7 +189,7 @@ class FocalSearch {
     }
 
     FocalCandidates given_;
-    std::size_t products_, width_;
+    std::size_t products_, padded_, width_, rough_width_;  // the forms beyond the products are 0
     Floats forms_, rough_, noise_, by_texture_, by_noise_;
 };
 

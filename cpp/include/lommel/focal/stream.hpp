@@ -50,7 +50,7 @@ class FocalStream {
             products_ = plan.channels * each_;
             search_ = std::make_unique<FocalSearch>(*candidates, products_);
             rows_ = products_ + plan.channels + 1;
-            sums_.resize(down_ * rows_ * pitch_);
+            kept_ = 2 * beside() + 2;
             places_.resize(down() * across());
             filled_.resize(down() * across());
             for (std::size_t h = down(), w = across(); h * w > 1; h = (h + 1) / 2, w = (w + 1) / 2) {
@@ -104,6 +104,7 @@ class FocalStream {
                                        plan.taps.degree + 1);
                 products.emplace_back(plan.residual_count, plan.width, plan.window.side);
             }
+            sums.resize(of.kept_ * of.rows_ * of.pitch_);
             if (of.search_) {
                 scratch = std::make_unique<FocalSearch::Scratch>(*of.search_);
             }
@@ -120,6 +121,8 @@ class FocalStream {
         std::vector<int> counts;  // of unknown squares around, for each column
         Floats smooth[2], padded, between, coefficients;
         std::size_t held[2] = {none, none};  // blocks whose smoothed sums these are
+        Floats sums;  // of the last rows of blocks
+        std::size_t next = 0, end = 0;  // the rows of depths that are due
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
@@ -129,11 +132,19 @@ class FocalStream {
     };
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
+    // Blocks above or below one that its depths depend on.
+    std::size_t beside() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
+    float* sums_of(Strip& strip, std::size_t block) const {
+        return strip.sums.data() + block % kept_ * rows_ * pitch_ + FocalRows::margin;
+    }
 
     // Rows of all orders of a strip, and what is made of them.
     template <class I>
-    LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t top, std::size_t bottom) {
+    LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
+        // Depths next to another strip depend on blocks there.
+        const std::size_t beyond = plan_.residual_count > 0 ? beside() * plan_.window.side : 0, own_top = own, own_bottom = end;
+        const std::size_t top = own > beyond ? own - beyond : 0, bottom = std::min(end + beyond, plan_.height);
         const std::size_t first = top > ahead ? top - ahead : 0;
         std::fill(strip.counts.begin(), strip.counts.end(), 0);
         for (std::size_t t = first; t < bottom + ahead; ++t) {
@@ -155,7 +166,7 @@ class FocalStream {
                 count(strip, t + blur - ahead - span, -1);
             }
             if (t >= top + ahead) {
-                emit(isa, strip, t - ahead);
+                emit(isa, strip, t - ahead, t - ahead >= own_top && t - ahead < own_bottom);
             }
         }
     }
@@ -184,7 +195,7 @@ class FocalStream {
 
     // Row y of all images.
     template <class I>
-    LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y) {
+    LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y, bool own) {
         float* lines[most_images + 2];
         const std::size_t residuals = plan_.residual_count, pitch = line();
         for (std::size_t k = 0; k < residuals + 2; ++k) {
@@ -197,7 +208,7 @@ class FocalStream {
             for (std::size_t x = 0; x < plan_.width; ++x) {
                 trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
             }
-            float* const sums = sums_.data() + block * rows_ * pitch_ + FocalRows::margin;
+            float* const sums = sums_of(strip, block);
             const bool last = within + 1 == plan_.window.side;
             for (std::size_t c = 0; c < plan_.channels; ++c) {
                 strip.residuals[c](isa, strip.rows, y, lines);
@@ -211,13 +222,22 @@ class FocalStream {
             for (std::size_t q = 0; last && q < rows_; ++q) {
                 smooth(isa, strip, sums + q * pitch_);
             }
+            while (last && strip.next < strip.end && needed(strip.next) <= block) {
+                decide(isa, strip, strip.next++);
+            }
         }
         for (std::size_t k = 0; k < plan_.image_count; ++k) {
             lines[k] = images_.data() + (k * plan_.height + y) * row_;
         }
-        if (plan_.image_count > 0) {
+        if (own && plan_.image_count > 0) {
             strip.images(isa, strip.rows, y, lines);
         }
+    }
+
+    // The last block that a row of depths depends on.
+    std::size_t needed(std::size_t y) const {
+        const std::size_t fine = plan_.fine, block = fine == 1 ? y : (2 * y + 1 + fine) / (2 * fine);
+        return std::min(std::min(block, down_ - 1) + plan_.window.weights.size() - 1, down_ - 1);
     }
 
     LOMMEL_INLINE void average_frames(Strip& strip, std::size_t channel, std::size_t y, float* mean) {
@@ -278,50 +298,67 @@ class FocalStream {
     // Averages over the window around the blocks of a row: of products over the variance of the noise, of light, and of trust.
     template <class I>
     LOMMEL_INLINE const float* average(I, Strip& strip, std::size_t block) {
-        using V = typename I::floats;
         const std::size_t slot = plan_.fine > 1 ? block % 2 : 0;
         float* const out = strip.smooth[slot].data();
         if (strip.held[slot] == block) {
             return out + FocalRows::margin;
         }
         strip.held[slot] = block;
-        const std::vector<float>& weights = plan_.window.weights;
-        const std::size_t size = rows_ * pitch_;
-        constexpr std::size_t lanes = 2 * I::lanes;
-        const auto row = [&](std::size_t b) { return sums_.data() + b * size; };
-        const float scale = 1.0f / static_cast<float>(plan_.window.side * plan_.window.side);
-        const V first = splat<V>(scale * weights[0]);
-        for (std::size_t x = 0; x < size; x += lanes) {
-            store(out + x, first * load<V>(row(block) + x));
-        }
-        for (std::size_t k = 1; k < weights.size(); ++k) {
-            const V weight = splat<V>(scale * weights[k]);
-            for (const std::size_t b : {block - k, block + k}) {
-                if (b < down_) {  // also where it would be below 0
-                    for (std::size_t x = 0; x < size; x += lanes) {
-                        store(out + x, load<V>(out + x) + weight * load<V>(row(b) + x));
-                    }
-                }
-            }
-        }
-        // The mean light is of as much of the window as there is.
-        const float there = share(block, down_), read = search_->candidates().read_variance;
+        const float read = search_->candidates().read_variance, there = share(block, down_);
         float *const sums = out + FocalRows::margin, *const over = strip.padded.data() + FocalRows::margin;
         const float* const trust = sums + (rows_ - 1) * pitch_;
+        column(I{}, strip, block, rows_ - 1, nullptr, sums);
         for (std::size_t c = 0; c < plan_.channels; ++c) {
             const float* const light = sums + (products_ + c) * pitch_;
+            column(I{}, strip, block, products_ + c, nullptr, sums);
+            // The mean light is of as much of the window as there is.
             for (std::size_t x = 0; x < across_; ++x) {
                 const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
                 over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
             }
             for (std::size_t q = c * each_; q < (c + 1) * each_; ++q) {
-                float* const products = sums + q * pitch_;
-                for (std::size_t x = 0; x < across_; x += lanes) {
-                    store(products + x, load<V>(products + x) * load<V>(over + x));
-                }
+                column(I{}, strip, block, q, over, sums);
             }
         }
         return sums;
+    }
+    // Row q of the averages over blocks, by the weights of those above and below, times factors if any.
+    template <class I>
+    LOMMEL_INLINE void column(I isa, Strip& strip, std::size_t block, std::size_t q, const float* factors, float* sums) const {
+        const std::vector<float>& weights = plan_.window.weights;
+        const float scale = 1.0f / static_cast<float>(plan_.window.side * plan_.window.side);
+        const float* rows[2 * FocalRows::margin + 1];
+        float shares[2 * FocalRows::margin + 1];
+        std::size_t count = 0;
+        const std::size_t first = block + 1 >= weights.size() ? block + 1 - weights.size() : 0;
+        for (std::size_t b = first; b < std::min(down_, block + weights.size()); ++b, ++count) {
+            rows[count] = sums_of(strip, b) + q * pitch_;
+            shares[count] = scale * weights[b < block ? block - b : b - block];
+        }
+        float* const to = sums + q * pitch_;
+        std::size_t k = 0;
+        for (; k + 5 <= count; k += 5) {  // as many as the usual window has
+            add<5>(isa, rows + k, shares + k, k == 0, k + 5 == count ? factors : nullptr, to);
+        }
+        for (; k < count; ++k) {
+            add<1>(isa, rows + k, shares + k, k == 0, k + 1 == count ? factors : nullptr, to);
+        }
+    }
+    template <std::size_t Count, class I>
+    LOMMEL_INLINE void add(I, const float* const* rows, const float* shares, bool first, const float* factors,
+                           float* to) const {
+        using V = typename I::floats;
+        V share[Count];
+        for (std::size_t k = 0; k < Count; ++k) {
+            share[k] = splat<V>(shares[k]);
+        }
+        for (std::size_t x = 0; x < across_; x += 2 * I::lanes) {
+            V sum = first ? V{} : load<V>(to + x);
+            for (std::size_t k = 0; k < Count; ++k) {
+                sum = sum + share[k] * load<V>(rows[k] + x);
+            }
+            store(to + x, factors ? sum * load<V>(factors + x) : sum);
+        }
     }
     // The share of a window that lies within `side` blocks.
     float share(std::size_t at, std::size_t side) const {
@@ -526,9 +563,9 @@ class FocalStream {
     FocalPlan plan_;
     FocalReader reader_;
     FocalSums summing_;
-    std::size_t down_, across_, pitch_, each_ = 0, products_ = 0, rows_ = 0, row_ = 0;
+    std::size_t down_, across_, pitch_, each_ = 0, products_ = 0, rows_ = 0, row_ = 0, kept_ = 0;
     std::unique_ptr<FocalSearch> search_;
-    Floats sums_, images_;
+    Floats images_;
     std::vector<FocalPlace> places_;
     std::vector<float> filled_;
     std::vector<Level> levels_;
@@ -543,22 +580,16 @@ LOMMEL_ONCE void FocalStream::sum(const FocalFrame* frames, double* out) {
 LOMMEL_ONCE void FocalStream::take(const FocalFrame* frames) {
     const std::size_t side = plan_.window.side, count = strips_.size();
     parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
-        const std::size_t top = down_ * s / count * side;
-        const std::size_t bottom = s + 1 == count ? plan_.height : down_ * (s + 1) / count * side;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { filter(isa, *strips_[s], frames, top, bottom); });
+        const std::size_t first = down_ * s / count, last = down_ * (s + 1) / count;
+        const std::size_t bottom = s + 1 == count ? plan_.height : last * side;
+        Strip& strip = *strips_[s];
+        strip.held[0] = strip.held[1] = Strip::none;
+        strip.next = first * plan_.fine, strip.end = last * plan_.fine;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { filter(isa, strip, frames, first * side, bottom); });
     });
 }
 
 LOMMEL_ONCE void FocalStream::search() {
-    const std::size_t count = strips_.size();
-    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            strips_[s]->held[0] = strips_[s]->held[1] = Strip::none;
-            for (std::size_t y = down() * s / count; y < down() * (s + 1) / count; ++y) {
-                decide(isa, *strips_[s], y);
-            }
-        });
-    });
     doubt();
     fill();
 }

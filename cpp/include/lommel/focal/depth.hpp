@@ -107,6 +107,7 @@ class FocalSearch {
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     static constexpr float least_trust = 0.5f;
+    static constexpr float wide = 1.0f;  // of a variance, in candidates squared
     static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods, and standard deviations of an energy
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
@@ -182,8 +183,20 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= apart)) {
             return found;
         }
-        const float variance = (by_texture_[at] * curvature + by_noise_[at] * worse) * worse / (curvature * curvature * pixels);
+        float variance = (by_texture_[at] * curvature + by_noise_[at] * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
+        // Where it spans several candidates the width of the likelihood, for noise makes the least of the energy too sharp.
+        if (variance > wide) {
+            float total = 0.0f, moment = 0.0f;
+            for (std::size_t c = 0; c < count; ++c) {
+                const float apart_from = std::abs(static_cast<float>(rough_step * c) - found.position);
+                const float away = std::max(0.0f, apart_from - 1.0f);  // less what the steps are apart
+                const float chance = std::exp(likelihood * std::min(0.0f, here - rough(c)));
+                total += chance;
+                moment += chance * away * away;
+            }
+            variance = std::max(variance, moment / std::max(total, 1e-3f));
+        }
         found.deviation = std::sqrt(variance);
         return found;
     }

@@ -437,7 +437,7 @@ class FocalStream {
         }
         return slope_share * slope + mixed * bend_share * bent;
     }
-    static constexpr float slope_share = 0.06f, bend_share = 0.12f, least_mixed = 2.0f, surely_mixed = 5.0f;
+    static constexpr float slope_share = 0.06f, bend_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
 
     // Positions where none is known, from the mean of those around, coarse to fine.
     void fill() {

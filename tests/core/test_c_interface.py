@@ -206,9 +206,9 @@ def test_live_depth_from_a_file_is_that_of_the_package(library, tmp_path, frames
         assert library.lommel_live_frames(made, pointers, 16, 128, *where) == OK, library.lommel_message()
         found = live(*frames)
         for mine, theirs in zip(maps, (found.depth, found.deviation, found.misfit), strict=True):
-            np.testing.assert_allclose(mine, theirs, rtol=2e-6)
+            np.testing.assert_allclose(mine, theirs, rtol=1e-4)
     assert library.lommel_live_sharp(made, ctypes.c_void_p(image.ctypes.data)) == OK
-    np.testing.assert_allclose(image, live.sharp(), rtol=1e-5)
+    np.testing.assert_allclose(image, live.sharp(), atol=1e-4 * image.mean())
     assert library.lommel_live_frames(made, pointers, 12, 128, *where) == INVALID
     assert library.lommel_message() == b"bits must be 8 or 16"
     dark = np.full_like(frames[0], 100)

@@ -25,6 +25,11 @@ struct FocalFrame {
         known;  // 1, 0 for a pixel that is not, and 2 for one that holds light but is not to be trusted; or null
     std::size_t known_stride;
 
+    float value(std::size_t at) const {
+        return kind == Kind::bytes   ? static_cast<float>(static_cast<const std::uint8_t*>(data)[at])
+               : kind == Kind::words ? static_cast<float>(static_cast<const std::uint16_t*>(data)[at])
+                                     : static_cast<const float*>(data)[at];
+    }
     bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
 };
 
@@ -67,7 +72,7 @@ class FocalReader {
             all += out[x] * 0.0f;
         }
         if (frame.known != nullptr || most >= frame.full || !(all == 0.0f)) {
-            any = look_for(frame, first, y, unknown);
+            any = look_for(frame, y, unknown);
         }
         scale(isa, frame, y, out);
         if (any) {
@@ -94,13 +99,13 @@ class FocalReader {
         }
     }
 
-    template <class T>
-    LOMMEL_INLINE bool look_for(const FocalFrame& frame, const T* from, std::size_t y, float* unknown) const {
+    // Once for all processors, for it decides pixel by pixel.
+    LOMMEL_NOINLINE bool look_for(const FocalFrame& frame, std::size_t y, float* unknown) const {
         bool any = false;
         for (std::size_t i = 0; i < binning_; ++i) {
             const std::uint8_t* const known = frame.known ? frame.known + (y * binning_ + i) * frame.known_stride : nullptr;
             for (std::size_t x = 0; x < width_ * binning_; ++x) {
-                const float value = static_cast<float>(from[i * frame.stride + x]);
+                const float value = frame.value((y * binning_ + i) * frame.stride + x);
                 const bool lost = !(value < frame.full) || (known && known[x] == 0) || !(value * 0.0f == 0.0f);
                 if (lost || (known && known[x] != 1)) {
                     float& square = unknown[x / binning_];
@@ -135,7 +140,7 @@ class FocalReader {
     }
 
     // Between the known squares on either side, linearly; a row without any is left as it is, but finite.
-    LOMMEL_INLINE void fill(float* out, const float* unknown) const {
+    LOMMEL_NOINLINE void fill(float* out, const float* unknown) const {
         std::size_t x = 0;
         while (x < width_) {
             if (unknown[x] != lost_square) {

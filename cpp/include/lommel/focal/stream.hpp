@@ -272,19 +272,20 @@ class FocalStream {
     LOMMEL_INLINE void decide(I isa, Strip& strip, std::size_t y) {
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t fine = plan_.fine, width = across(), trust = rows_ - 1;
-        const float* sums = nullptr;
+        const float place = (static_cast<float>(y) + 0.5f) / static_cast<float>(fine) - 0.5f;
+        const float within = std::min(std::max(place, 0.0f), static_cast<float>(down_ - 1));
+        const auto block = static_cast<std::size_t>(within);
+        const float* around[2];
+        for (std::size_t i = 0; i < (fine == 1 ? 1 : 2); ++i) {
+            around[i] = average(isa, strip, std::min(block + i, down_ - 1));
+        }
+        const float* sums = around[0];
         std::size_t pitch = pitch_;
-        if (fine == 1) {
-            sums = average(isa, strip, y);
-        } else {
-            const float place = (static_cast<float>(y) + 0.5f) / static_cast<float>(fine) - 0.5f;
-            const float within = std::min(std::max(place, 0.0f), static_cast<float>(down_ - 1));
-            const auto block = static_cast<std::size_t>(within);
-            const float *const a = average(isa, strip, block), *const b = average(isa, strip, std::min(block + 1, down_ - 1));
+        if (fine > 1) {
             float* const between = strip.between.data();
             pitch = width + 2 * FocalRows::margin;
             for (std::size_t q = 0; q < rows_; ++q) {
-                expand(a + q * pitch_, b + q * pitch_, within - static_cast<float>(block), across_, fine, width,
+                expand(around[0] + q * pitch_, around[1] + q * pitch_, within - static_cast<float>(block), across_, fine, width,
                        between + q * pitch);
             }
             sums = between;
@@ -310,14 +311,13 @@ class FocalStream {
         column(I{}, strip, block, rows_ - 1, nullptr, sums);
         for (std::size_t c = 0; c < plan_.channels; ++c) {
             const float* const light = sums + (products_ + c) * pitch_;
-            column(I{}, strip, block, products_ + c, nullptr, sums);
-            // The mean light is of as much of the window as there is.
-            for (std::size_t x = 0; x < across_; ++x) {
-                const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
-                over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
-            }
-            for (std::size_t q = c * each_; q < (c + 1) * each_; ++q) {
-                column(I{}, strip, block, q, over, sums);
+            for (std::size_t i = 0; i <= each_; ++i) {
+                column(I{}, strip, block, i == 0 ? products_ + c : c * each_ + i - 1, i == 0 ? nullptr : over, sums);
+                // The mean light is of as much of the window as there is.
+                for (std::size_t x = 0; i == 0 && x < across_; ++x) {
+                    const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
+                    over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
+                }
             }
         }
         return sums;

@@ -40,8 +40,9 @@ class Stream {
                     images.shape(2) == terms,
                 "residuals and images are of the same frames and terms");
         require(count <= 48 && images.shape(0) <= 60, "at most 48 residuals and 60 images");
-        require(count == 0 || (forms.shape(1) == channels * count * (count + 1) / 2 && forms.shape(0) >= 9 &&
-                               forms.shape(0) % 4 == 1 && statistics.shape(0) == 3 && statistics.shape(1) == forms.shape(0)),
+        require(count == 0 ||
+                    (forms.shape(1) == channels * count * (count + 1) / 2 && forms.shape(0) >= 9 && forms.shape(0) % 4 == 1 &&
+                     statistics.shape(0) == lommel::FocalCandidates::rows && statistics.shape(1) == forms.shape(0)),
                 "forms and statistics are of 4 n + 1 candidates, 9 or more");
         require((terms - 1) * (taps.size() - 1) < height, "the filters are higher than the frames");
         lommel::FocalPlan plan{height,
@@ -59,11 +60,8 @@ class Stream {
                                blur,
                                strips};
         std::copy_n(taps.data(), taps.size(), plan.taps.values);
-        const std::size_t candidates = forms.shape(0);
-        const float* const s = statistics.data();
-        const lommel::FocalCandidates given{candidates,         forms.data(), s,          s + candidates,
-                                            s + 2 * candidates, numbers[0],   numbers[1], numbers[2],
-                                            numbers[3],         numbers[4],   numbers[5], numbers[6]};
+        const lommel::FocalCandidates given{forms.shape(0), forms.data(), statistics.data(), numbers[0], numbers[1],
+                                            numbers[2],     numbers[3],   numbers[4],        numbers[5], numbers[6]};
         stream_.emplace(plan, &given);
         first_ = numbers[2], step_ = numbers[3];
         frames_.resize(channels * frames);

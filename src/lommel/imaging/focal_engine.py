@@ -159,11 +159,8 @@ class FocalEngine:
             basis[: one.rank] = one.basis
             forms.append(one.forms(rank))
         kept = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
-        noise, by_noise = (
-            np.sum([getattr(one, name) for one in self.channels], axis=0) for name in ("noise", "by_noise")
-        )
-        by_texture = np.mean([one.by_texture for one in self.channels], axis=0)
-        statistics = np.stack([noise, by_texture, by_noise])
+        statistics = np.sum([one.statistics() for one in self.channels], axis=0)
+        statistics[[1, 3]] /= len(self.channels)
         return self._stream(
             shape, self.binning, tables.taps, residuals, kept, np.concatenate(forms, axis=1), statistics
         )
@@ -172,7 +169,7 @@ class FocalEngine:
         """Return what makes sharp images of a channel of frames of a shape."""
         tables = self.images[channel]
         none = np.zeros((1, 0, *tables.basis.shape[1:]))
-        return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((3, 0)))
+        return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
 
     def tables(self, white: float, offset: float, full: float) -> bytes:
         """Return what cpp/include/lommel/focal/file.hpp reads: tables of one channel, and of sharp images if any."""
@@ -198,8 +195,7 @@ class FocalEngine:
             len(kept),
         ]
         numbers = [*one.taps.padded(), *taps.padded(), white, offset, min(full, 3e38), *self._numbers(one.binning)]
-        statistics = np.stack([one.noise, one.by_texture, one.by_noise])
-        arrays = (numbers, one.basis, self._weights, one.forms(one.rank), statistics, kept, mixes)
+        arrays = (numbers, one.basis, self._weights, one.forms(one.rank), one.statistics(), kept, mixes)
         return np.asarray(whole, "<i4").tobytes() + b"".join(np.asarray(each, "<f4").tobytes() for each in arrays)
 
     def _numbers(self, binning: int) -> tuple[float, ...]:

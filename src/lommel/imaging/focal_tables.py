@@ -40,7 +40,8 @@ _HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading
 _BLIND = 1e4  # power of a scene at frequency 0, over the noise, that filters are to withstand
 _SHARP_LOSS = 0.02  # of the squared error of Wiener's filter, likewise
 _BEYOND = 0.08  # of the range, by which candidates reach beyond either end of it
-_WORTH = 1.12  # standard errors may grow so much by squares of pixels, which take a quarter of the work
+_VALLEY = 61  # candidates that the depth of a valley is taken from
+_WORTH = 1.25  # standard errors may grow so much by squares of pixels, which take a quarter of the work
 # Taps, degree, the share of the norm of all filters that the singular vectors left out may have together, and what
 # the filters' standard errors over the bound may be for these to do: their median, and the most. Short filters are
 # tried first, for long ones bring light from afar.
@@ -102,6 +103,11 @@ class FocalTables:
         Energy of the residuals of white noise of variance 1.
     by_texture, by_noise : ndarray, shape (c,)
         Variance of half of the energy's derivative by candidate: the part that grows as its curvature, and the rest.
+    steepness : ndarray, shape (c,)
+        Half of the energy's second derivative over how far the mean of all energies is above it, of a texture as
+        designed for.
+    of_curvature : ndarray, shape (c,)
+        Variance of half of the second derivative by noise alone.
     bias, deviation, bound : ndarray, shape (c,)
         Of a texture as designed for, in candidates, by one pixel's information: bias, standard error, Cramér-Rao
         bound.
@@ -121,6 +127,8 @@ class FocalTables:
     noise: Array
     by_texture: Array
     by_noise: Array
+    steepness: Array
+    of_curvature: Array
     bias: Array
     deviation: Array
     bound: Array
@@ -142,6 +150,10 @@ class FocalTables:
     def step(self) -> float:
         """The vergence from one candidate to the next."""
         return float(self.vergence[1] - self.vergence[0])
+
+    def statistics(self) -> Array:
+        """Return the rows that the search for the least energy takes."""
+        return np.stack([self.noise, self.by_texture, self.by_noise, self.steepness, self.of_curvature])
 
     def forms(self, rank: int) -> Array:
         """Return the energies as quadratic forms, factors of e_k e_l for k <= l, as if there were `rank` images."""
@@ -183,7 +195,7 @@ def focal_tables(
     squares = [s for s in (1, 2, 4) if s <= most]
     models = [FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer, binning=s) for s in squares]
     bounds = [_bound(model)[inner] * s for model, s in zip(models, squares, strict=True)]
-    best = max(k for k, each in enumerate(bounds) if np.median(each / bounds[0]) <= _WORTH)
+    best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
     for taps, degree, left, median, most_over in _TRIED:
         made = _tables(models[best], Taps.of(taps), degree, left, squares[best], light)
         over = (made.deviation / made.bound)[inner]
@@ -265,6 +277,8 @@ def _tables(model: FocalModel, taps: Taps, degree: int, left: float, binning: in
         found.noise,
         found.by_texture,
         found.by_noise,
+        found.steepness,
+        found.of_curvature,
         found.bias,
         found.deviation,
         _bound(model),
@@ -292,6 +306,8 @@ class _Statistics(NamedTuple):
     noise: Array
     by_texture: Array
     by_noise: Array
+    steepness: Array
+    of_curvature: Array
     bias: Array
     deviation: Array
 
@@ -301,21 +317,27 @@ class _Statistics(NamedTuple):
         share, texture, count = model.band.share, model.texture, len(filters)
         slopes = np.gradient(filters, axis=0)
         noise = np.einsum("cpif,i,f->c", filters**2, model.white, share)
-        found = np.zeros((4, count))
+        found = np.zeros((6, count))
+        some = np.unique(np.linspace(0, count - 1, _VALLEY).astype(int))
+        second = np.array([0.5, -1.0, 0.5])
+
+        def energy_of(which: slice | Array, c: int) -> Array:
+            # The mean energy at some candidates, of a texture at the candidate c.
+            h, g = model.transfer[c], filters[which]
+            leak = (np.einsum("cpif,if->cpf", g, h, optimize=True) ** 2).sum(axis=1) @ (share * texture)
+            rest = np.einsum("cpif,if->c", g**2, model.noise[c] * share, optimize=True)
+            return np.asarray(leak + rest - noise[which])
+
         for c in range(count):
             h, n = model.transfer[c], model.noise[c]
             g, d = filters[c], slopes[c]
-            # The mean energy at the candidates around, of a texture at this one.
             start = max(0, c - 6)
-            around = filters[start : c + 7]
-            leak = np.einsum("cpif,if->cpf", around, h)
-            energy = (leak**2).sum(axis=1) @ (share * texture) - noise[start : c + 7]
-            energy += np.einsum("cpif,if,f->c", around**2, n, share, optimize=True)
+            energy = energy_of(slice(start, c + 7), c)
             k = min(max(int(np.argmin(energy)), 1), len(energy) - 2)
             before, here, after = energy[k - 1 : k + 2]
             found[0, c] = start + k + 0.5 * (before - after) / (before - 2.0 * here + after) - c
             own = min(max(c, 1), count - 2) - start
-            curvature = 0.5 * (energy[own - 1] - 2.0 * energy[own] + energy[own + 1])
+            curvature = float(second @ energy[own - 1 : own + 2])
             e, slope = np.einsum("pif,if->pf", g, h), np.einsum("pif,if->pf", d, h)
             ee = texture * e[:, None] * e[None] + np.einsum("pif,qif,if->pqf", g, g, n)
             dd = texture * slope[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", d, d, n)
@@ -326,7 +348,11 @@ class _Statistics(NamedTuple):
             found[1, c] = (variance - alone) / max(float((slope**2).sum(axis=0) @ (share * texture)), 1e-300)
             found[2, c] = alone
             found[3, c] = math.sqrt(variance) / max(curvature, 1e-300)
-        return cls(noise, found[1], found[2], found[0], found[3])
+            found[4, c] = curvature / max(float(energy_of(some, c).mean() - energy[c - start]), 1e-300)
+            three = filters[start + own - 1 : start + own + 2]
+            spectra = np.einsum("apif,bqif,i->apbqf", three, three, model.white, optimize=True) ** 2
+            found[5, c] = 2.0 * np.einsum("apbqf,a,b,f->", spectra, second, second, share, optimize=True)
+        return cls(noise, found[1], found[2], found[4], found[5], found[0], found[3])
 
 
 class SharpTables:

@@ -96,7 +96,7 @@ class LiveSharpen:
             _single(tables.basis),
             _single([1.0]),
             _single(np.zeros((0, 0))),
-            _single(np.zeros((3, 0))),
+            _single(np.zeros((5, 0))),
             (form.read**2, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0),
         )
         self._gains = _single([[form.white, 0.0, 0.0, 0.0, 0.0, 0.0]])

@@ -12,10 +12,14 @@
 
 namespace lommel {
 
-// Of each candidate: the energy as a quadratic form, of white noise, and the parts of the variance of half of its derivative.
+// Of each candidate: the energy as a quadratic form, and rows of statistics: the energy of white noise, the parts of the variance
+// of half of its derivative by texture and by noise, and its curvature over the depth of its valley, for the texture that filters are
+// made for, and the variance of that curvature by noise.
 struct FocalCandidates {
+    static constexpr std::size_t rows = 5;
+
     std::size_t count;  // 4 n + 1, 9 or more
-    const float *forms, *noise, *by_texture, *by_noise;
+    const float *forms, *statistics;
     float read_variance;  // of a square without light
     float pixels;  // of a window
     float first, step;  // vergence
@@ -33,8 +37,7 @@ class FocalSearch {
     FocalSearch(const FocalCandidates& given, std::size_t products)
         : given_(given), products_(products), padded_((products + 3) / 4 * 4), width_(given.count + near),
           rough_width_((roughs() + several - 1) / several * several), forms_(padded_ * width_), rough_(products * rough_width_),
-          noise_(given.count + near), by_texture_(given.by_texture, given.by_texture + given.count),
-          by_noise_(given.by_noise, given.by_noise + given.count) {
+          noise_(given.count + near), statistics_(given.statistics, given.statistics + given.rows * given.count) {
         for (std::size_t q = 0; q < products; ++q) {
             for (std::size_t c = 0; c < given.count; ++c) {
                 forms_[q * width_ + c] = given.forms[c * products + q];
@@ -43,8 +46,8 @@ class FocalSearch {
                 rough_[q * rough_width_ + c] = given.forms[rough_step * c * products + q];
             }
         }
-        std::copy_n(given.noise, given.count, noise_.begin());
-        given_.forms = given_.noise = given_.by_texture = given_.by_noise = nullptr;
+        std::copy_n(given.statistics, given.count, noise_.begin());
+        given_.forms = given_.statistics = nullptr;
     }
 
     const FocalCandidates& candidates() const { return given_; }
@@ -104,10 +107,13 @@ class FocalSearch {
     }
 
    private:
+    enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature };
+    static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     static constexpr float least_trust = 0.5f;
     static constexpr float wide = 1.0f;  // of a variance, in candidates squared
+    static constexpr float unlike = 0.4f;  // curvatures of textures, relative
     static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods, and standard deviations of an energy
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
@@ -132,7 +138,8 @@ class FocalSearch {
             at = around[c - start] < around[at - start] ? c : at;
         }
         const float noise = noise_[at];
-        FocalPlace found{unknown, infinite, 1.0f + around[at - start] / noise};
+        // The least of the energy is below that of the true depth, by half a chi-squared of one degree.
+        FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise};
         if (at == 0 || at == last || at == start || at == end) {
             return found;
         }
@@ -159,13 +166,13 @@ class FocalSearch {
             }
             x = std::min(1.0f, std::max(-1.0f, x - std::min(0.6f, std::max(-0.6f, slope / bend))));
         }
-        const float curvature = 0.5f * (e2 + x * (e3 + 0.5f * x * e4));
-        if (!(curvature > 0.0f)) {
+        const float measured = 0.5f * (e2 + x * (e3 + 0.5f * x * e4));
+        if (!(measured > 0.0f)) {
             return found;
         }
         const float worse = std::max(1.0f, found.misfit), likelihood = 0.5f * pixels / worse, here = g[2];
         // Better than the mean of all, and than any other valley.
-        const float better = likelihood * (sum / static_cast<float>(count) - here);
+        const float valley = sum / static_cast<float>(count) - here, better = likelihood * valley;
         if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
             return found;
         }
@@ -183,7 +190,13 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= apart)) {
             return found;
         }
-        float variance = (by_texture_[at] * curvature + by_noise_[at] * worse) * worse / (curvature * curvature * pixels);
+        // Where noise makes the least of the energy too sharp, how deep its valley is tells the curvature, up to the texture.
+        const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
+        const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
+        const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));
+        const float curvature = share * measured + (1.0f - share) * expected;
+        float variance =
+            (statistic(ByTexture) * curvature + statistic(ByNoise) * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
         // Where it spans several candidates the width of the likelihood, for noise makes the least of the energy too sharp.
         if (variance > wide) {
@@ -203,7 +216,7 @@ class FocalSearch {
 
     FocalCandidates given_;
     std::size_t products_, padded_, width_, rough_width_;  // the forms beyond the products are 0
-    Floats forms_, rough_, noise_, by_texture_, by_noise_;
+    Floats forms_, rough_, noise_, statistics_;
 };
 
 }  // namespace lommel

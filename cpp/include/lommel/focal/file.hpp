@@ -89,7 +89,7 @@ struct FocalFile {
         fill(residuals, count * frames * terms);
         fill(weights, around);
         fill(forms, candidates * (count * (count + 1) / 2));
-        fill(statistics, 3 * candidates);
+        fill(statistics, FocalCandidates::rows * candidates);
         fill(images, kept * frames * image_terms);
         fill(mixes, kept * candidates);
         require(from == end, "the tables go on after their end");
@@ -126,12 +126,9 @@ class FocalCamera {
                        whole(FocalFile::Blur),
                        threads};
         const std::size_t count = whole(FocalFile::Candidates);
-        const float* const s = file_.statistics.data();
         const FocalCandidates candidates{count,
                                          file_.forms.data(),
-                                         s,
-                                         s + count,
-                                         s + 2 * count,
+                                         file_.statistics.data(),
                                          n[FocalFile::ReadVariance],
                                          n[FocalFile::Pixels],
                                          n[FocalFile::First],

@@ -87,11 +87,11 @@ class FocalEngine:
 
     def __init__(self, task: FocalTask, light: FocalLight) -> None:
         self.task, self.light = task, light
-        first = focal_tables(
-            task.lenses, task.vergence, task.spectra[0], task.pixel, light, task.transfer, most=task.block
-        )
+        self._weights, self._pixels = block_weights(task.window, task.block)
+        blocks = self._weights, task.block
+        first = focal_tables(task.lenses, task.vergence, task.spectra[0], task.pixel, light, blocks, task.transfer)
         rest = [
-            focal_tables(task.lenses, task.vergence, one, task.pixel, light, task.transfer, like=first)
+            focal_tables(task.lenses, task.vergence, one, task.pixel, light, blocks, task.transfer, like=first)
             for one in task.spectra[1:]
         ]
         self.channels = [first, *rest]
@@ -101,7 +101,6 @@ class FocalEngine:
                 f"between must span less defocus: depths from {near:g} to {far:g} m take {self.rank} filters, more "
                 f"than {_MOST_RANK}; name nearer limits, stop down, or bin pixels"
             )
-        self._weights, self._pixels = block_weights(task.window, task.block)
         self._low, self._high = ((1.0 / each - first.vergence[0]) / first.step for each in task.between[::-1])
         self._factors = lru_cache(maxsize=16)(self._factors_of)
         self.images: list[SharpTables] = []

@@ -18,8 +18,10 @@ their matrix a few singular vectors are kept, so that energies at all vergences 
 
 The standard error follows from the filters as they are. With S_ee, S_dd and S_ed the spectra of e, of its derivative
 by u, and between them, and N the pixels of a window, half of the energy's derivative has the variance
-``mean of (S_ee S_dd + S_ed^2) / N``, of which one part grows as the curvature kappa of the energy and the other is of
-noise alone: ``sigma_u^2 = (by_texture kappa + by_noise) / (kappa^2 N)``.
+``mean of (S_ee S_dd + S_ed^2) / N``, less where the images are correlated over as much as the window; one part of it
+grows as the curvature kappa of the energy and the other is of noise alone:
+``sigma_u^2 = (by_texture kappa + by_noise) / (kappa^2 N)``. Where there is little texture noise bends the least of
+the energy: kappa is then what the depth of the valley tells, for the texture that the filters are made for.
 """
 
 from __future__ import annotations
@@ -33,7 +35,7 @@ from typing import NamedTuple, Self
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
+from lommel.estimation.focal_model import Band, FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
 from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading and offsets
@@ -178,26 +180,31 @@ def focal_tables(
     spectrum: Spectrum,
     pixel: float,
     light: FocalLight,
+    blocks: tuple[Array, int],
     transfer: Transfer = transfer_curve,
     *,
-    most: int = 4,
     like: FocalTables | None = None,
 ) -> FocalTables:
-    """Return the tables for candidates.
+    """Return the tables for candidates, and windows of weights of blocks, from the middle on, of some pixels a side.
 
-    By the largest squares of pixels that cost little precision, up to `most` a side, and as few terms as will do; or
-    by the squares and polynomials of others.
+    By the largest squares of pixels that cost little precision, up to a block, and as few terms as will do; or by the
+    squares and polynomials of others.
     """
+    weights, block = blocks
+
+    def made_of(model: FocalModel, taps: Taps, degree: int, left: float, binning: int) -> FocalTables:
+        return _tables(model, taps, degree, left, binning, light, _overlap(weights, block // binning))
+
     if like is not None:
         model = FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer, binning=like.binning)
-        return _tables(model, like.taps, like.degree, like.left, like.binning, light)
+        return made_of(model, like.taps, like.degree, like.left, like.binning)
     inner = slice(len(vergence) // 10, -(len(vergence) // 10))
-    squares = [s for s in (1, 2, 4) if s <= most]
+    squares = [s for s in (1, 2, 4) if s <= block]
     models = [FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer, binning=s) for s in squares]
     bounds = [_bound(model)[inner] * s for model, s in zip(models, squares, strict=True)]
     best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
     for taps, degree, left, median, most_over in _TRIED:
-        made = _tables(models[best], Taps.of(taps), degree, left, squares[best], light)
+        made = made_of(models[best], Taps.of(taps), degree, left, squares[best])
         over = (made.deviation / made.bound)[inner]
         if np.median(over) <= median and over.max() <= most_over:
             break
@@ -257,7 +264,16 @@ class _Fit:
         return np.asarray(metric)
 
 
-def _tables(model: FocalModel, taps: Taps, degree: int, left: float, binning: int, light: FocalLight) -> FocalTables:
+def _overlap(weights: Array, side: int) -> Array:
+    """Return how far a window overlaps with itself at 0, 1, ... squares along an axis, over that at 0."""
+    along = np.repeat(np.append(weights[:0:-1], weights), side)
+    whole = np.correlate(along, along, "full")[len(along) - 1 :]
+    return np.asarray(whole / whole[0])
+
+
+def _tables(
+    model: FocalModel, taps: Taps, degree: int, left: float, binning: int, light: FocalLight, overlap: Array
+) -> FocalTables:
     """Return the tables of a model, by polynomials of a degree."""
     band = model.band
     terms = taps.chebyshev(band.fx, band.fy, degree)
@@ -267,7 +283,7 @@ def _tables(model: FocalModel, taps: Taps, degree: int, left: float, binning: in
     mixes, basis = _few(fitted.reshape(count * pairs, -1), metric, np.ones(count * pairs), left, 0.0)
     mixes = mixes.reshape(count, pairs, -1)
     basis = basis.reshape(-1, frames, degree + 1)
-    found = _Statistics.of(model, np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True))
+    found = _Statistics.of(model, np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True), overlap)
     return FocalTables(
         model.vergence,
         binning,
@@ -312,8 +328,9 @@ class _Statistics(NamedTuple):
     deviation: Array
 
     @classmethod
-    def of(cls, model: FocalModel, filters: Array) -> Self:
-        """Return that of filters as they are, (c, pairs, frames, frequencies)."""
+    def of(cls, model: FocalModel, filters: Array, overlap: Array) -> Self:
+        """Return that of filters as they are, (c, pairs, frames, frequencies), in windows of an overlap."""
+        correlated = _Correlation(model.band, overlap)
         share, texture, count = model.band.share, model.texture, len(filters)
         slopes = np.gradient(filters, axis=0)
         noise = np.einsum("cpif,i,f->c", filters**2, model.white, share)
@@ -342,17 +359,40 @@ class _Statistics(NamedTuple):
             ee = texture * e[:, None] * e[None] + np.einsum("pif,qif,if->pqf", g, g, n)
             dd = texture * slope[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", d, d, n)
             ed = texture * e[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", g, d, n)
-            variance = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
+            flat = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
+            variance = correlated(ee, dd) + correlated(ed, ed.swapaxes(0, 1))
             plain = [np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d))]
-            alone = float((plain[0] * plain[1] + plain[2] * plain[2].swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
+            alone = correlated(plain[0], plain[1]) + correlated(plain[2], plain[2].swapaxes(0, 1))
             found[1, c] = (variance - alone) / max(float((slope**2).sum(axis=0) @ (share * texture)), 1e-300)
             found[2, c] = alone
-            found[3, c] = math.sqrt(variance) / max(curvature, 1e-300)
+            found[3, c] = math.sqrt(flat) / max(curvature, 1e-300)
             found[4, c] = curvature / max(float(energy_of(some, c).mean() - energy[c - start]), 1e-300)
             three = filters[start + own - 1 : start + own + 2]
-            spectra = np.einsum("apif,bqif,i->apbqf", three, three, model.white, optimize=True) ** 2
-            found[5, c] = 2.0 * np.einsum("apbqf,a,b,f->", spectra, second, second, share, optimize=True)
+            spectra = np.einsum("apif,bqif,i->abpqf", three, three, model.white, optimize=True)
+            found[5, c] = 2.0 * correlated(np.einsum("abpqf,a,b->abpqf", spectra, second, second), spectra)
         return cls(noise, found[1], found[2], found[4], found[5], found[0], found[3])
+
+
+class _Correlation:
+    """Variances of windowed products of two images, from their spectra, times the pixels of a window.
+
+    The sum over lags of the covariances' product, each lag as much as the window overlaps with itself there.
+    """
+
+    def __init__(self, band: Band, overlap: Array) -> None:
+        count = round(math.sqrt(2.0 * len(band.fx) - 1.75) - 0.5)
+        self._places = np.zeros((count, count), dtype=np.intp)
+        upper = np.triu_indices(count)
+        self._places[upper] = self._places.T[upper] = 1 + np.arange(len(upper[0]))
+        lags = np.arange(min(count, len(overlap)))
+        self._cosines = np.cos(2.0 * math.pi * lags[:, None] * band.fx[self._places[:, -1]]) / count
+        both = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]
+        self._weights = both[:, None] * both
+
+    def __call__(self, a: Array, b: Array) -> float:
+        """Return the variance that two spectra (..., frequencies) have, summed over the rest of their axes."""
+        first, second = (self._cosines @ one[..., self._places] @ self._cosines.T for one in (a, b))
+        return float((first * second * self._weights).sum())
 
 
 class SharpTables:

@@ -51,16 +51,12 @@ class FocalRows {
     template <class I>
     LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
         for (std::size_t image = 0; image < images_; ++image) {
-            if (taps_.reach == 1) {
-                m == 1 ? order<1, true>(isa, image, m, y) : order<1, false>(isa, image, m, y);
-            } else {
-                m == 1 ? order<2, true>(isa, image, m, y) : order<2, false>(isa, image, m, y);
-            }
+            taps_.reach == 1 ? order<1>(isa, image, m, y) : order<2>(isa, image, m, y);
         }
     }
 
    private:
-    template <std::size_t Reach, bool First, class I>
+    template <std::size_t Reach, class I>
     LOMMEL_INLINE void order(I, std::size_t image, std::size_t m, std::size_t y) {
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
@@ -88,16 +84,16 @@ class FocalRows {
             column[-1 - static_cast<std::ptrdiff_t>(k)] = column[std::min(k, width_ - 1)];
             column[width_ + k] = column[width_ - 1 - std::min(k, width_ - 1)];
         }
-        const float* const before = First ? here : row(image, m - 2, y);
+        const bool first = m == 1;
+        const float* const before = first ? here : row(image, m - 2, y);
         float* const out = row(image, m, y);
-        const V factor = splat<V>(First ? 2.0f : 4.0f), two = splat<V>(2.0f);
+        const V factor = splat<V>(first ? 2.0f : 4.0f), once = splat<V>(first ? 0.0f : 2.0f);
         for (std::size_t x = 0; x < width_; x += lanes) {
             V sum = taps[0] * load<V>(column + x);
             for (std::size_t k = 1; k <= Reach; ++k) {
                 sum = sum + taps[k] * (load<V>(column + x - k) + load<V>(column + x + k));
             }
-            const V rest = First ? load<V>(here + x) : two * load<V>(here + x) + load<V>(before + x);
-            store(out + x, factor * sum - rest);
+            store(out + x, factor * sum - (once * load<V>(here + x) + load<V>(before + x)));
         }
     }
 

@@ -202,16 +202,24 @@ class FocalStream {
             lines[k] = strip.lines.data() + k * pitch;
         }
         const std::size_t block = y / plan_.window.side, within = y % plan_.window.side;
-        if (residuals > 0 && block < down_) {
-            float *const mean = lines[residuals], *const trust = lines[residuals + 1];
-            const bool edge = y < plan_.blur || y + plan_.blur >= plan_.height;
-            for (std::size_t x = 0; x < plan_.width; ++x) {
-                trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
+        const bool last = within + 1 == plan_.window.side, judged = residuals > 0 && block < down_;
+        float *const mean = lines[residuals], *const trust = lines[residuals + 1];
+        float* const sums = judged ? sums_of(strip, block) : nullptr;
+        const bool edge = y < plan_.blur || y + plan_.blur >= plan_.height;
+        for (std::size_t x = 0; judged && x < plan_.width; ++x) {
+            trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
+        }
+        // The residuals of each channel, and the images of the first.
+        for (std::size_t c = 0; c <= plan_.channels; ++c) {
+            const bool kept = c == plan_.channels;
+            if (kept ? !own || plan_.image_count == 0 : !judged) {
+                continue;
             }
-            float* const sums = sums_of(strip, block);
-            const bool last = within + 1 == plan_.window.side;
-            for (std::size_t c = 0; c < plan_.channels; ++c) {
-                strip.residuals[c](isa, strip.rows, y, lines);
+            for (std::size_t k = 0; kept && k < plan_.image_count; ++k) {
+                lines[k] = images_.data() + (k * plan_.height + y) * row_;
+            }
+            (kept ? strip.images : strip.residuals[c])(isa, strip.rows, y, lines);
+            if (!kept) {
                 average_frames(strip, c, y, mean);
                 strip.products[c].take(isa, within, lines, mean, trust);
                 if (last) {
@@ -219,18 +227,12 @@ class FocalStream {
                                           sums + (rows_ - 1) * pitch_);
                 }
             }
-            for (std::size_t q = 0; last && q < rows_; ++q) {
-                smooth(isa, strip, sums + q * pitch_);
-            }
-            while (last && strip.next < strip.end && needed(strip.next) <= block) {
-                decide(isa, strip, strip.next++);
-            }
         }
-        for (std::size_t k = 0; k < plan_.image_count; ++k) {
-            lines[k] = images_.data() + (k * plan_.height + y) * row_;
+        for (std::size_t q = 0; judged && last && q < rows_; ++q) {
+            smooth(isa, strip, sums + q * pitch_);
         }
-        if (own && plan_.image_count > 0) {
-            strip.images(isa, strip.rows, y, lines);
+        while (judged && last && strip.next < strip.end && needed(strip.next) <= block) {
+            decide(isa, strip, strip.next++);
         }
     }
 

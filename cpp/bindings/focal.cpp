@@ -7,6 +7,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 
+#include "lommel/focal/scale.hpp"
 #include "lommel/focal/stream.hpp"
 
 #include "python.hpp"
@@ -17,6 +18,46 @@ namespace {
 
 using Frame = nb::ndarray<nb::ro, nb::ndim<2>, nb::device::cpu>;
 using Known = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::device::cpu>;
+
+// A frame of uint8, uint16 or float32 as the core takes it, of a size in pixels.
+lommel::FocalFrame frame_of(const Frame& one, float full, const std::optional<Known>& known, std::size_t height,
+                            std::size_t width) {
+    const auto fits = [&](const auto& array) {
+        return array.shape(0) >= height && array.shape(1) >= width && array.stride(1) == 1 && array.stride(0) >= 0;
+    };
+    require(!known || fits(*known), "known pixels have the planned size, those of a row next to one another");
+    require(fits(one), "frames have the planned size, the pixels of a row next to one another");
+    using Kind = lommel::FocalFrame::Kind;
+    const bool bytes = one.dtype() == nb::dtype<std::uint8_t>(), floats = one.dtype() == nb::dtype<float>();
+    require(bytes || floats || one.dtype() == nb::dtype<std::uint16_t>(), "frames are uint8, uint16 or float32");
+    lommel::FocalFrame frame{};
+    frame.kind = floats ? Kind::floats : bytes ? Kind::bytes : Kind::words;
+    frame.data = one.data();
+    frame.stride = static_cast<std::size_t>(one.stride(0));
+    frame.full = full;
+    frame.known = known ? known->data() : nullptr;
+    frame.known_stride = known ? static_cast<std::size_t>(known->stride(0)) : 0;
+    return frame;
+}
+
+class Scale {
+   public:
+    Scale(std::size_t height, std::size_t width, double scale, std::size_t threads) {
+        require(height >= 8 && width >= 8 && height <= 65536 && width <= 65536 && scale > 0.5 && scale < 2.0 && threads >= 1 &&
+                    threads <= 1024,
+                "frames of 8 pixels a side or more, a scale from 0.5 to 2");
+        scale_.emplace(height, width, scale, threads);
+    }
+
+    void operator()(const nb::object& frame, float full, const std::optional<Known>& known, Out<float, 2> out) {
+        require(out.shape(0) == scale_->height() && out.shape(1) == scale_->width(), "the result has the planned size");
+        const lommel::FocalFrame one = frame_of(nb::cast<Frame>(frame), full, known, scale_->height(), scale_->width());
+        released([&] { (*scale_)(one, out.data()); });
+    }
+
+   private:
+    std::optional<lommel::FocalScale> scale_;
+};
 
 class Stream {
    public:
@@ -151,24 +192,9 @@ class Stream {
     void look_at(const nb::typed<nb::sequence, nb::object>& frames, float full, const std::optional<Known>& known) {
         const lommel::FocalPlan& plan = stream_->plan();
         require(nb::len(frames) == plan.planes(), "as many frames as planned");
-        const std::size_t height = plan.height * plan.binning, width = plan.width * plan.binning;
-        const auto fits = [&](const auto& one) {
-            return one.shape(0) >= height && one.shape(1) >= width && one.stride(1) == 1 && one.stride(0) >= 0;
-        };
-        require(!known || fits(*known), "known pixels have the planned size, those of a row next to one another");
         for (std::size_t i = 0; i < plan.planes(); ++i) {
-            const auto one = nb::cast<Frame>(frames[i]);
-            require(fits(one), "frames have the planned size, the pixels of a row next to one another");
-            using Kind = lommel::FocalFrame::Kind;
-            const bool bytes = one.dtype() == nb::dtype<std::uint8_t>(), floats = one.dtype() == nb::dtype<float>();
-            require(bytes || floats || one.dtype() == nb::dtype<std::uint16_t>(), "frames are uint8, uint16 or float32");
-            lommel::FocalFrame& frame = frames_[i];
-            frame.kind = floats ? Kind::floats : bytes ? Kind::bytes : Kind::words;
-            frame.data = one.data();
-            frame.stride = static_cast<std::size_t>(one.stride(0));
-            frame.full = full;
-            frame.known = known ? known->data() : nullptr;
-            frame.known_stride = known ? static_cast<std::size_t>(known->stride(0)) : 0;
+            frames_[i] =
+                frame_of(nb::cast<Frame>(frames[i]), full, known, plan.height * plan.binning, plan.width * plan.binning);
         }
     }
 
@@ -180,6 +206,10 @@ class Stream {
 }  // namespace
 
 void bindings::define_focal(nb::module_& m) {
+    nb::class_<Scale>(m, "FocalScale", "Frames enlarged about their middle.")
+        .def(nb::init<std::size_t, std::size_t, double, std::size_t>(), "height"_a, "width"_a, "scale"_a, "threads"_a)
+        .def("__call__", &Scale::operator(), "frame"_a, "full"_a, "known"_a.none(), "out"_a,
+             "Write a frame: NaN for what depends on unknown pixels.");
     nb::class_<Stream>(m, "FocalStream", "Depth and sharp images of frames that differ in focus.")
         .def(nb::init<const std::array<std::size_t, 7>&, In<float, 1>, In<float, 4>, In<float, 3>, In<float, 1>, In<float, 2>,
                       In<float, 2>, const std::array<float, 7>&>(),

@@ -3,4 +3,5 @@
 
 #define LOMMEL_DEFINES
 
+#include "lommel/focal/scale.hpp"
 #include "lommel/focal/stream.hpp"

@@ -379,6 +379,14 @@ def layered_profiles(rho: Annotated[NDArray[numpy.float64], dict(shape=(None,), 
     The orders of the azimuth of the intensity at rising v, and what their sum is off by.
     """
 
+class FocalScale:
+    """Frames enlarged about their middle."""
+
+    def __init__(self, height: int, width: int, scale: float, threads: int) -> None: ...
+
+    def __call__(self, frame: object, full: float, known: Annotated[NDArray[numpy.uint8], dict(shape=(None, None), device='cpu', writable=False)] | None, out: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+        """Write a frame: NaN for what depends on unknown pixels."""
+
 class FocalStream:
     """Depth and sharp images of frames that differ in focus."""
 

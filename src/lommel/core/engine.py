@@ -17,6 +17,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Slopes, Wanted, not_met
 
 # Functions of arrays without codes for what is not met: as the core has them.
+FocalScale = _core.FocalScale
 FocalStream = _core.FocalStream
 MoleculeFitter = _core.MoleculeFitter
 MoleculeTable = _core.MoleculeTable

@@ -16,10 +16,11 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
+from lommel.core.engine import FocalScale
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
-from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.focal_engine import BLOCK, CONTRAST, MAGNIFICATIONS, FocalEngine, FocalTask, processors, ranged
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.photos import write_depth
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-MAGNIFICATIONS = ("registered", "lens")
 _MOST = 2001  # candidates
 _LEAST_OF_BLOCK = 2.0  # pixels, of windows that take blocks of four: smaller ones take blocks of two
 _ROWS = 1024  # that are answered for at once
@@ -220,16 +220,16 @@ def depth_from_defocus(
     electrons, known = zip(
         *(_electrons(name, one, encoding, noise, saturation) for name, one in stored.items()), strict=True
     )
-    images, valid = np.stack(electrons, axis=1), np.all(known, axis=0)
+    images, valid = np.stack(electrons, axis=1).astype(np.float32), np.all(known, axis=0)
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
     if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-        images, valid = _rescaled(images, valid, lenses)
+        valid = _rescaled(images, valid, lenses)
     exposed = _relative(images[..., valid], exposures)
     mean = float(images[:, 0][..., valid].mean())
     if not mean > 0.0:
         raise ValueError(f"photographs must hold light on average, got {mean:.4g} electrons a pixel in the first")
-    images = np.asarray(images / np.asarray(exposed)[:, None, None], dtype=np.float32)
+    images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
     spectra = [
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
         for channel in Settings(wavelengths=wavelengths).channels(first.shape, lenses[0].wavelength)
@@ -346,7 +346,7 @@ def _electrons(
     return noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0)), pixels
 
 
-def _relative(images: Array, exposures: Sequence[float] | None) -> tuple[float, ...]:
+def _relative(images: Values, exposures: Sequence[float] | None) -> tuple[float, ...]:
     """Return the light of each photograph over that of the first, as stated or as measured."""
     if exposures is not None:
         given = validation.real_array("exposures", exposures)
@@ -362,17 +362,14 @@ def _relative(images: Array, exposures: Sequence[float] | None) -> tuple[float, 
     return tuple((sums / sums[0]).tolist())
 
 
-def _rescaled(images: Array, valid: NDArray[np.bool_], lenses: Sequence[Lens]) -> tuple[Array, NDArray[np.bool_]]:
-    """Return images enlarged about their middle to the sensor distance of the first, and their known pixels."""
-    from scipy.ndimage import affine_transform
-
-    out, known = images.copy(), valid.copy()
-    middle = 0.5 * (np.array(valid.shape) - 1.0)
+def _rescaled(images: Values, valid: NDArray[np.bool_], lenses: Sequence[Lens]) -> NDArray[np.bool_]:
+    """Enlarge images about their middle to the sensor distance of the first, and return their known pixels."""
+    known, made = valid.copy(), np.empty(valid.shape, dtype=np.float32)
     for k, lens in enumerate(lenses[1:], 1):
-        scale = lens.sensor_distance / lenses[0].sensor_distance
-        offset, zoom = middle * (1.0 - scale), scale * np.eye(2)
-        for channel in range(len(images)):
-            out[channel, k] = affine_transform(images[channel, k], zoom, offset, order=5, mode="mirror")
-        whole = affine_transform(valid.astype(np.float64), zoom, offset, order=1, mode="constant", cval=0.0)
-        known &= whole > 1.0 - 1e-6
-    return out, known
+        factor = lens.sensor_distance / lenses[0].sensor_distance
+        scale = FocalScale(valid.shape[0], valid.shape[1], factor, processors())
+        for channel in images[:, k] if factor != 1.0 else ():
+            scale(channel, math.inf, valid.view(np.uint8), made)
+            known &= np.isfinite(made)
+            channel[...] = np.where(np.isfinite(made), made, channel)
+    return known

@@ -20,6 +20,9 @@ from lommel.optics.lens import Lens
 BLOCK = 4
 """Pixels a side of the blocks that energies are summed over."""
 
+MAGNIFICATIONS = ("registered", "lens")
+"""How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
+
 CONTRAST = 0.2
 """Of the texture that filters are designed for: the rms over the mean of structures of 2 to 128 pixels."""
 

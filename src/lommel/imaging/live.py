@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
+from lommel.base.arrays import Array
+from lommel.core.engine import FocalScale
 from lommel.estimation.focal_model import FocalLight
 from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
-from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.focal_engine import BLOCK, CONTRAST, MAGNIFICATIONS, FocalEngine, FocalTask, processors, ranged
 from lommel.imaging.focal_frames import FrameForm
 from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens
@@ -90,9 +92,13 @@ class LiveDepth:
     light : float or sequence of float, optional
         Mean electrons of a pixel that tables are made for; those nearest to a frame's are used. By default 500, 5000
         and 50 000. Within a factor of three errors are hardly larger than by tables of their own.
-    exposures : sequence of float, optional
+    exposures : sequence of float or "smooth", optional
         Exposure of each frame relative to the first. By default the ratio of the means of what is known in all
-        frames.
+        frames. "smooth": a ratio that changes over the frame as a polynomial of second order, measured in each
+        call, for frames of different vignetting.
+    magnification : {"registered", "lens"}, default "registered"
+        "registered": points are at the same pixels in all frames. "lens": each frame is magnified as by a thin lens
+        at its sensor distance, and is resampled to the scale of the first, about the centre.
     window : float, default 4.0
         Rms width of the windows in which depth is taken to be constant, pixels, 2 to 16.
     saturation : float, optional
@@ -153,7 +159,8 @@ class LiveDepth:
         shape: tuple[int, ...],
         wavelengths: Sequence[tuple[float, float]] | None = None,
         light: float | Sequence[float] | None = None,
-        exposures: Sequence[float] | None = None,
+        exposures: Sequence[float] | str | None = None,
+        magnification: str = "registered",
         window: float = 4.0,
         saturation: float | None = None,
         known: ArrayLike | None = None,
@@ -165,7 +172,11 @@ class LiveDepth:
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
         self._form = form = FrameForm(shape, noise, saturation, known)
-        self._given = None if exposures is None else _exposures(exposures, len(lenses))
+        self._smooth, self._given = False, None
+        if isinstance(exposures, str):
+            self._smooth = validation.choice("exposures", exposures, ("smooth",)) == "smooth"
+        elif exposures is not None:
+            self._given = _exposures(exposures, len(lenses))
         width = validation.real("window", window, least=2.0, below=16.0 + 1e-9, unit="pixels")
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
@@ -181,6 +192,11 @@ class LiveDepth:
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
         self._depth, self._deviation, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
+        self._scales: list[FocalScale | None] = [None] * len(lenses)
+        if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+            scales = [lens.sensor_distance / lenses[0].sensor_distance for lens in lenses]
+            self._scales = [FocalScale(*form.size, scale, count) if scale != 1.0 else None for scale in scales]
+        self._scaled = [None if one is None else np.empty(form.size, dtype=np.float32) for one in self._scales]
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
         self._gains = np.zeros((len(lenses), 6), dtype=np.float32)
         self._lenses = tuple(lenses)
@@ -237,12 +253,14 @@ class LiveDepth:
         mask = self._form.known(frames, full, known)
         planes = list(stored) if self._planes is None else self._added(stored)
         limit = full if self._planes is None else math.inf
+        planes = self._registered(planes, limit, mask)
         first = self._levels[0].stream
         first.sums(planes, limit, mask, self._sums)
         exposures, light = self._exposed()
         level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
-        white = self._form.white
-        self._gains[:, 0] = [white / each for each in exposures]
+        self._gains[:, 0] = [self._form.white / each for each in exposures]
+        if self._smooth:
+            self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._form.offset * self._form.channels)
         offset = self._form.offset * self._form.channels
         level.stream.take(planes, self._gains, offset, limit, mask)
         level.stream.depths(self._depth, self._deviation, self._misfit)
@@ -255,13 +273,25 @@ class LiveDepth:
         The file holds the frames' noise, saturation and, where they were asked for, sharp images; the size of the
         frames is stated there. ValueError for colour, exposures that are stated, several levels of light, or masks.
         """
-        if len(self._levels) != 1 or self._form.channels != 1 or self._given is not None or self._form.masked:
+        more = self._given is not None or self._smooth or self._form.masked or any(self._scales)
+        if len(self._levels) != 1 or self._form.channels != 1 or more:
             raise ValueError(
-                "tables are saved of grey frames for one level of light (light=), without exposures= and known=; the "
-                "file has no place for more"
+                "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
+                "and known=; the file has no place for more"
             )
         form, name = self._form, validation.path("path", path)
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
+
+    def _registered(
+        self, frames: list[NDArray[Any]], limit: float, known: NDArray[np.uint8] | None
+    ) -> list[NDArray[Any]]:
+        """Return frames at the scale of the first."""
+        made = list(frames)
+        for k, (scale, out) in enumerate(zip(self._scales, self._scaled, strict=True)):
+            if scale is not None and out is not None:
+                scale(frames[k], limit, known, out)
+                made[k] = out
+        return made
 
     def _added(self, frames: Sequence[NDArray[Any]]) -> list[NDArray[np.float32]]:
         """Return the sums of the channels."""
@@ -341,16 +371,36 @@ class LiveDepth:
         level.stream.positions(self._positions)
         if self._form.channels == 1:
             if level.pictures is not level.stream:
+                planes = self._registered(planes, limit, mask)
                 level.pictures.take(planes, self._gains, self._form.offset, limit, mask)
             level.pictures.mix(self._positions, BLOCK, factors, out)
             return out
         for c in range(self._form.channels):
-            one = [np.ascontiguousarray(frame[..., c]) for frame in planes]
+            one = self._registered([np.ascontiguousarray(frame[..., c]) for frame in planes], limit, mask)
             level.pictures.take(one, self._gains, self._form.offset, limit, mask)
             image = np.empty(self._form.size, dtype=np.float32)
             level.pictures.mix(self._positions, BLOCK, factors, image)
             out[..., c] = image
         return out
+
+
+def _smooth_ratios(sums: Array, offset: float) -> Array:
+    """Return what makes other frames as bright as the first, polynomials in 1, x, x^2, y, x y, y^2 from -1 to 1.
+
+    Least squares over the parts of the frames, of which `sums` holds the sum of each frame and the number of pixels.
+    """
+    count = sums[-1].ravel()
+    light = sums[:-1].reshape(len(sums) - 1, -1) - offset * count
+    middle = (np.arange(_CELLS) + 0.5) * (2.0 / _CELLS) - 1.0
+    y, x = (each.ravel() for each in np.meshgrid(middle, middle, indexing="ij"))
+    within = (1.0 / _CELLS) ** 2 / 3.0  # the mean square of positions about the middle of a part
+    terms = np.stack([np.ones_like(x), x, x * x + within, y, x * y, y * y + within], axis=1)
+    weight = np.sqrt(count)
+    found = []
+    for other in light[1:]:
+        scaled = other / np.maximum(weight, 1.0)
+        found.append(np.linalg.lstsq(terms * scaled[:, None], light[0] / np.maximum(weight, 1.0), rcond=1e-6)[0])
+    return np.asarray(found)
 
 
 def _exposures(given: Sequence[float], count: int) -> tuple[float, ...]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.ndimage import map_coordinates
 
 import lommel as lm
-from scenes import ThinLens, averaged, before, lommel_lens, plane, record, texture
+from scenes import ThinLens, averaged, before, blurred, lommel_lens, plane, record, texture
 
 SIDE, LIGHT = 128, 5000.0
 NOISE = lm.Noise(read=3.0, offset=100.0)
@@ -208,6 +209,44 @@ def test_exposures_are_measured_or_taken(mild):
     assert abs(np.median(errors(found, 1.5))) < 0.6
     stated = made(MILD, exposures=(1.0, 4.0))
     assert abs(np.median(errors(stated(*record([pair[0], 4.0 * pair[1]], seed=3)), 1.5))) < 0.6
+
+
+def test_breathing_of_a_thin_lens_is_undone():
+    scene, lenses = texture("leaves", SIDE, seed=7), MILD
+    own = [lommel_lens(lens) for lens in lenses]
+    scale = own[1].sensor_distance / own[0].sensor_distance
+    places = 0.5 * (len(scene) - 1) + (np.arange(len(scene)) - 0.5 * (len(scene) - 1)) / scale
+    seen = [blurred(scene, lens, 1.35) for lens in lenses]
+    seen[1] = map_coordinates(seen[1], np.meshgrid(places, places, indexing="ij"), order=3, mode="grid-wrap")
+    pair = record([LIGHT * averaged(one) for one in seen], seed=5)
+    live = made(lenses, magnification="lens", sharp=True)
+    found = live(*pair)
+    z = errors(found, 1.35)
+    assert z.size > 500
+    assert abs(np.median(z)) < 0.4
+    assert 0.75 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.2
+    assert np.nanmedian(found.misfit) == pytest.approx(1.0, abs=0.1)
+    inner = np.s_[16:-16, 16:-16]
+    assert np.std((live.sharp() - LIGHT * averaged(scene))[inner]) < np.std(
+        (pair[0] - LIGHT * averaged(scene))[inner]
+    )
+    with pytest.raises(ValueError, match="magnification must be one of"):
+        made(lenses, magnification="zoom")
+
+
+def test_vignetting_that_differs_is_measured():
+    place = (np.arange(SIDE) - 63.5) / 64.0
+    darker = 1.0 - 0.1 * (place[:, None] ** 2 + place**2) + 0.02 * place
+    seen = plane(texture("leaves", SIDE, seed=7), MILD, 1.57, LIGHT)
+    pair = record([seen[0], darker * seen[1]], seed=5)
+    spread = []
+    for exposures in (None, "smooth"):
+        z = errors(made(MILD, exposures=exposures)(*pair), 1.57)
+        spread.append(1.4826 * np.median(np.abs(z)))
+    assert spread[0] > 1.4
+    assert spread[1] < 1.1
+    with pytest.raises(ValueError, match="exposures must be one of 'smooth'"):
+        made(MILD, exposures="rough")
 
 
 def test_levels_of_light_are_chosen_by_the_frames():

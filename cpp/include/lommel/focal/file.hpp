@@ -19,6 +19,7 @@ namespace lommel {
 // Little-endian: whole numbers of 32 bits, then floats. The order is that of the fields here.
 struct FocalFile {
     static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // "LLMF"
+    static constexpr std::int32_t block = 4;  // pixels a side that have one depth
     enum Whole {
         Magic,
         Version,
@@ -64,27 +65,32 @@ struct FocalFile {
         const unsigned char* const end = from + bytes;
         const auto take = [&](void* to, std::size_t size) {
             require(static_cast<std::size_t>(end - from) >= size, "the tables end too early");
-            std::memcpy(to, from, size);
+            std::copy_n(from, size, static_cast<unsigned char*>(to));  // none into no vector
             from += size;
         };
         take(whole.data(), sizeof whole);
         require(whole[Magic] == magic, "these are no tables of live depth");
         require(whole[Version] == version, "these tables are of another version of lommel");
+        const auto sound = [](bool holds) { require(holds, "the tables are damaged"); };
         const auto within = [&](Whole which, std::int32_t least, std::int32_t most) {
-            require(whole[which] >= least && whole[which] <= most, "the tables are damaged");
+            sound(whole[which] >= least && whole[which] <= most);
             return static_cast<std::size_t>(whole[which]);
         };
-        require(one_of(whole[Binning]) && one_of(whole[Side]), "the tables are damaged");
-        within(Blur, 0, 4096), within(Reach, 1, 2), within(ImageReach, 1, 2);
-        const std::size_t frames = within(Frames, 2, 16), terms = within(Degree, 1, 64) + 1, count = within(Residuals, 1, 48);
-        const std::size_t candidates = within(Candidates, 9, 4001), around = within(Weights, 1, 31);
-        const std::size_t image_terms = within(ImageDegree, 1, 64) + 1, kept = within(Images, 0, 60);
-        require(candidates % 4 == 1, "the tables are damaged");
+        within(Binning, 1, 4), within(Side, 1, 4), within(Blur, 0, 4096), within(Reach, 1, 2), within(ImageReach, 1, 2);
+        sound(whole[Binning] * whole[Side] == block);
+        const std::size_t frames = within(Frames, 2, 16), terms = within(Degree, 1, 32) + 1, count = within(Residuals, 1, 48);
+        const std::size_t candidates = within(Candidates, 9, 1001), around = within(Weights, 1, 16);
+        const std::size_t image_terms = within(ImageDegree, 1, 32) + 1, kept = within(Images, 0, 60);
+        sound(candidates % 4 == 1);
+        const auto finite = [](float x) { return std::isfinite(x); };
         take(number.data(), sizeof number);
+        sound(std::all_of(number.begin(), number.end(), finite));
+        sound(number[White] > 0.0f && number[ReadVariance] >= 0.0f && number[Pixels] > 0.0f && number[Step] > 0.0f);
         const auto fill = [&](std::vector<float>& to, std::size_t size) {
+            require(static_cast<std::size_t>(end - from) / sizeof(float) >= size, "the tables end too early");
             to.resize(size);
             take(to.data(), size * sizeof(float));
-            require(std::all_of(to.begin(), to.end(), [](float x) { return std::isfinite(x); }), "the tables are damaged");
+            sound(std::all_of(to.begin(), to.end(), finite));
         };
         fill(residuals, count * frames * terms);
         fill(weights, around);
@@ -96,7 +102,6 @@ struct FocalFile {
     }
 
    private:
-    static bool one_of(std::int32_t x) { return x == 1 || x == 2 || x == 4; }
     static void require(bool holds, const char* otherwise) {
         if (!holds) {
             throw std::invalid_argument(otherwise);
@@ -110,6 +115,13 @@ class FocalCamera {
     FocalCamera(const FocalFile& file, std::size_t height, std::size_t width, std::size_t threads) : file_(file) {
         const auto whole = [&](FocalFile::Whole which) { return static_cast<std::size_t>(file.whole[which]); };
         const std::size_t binning = whole(FocalFile::Binning), frames = whole(FocalFile::Frames);
+        const auto reach = [&](FocalFile::Whole degree, FocalFile::Whole taps) { return whole(degree) * whole(taps); };
+        const std::size_t least = std::min(height, width);
+        // Nothing would be known, and rings of rows would be as long as what a file says.
+        if (2 * whole(FocalFile::Blur) >= least / binning || reach(FocalFile::Degree, FocalFile::Reach) >= least / binning ||
+            reach(FocalFile::ImageDegree, FocalFile::ImageReach) >= least) {
+            throw std::invalid_argument("frames are smaller than the blur and the filters that the tables are for");
+        }
         const float* const n = file_.number.data();
         FocalPlan plan{height / binning,
                        width / binning,
@@ -142,7 +154,7 @@ class FocalCamera {
             plan.taps = {whole(FocalFile::ImageDegree), whole(FocalFile::ImageReach), {n[3], n[4], n[5]}};
             plan.residuals = nullptr, plan.residual_count = 0;
             plan.images = file_.images.data(), plan.image_count = whole(FocalFile::Images);
-            plan.window.side = 4, plan.blur = 0;
+            plan.window.side = FocalFile::block, plan.blur = 0;
             pictures_ = std::make_unique<FocalStream>(plan, nullptr);
         }
         frames_.resize(frames);
@@ -155,6 +167,7 @@ class FocalCamera {
 
     // Frames of 8 or 16 bits a pixel, rows `stride` pixels apart. std::invalid_argument where one holds no light.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* deviation, float* misfit) {
+        taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
         for (std::size_t i = 0; i < frames_.size(); ++i) {
             frames_[i] = {frames[i],
@@ -208,7 +221,7 @@ class FocalCamera {
             throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");
         }
         pictures_->take(frames_.data());
-        pictures_->mix(stream_->filled(), down(), across(), 4, file_.mixes.data(),
+        pictures_->mix(stream_->filled(), down(), across(), FocalFile::block, file_.mixes.data(),
                        static_cast<std::size_t>(file_.whole[FocalFile::Candidates]), image);
     }
 

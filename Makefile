@@ -113,7 +113,7 @@ browser:
 	@command -v "$${LOMMEL_BROWSER:-chromium}" || command -v chromium-browser || command -v google-chrome || \
 		{ echo "make: tests of the live page need Chromium: install the package chromium, or set LOMMEL_BROWSER" >&2; exit 1; }
 test-c: build env ## build the C interface and test it from C, ctypes and, where there is a rustc, Rust: a minute or two
-	@LOMMEL_C=1 .venv/bin/pytest -n 0 tests/core/test_c_interface.py
+	@LOMMEL_C=1 .venv/bin/pytest -n 0 tests/core/test_c_interface.py tests/core/test_live_pipe.py
 # On Debian and Ubuntu the packages xvfb and xauth, and the libraries of Qt: libegl1, libxkbcommon-x11-0, libxcb-cursor0 and others.
 test-napari: build env ## run the tests of the plugin in napari, under a virtual display (xvfb-run), in .tools/napari
 	@command -v xvfb-run >/dev/null || { echo "make: there is no xvfb-run on PATH: install xvfb and xauth" >&2; exit 1; }

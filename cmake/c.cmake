@@ -7,8 +7,10 @@ endif()
 set(parts polar chordal_single chordal_double radial zernike chordal pixels special focal)
 list(TRANSFORM parts PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
 list(TRANSFORM parts APPEND .cpp)
-add_library(lommel_c SHARED "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/lommel.cpp"
-                            "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/live.cpp" ${parts})
+set(interface lommel live messages)
+list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/c/")
+list(TRANSFORM interface APPEND .cpp)
+add_library(lommel_c SHARED ${interface} ${parts})
 add_library(lommel::c ALIAS lommel_c)
 target_link_libraries(lommel_c PRIVATE $<BUILD_INTERFACE:lommel>)
 target_include_directories(

@@ -384,6 +384,10 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
             options = re.findall(r"-D(\w+)=", " ".join(words))
             assert options
             assert all(f"option({option} " in built for option in options), (name, words)
+        elif words[0] in ("cc", "c++"):  # tests/core/test_live_pipe.py runs them
+            assert all((ROOT / word).exists() for word in words if word.endswith((".c", ".cpp"))), (name, words)
+        elif words[0].startswith("./"):
+            assert (ROOT / "examples" / "c" / f"{words[0][2:]}.c").exists(), (name, words)
         elif words[0] != "lommel":
             assert words[0] == ".venv/bin/python", (name, words)
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)

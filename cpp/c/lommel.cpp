@@ -38,7 +38,6 @@ struct lommel_plan {
 };
 
 using coding::coded;
-using coding::message;
 using coding::require;
 
 namespace {
@@ -282,10 +281,6 @@ int zernike(const lommel_plan* plan, std::int32_t pupils, std::int32_t terms, co
 }  // namespace
 
 extern "C" {
-
-int lommel_abi(void) noexcept { return LOMMEL_ABI; }
-const char* lommel_version(void) noexcept { return LOMMEL_VERSION; }
-const char* lommel_message(void) noexcept { return message.text; }
 
 lommel_plan* lommel_plan_new(int32_t height, int32_t width, double pixel, double tol) noexcept {
     lommel_plan* plan = nullptr;

@@ -1,4 +1,5 @@
-/* The C interface of the core: plans of windows, and PSFs of circular and annular pupils with their error bounds.
+/* The C interface of the core: plans of windows, and PSFs of circular and annular pupils with their error bounds; and, at the
+ * end, depth of frames that differ in focus.
  *
  * A plan holds what all PSFs of a program have in common: the window, the pixel, the tolerance, the aperture. It is made
  * once; each call then writes images into arrays of the caller.
@@ -107,25 +108,45 @@ LOMMEL_API int lommel_psf_zernike_float(const lommel_plan* plan, int32_t pupils,
                                         const int32_t* m, const double* coefficients, float* images,
                                         double* bounds) LOMMEL_NOTHROW;
 
-/* Live depth of frames that differ in focus. `tables` are the bytes of a file that LiveDepth.save() of the Python package
- * has written, which know the lenses, the pixel, the range and the noise; they may go afterwards. Frames have height x width
- * pixels, 64 to 16384 a side, and are shared out to so many threads. NULL where an argument is out of range. */
+/* Live depth of frames that differ in focus.
+ *
+ *     lommel_live *live = lommel_live_new(tables, bytes, 480, 640, 1);
+ *     float depth[120 * 160], deviation[120 * 160], misfit[120 * 160];
+ *     const void *frames[] = {near, far};
+ *     if (lommel_live_frames(live, frames, 16, 640, depth, deviation, misfit) != LOMMEL_OK) {
+ *         fprintf(stderr, "%s\n", lommel_message());
+ *     }
+ *     lommel_live_free(live);
+ *
+ * `tables` are the bytes of a file that LiveDepth.save() of the Python package has written, which know the lenses, the pixel,
+ * the range, the noise and the value of full pixels; they may go afterwards. Frames have height x width pixels, 64 to 16384 a
+ * side, and are shared out to so many threads, 1 to 1024; the results do not depend on that. NULL where an argument is out of
+ * range, the bytes are no such tables, the frames are smaller than the blur and the filters of the tables, or memory is short.
+ * It keeps some rows of each frame for each thread, a value for each block, and for sharp images a few values a pixel.
+ *
+ * One live serves one thread at a time; any number may be at work at once. */
 typedef struct lommel_live lommel_live;
 LOMMEL_API lommel_live* lommel_live_new(const void* tables, size_t bytes, int32_t height, int32_t width,
                                         int32_t threads) LOMMEL_NOTHROW;
 LOMMEL_API void lommel_live_free(lommel_live* live) LOMMEL_NOTHROW;
 
-/* How many frames belong together, and the blocks of 4 x 4 pixels that have a depth each: down x across. */
+/* How many frames belong together, 2 to 16, and the blocks of 4 x 4 pixels that have a depth each: down x across, which are
+ * height / 4 and width / 4, rounded down. */
 LOMMEL_API int lommel_live_size(const lommel_live* live, int32_t* frames, int32_t* down, int32_t* across) LOMMEL_NOTHROW;
 
-/* Depth of frames[i], of 8 or 16 `bits` a pixel, rows `stride` pixels apart: depth[down][across], its standard error and
- * the misfit, 1 where registration and noise are as stated. Where depth is not known it is NaN and its error infinite.
- * Exposures are the ratio of the frames' means. Allocates no memory. One live may serve one thread at a time. */
+/* Depth of frames[i], in the order of the lenses, of linear grey values of 8 or 16 `bits` a pixel (the latter in the byte order of
+ * the machine), rows `stride` pixels apart: depth[down][across] and its standard error, metres, and the misfit, 1 where
+ * registration and noise are as stated. Where depth is not known it is NaN and its error infinite; where nothing could be
+ * computed, at the border and beside full pixels, the misfit is NaN, too. Exposures are the ratio of the frames' means.
+ *
+ * LOMMEL_INVALID where a frame is black or full everywhere, or exposures differ by a factor of 2 or more; the next frames may be
+ * given all the same. Allocates no memory. */
 LOMMEL_API int lommel_live_frames(lommel_live* live, const void* const* frames, int32_t bits, int32_t stride, float* depth,
                                   float* deviation, float* misfit) LOMMEL_NOTHROW;
 
-/* The sharp image of the same frames, which must not have changed: image[height][width], electrons. The tables must have
- * been made with sharp=True. */
+/* The sharp image of the frames of the last call, which must have succeeded and must still be there unchanged:
+ * image[height][width], electrons at the exposure of the first frame. The tables must have been made with sharp=True or
+ * refocus=True, else LOMMEL_INVALID. Allocates no memory. */
 LOMMEL_API int lommel_live_sharp(lommel_live* live, float* image) LOMMEL_NOTHROW;
 
 #ifdef __cplusplus

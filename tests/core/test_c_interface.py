@@ -23,21 +23,6 @@ VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["versi
 TERMS = {(2, 0): 1.1, (2, 2): -0.7, (3, 1): 0.9, (3, -1): 0.4, (4, 0): 0.3}
 OK, INVALID, TOLERANCE, LIMIT = 0, 1, 2, 3
 
-# Notes every allocation of a program, and says at its end how many there were.
-COUNTER = """
-#include <stddef.h>
-#include <stdio.h>
-extern void *__libc_malloc(size_t);
-extern void *__libc_calloc(size_t, size_t);
-extern void *__libc_memalign(size_t, size_t);
-static long count;
-static void *noted(void *made) { __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED); return made; }
-void *malloc(size_t size) { return noted(__libc_malloc(size)); }
-void *calloc(size_t many, size_t size) { return noted(__libc_calloc(many, size)); }
-void *aligned_alloc(size_t to, size_t size) { return noted(__libc_memalign(to, size)); }
-__attribute__((destructor)) static void tell(void) { fprintf(stderr, "%ld", count); }
-"""
-
 
 def run(*command: str | Path) -> subprocess.CompletedProcess[str]:
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
@@ -46,35 +31,20 @@ def run(*command: str | Path) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.parametrize("language", ["c", "c++"])
-def test_the_header_and_the_example_are_strict_c(language):
+def test_the_header_and_the_examples_are_strict_c(language):
     compiler = shlex.split(os.environ.get("CC", "cc") if language == "c" else os.environ.get("CXX", "c++"))
     flags = ["-std=c99"] if language == "c" else ["-std=c++17"]
     run(*compiler, *flags, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", language, HEADER)
-    if language == "c":
-        run(
-            *compiler,
-            *flags,
-            "-pedantic-errors",
-            "-Wall",
-            "-Werror",
-            "-fsyntax-only",
-            f"-I{HEADER.parent}",
-            EXAMPLES / "frames.c",
-        )
+    for name, standard in {"frames.c": "c99", "live_depth.c": "c11"}.items() if language == "c" else ():
+        strict = f"-std={standard}", "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"
+        run(*compiler, *strict, f"-I{HEADER.parent}", EXAMPLES / name)
 
 
 def test_the_interface_agrees_with_its_header_and_with_the_core():
     compiler, core = shlex.split(os.environ.get("CXX", "c++")), ROOT / "cpp"
     macros = "-DLOMMEL_COMPILED", "-DLOMMEL_BUILDS_C", '-DLOMMEL_VERSION=""'
-    run(
-        *compiler,
-        "-std=c++17",
-        "-Wno-psabi",
-        "-fsyntax-only",
-        *macros,
-        f"-I{core / 'include'}",
-        core / "c" / "lommel.cpp",
-    )
+    flags = "-std=c++17", "-Wno-psabi", "-fsyntax-only", *macros, f"-I{core / 'include'}"
+    run(*compiler, *flags, *sorted((core / "c").glob("*.cpp")))
 
 
 @pytest.fixture(scope="module")
@@ -247,25 +217,12 @@ def test_a_frame_loop_in_c_finds_the_library_and_allocates_nothing(prefix, tmp_p
     run(programs.cmake(), *tools, f"-DCMAKE_PREFIX_PATH={prefix}", "-S", EXAMPLES, "-B", tmp_path / "build")
     run(programs.cmake(), "--build", tmp_path / "build")
     assert "sharpest at 2.00 m with 0.8978" in run(tmp_path / "build" / "frames").stdout
-    (tmp_path / "count.c").write_text(COUNTER)
-    run(
-        *shlex.split(os.environ.get("CC", "cc")),
-        "-shared",
-        "-fPIC",
-        tmp_path / "count.c",
-        "-o",
-        tmp_path / "count.so",
-    )
-    told = {}
+    refused = subprocess.run([tmp_path / "build" / "live_depth", "none", "64x64"], capture_output=True, check=False)
+    assert (refused.returncode, refused.stderr) == (2, b"none: No such file or directory\n")
+    counter, told = programs.allocation_counter(tmp_path), {}
     for frames in (400, 800):
         command = [str(tmp_path / "build" / "frames"), str(frames)]
-        done = subprocess.run(
-            command,
-            env=os.environ | {"LD_PRELOAD": str(tmp_path / "count.so")},
-            capture_output=True,
-            text=True,
-            check=True,
-        )
+        done = subprocess.run(command, env=os.environ | counter, capture_output=True, text=True, check=True)
         told[frames] = int(done.stderr)
     assert told[400] > 0
     assert told[800] - told[400] < 40  # tables that further defocus values need, not something of each frame

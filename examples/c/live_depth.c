@@ -5,6 +5,7 @@
  *
  * lens.lml is what LiveDepth.save() of the Python package wrote. Frames are rows of bytes, or of words of 16 bits in the order of
  * this machine, without headers. Once it has started it allocates nothing. */
+#define _DEFAULT_SOURCE /* sigaction in glibc by -std=c11 */
 #include <errno.h>
 #include <inttypes.h>
 #include <lommel.h>
@@ -28,7 +29,7 @@ static const char usage[] =
     "  --alternating   for a lens that changes focus from frame to frame: a map after every frame, with those before it\n"
     "  --threads 1     threads\n"
     "Exit code: 0, 1 where reading or writing failed, 2 for wrong arguments or tables, 3 where frames were left without a "
-    "map.\n";
+    "map, 128 and the signal's number where interrupted (130 by Ctrl-C).\n";
 
 enum { failed = 1, wrong = 2, incomplete = 3 };
 enum { most_frames = 16, most_bytes = 1 << 25 };
@@ -47,6 +48,20 @@ static struct {
     unsigned long long known, misfits[bins]; /* blocks, and how many have each misfit, for its median */
     double began, ended, computing;          /* seconds */
 } done;
+
+static volatile sig_atomic_t interrupted; /* by a signal of this number */
+#ifndef _WIN32
+static void interrupt(int signal) { interrupted = signal; }
+
+/* Reading and writing then end where they are. The second signal ends the program. */
+static void end_at(int signal) {
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    action.sa_flags = (int)SA_RESETHAND;
+    sigaction(signal, &action, NULL);
+}
+#endif
 
 static int understood(int arguments, char** argument) {
     char rest;
@@ -168,17 +183,18 @@ int main(int arguments, char** argument) {
         frames[i] = memory + (size_t)i * frame_bytes;
     }
     float* const written = asked.sharp ? image : maps;
-#ifdef SIGPIPE
-    signal(SIGPIPE, SIG_IGN); /* a reader that goes away is then seen when writing */
-#endif
 #ifdef _WIN32
     _setmode(_fileno(stdin), _O_BINARY), _setmode(_fileno(stdout), _O_BINARY);
+#else
+    signal(SIGPIPE, SIG_IGN); /* a reader that goes away is then seen when writing */
+    end_at(SIGINT), end_at(SIGTERM);
 #endif
     setvbuf(stdin, NULL, _IONBF, 0), setvbuf(stdout, NULL, _IONBF, 0);
 
-    size_t got;
+    size_t got = 0;
     int code = 0, unread = 0;
-    while ((got = fread(memory + (size_t)(done.taken % count) * frame_bytes, 1, frame_bytes, stdin)) == frame_bytes) {
+    while (!interrupted &&
+           (got = fread(memory + (size_t)(done.taken % count) * frame_bytes, 1, frame_bytes, stdin)) == frame_bytes) {
         const double now = seconds();
         done.began = done.taken++ == 0 ? now : done.began;
         if (asked.alternating ? done.taken < count : done.taken % count != 0) {
@@ -202,14 +218,19 @@ int main(int arguments, char** argument) {
         if (fwrite(written, sizeof *written, values, stdout) != values || fflush(stdout) != 0) {
             unread = errno == EPIPE;
             code = unread ? 0 : failed;
-            perror("writing maps");
+            if (!interrupted) {
+                perror("writing maps");
+            }
             break;
         }
         ++done.maps;
         done.ended = seconds();
     }
 
-    if (got < frame_bytes) {
+    if (interrupted) {
+        fputs("interrupted: the last frame or map may be incomplete\n", stderr);
+        code = 128 + interrupted;
+    } else if (got < frame_bytes) {
         if (ferror(stdin)) {
             perror("reading frames");
             code = failed;

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
+import signal
 import subprocess
 from pathlib import Path
 
@@ -169,6 +170,18 @@ def test_who_reads_no_further_ends_it_and_a_full_disk_is_a_failure(program, tabl
             )
         assert done.returncode == FAILED
         assert done.stderr.startswith(b"writing maps: No space left")
+
+
+@pytest.mark.parametrize(("number", "left"), [(signal.SIGINT, 0), (signal.SIGTERM, 5000)])
+def test_a_signal_ends_it_between_frames_and_within_one(program, tables, pairs, number, left):
+    command, frames = [program, tables, f"{WIDTH}x{HEIGHT}"], stream([pairs[1.3]])
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        running.stdin.write(frames + frames[:left])
+        running.stdin.flush()
+        assert len(running.stdout.read(4 * MAP[0] * MAP[1])) == 4 * MAP[0] * MAP[1]
+        running.send_signal(number)
+        assert running.wait(timeout=60) == 128 + number
+        assert running.stderr.read().startswith(b"interrupted: ")
 
 
 def test_other_tables_and_arguments_are_refused(program, tables, pairs, tmp_path):

@@ -8,7 +8,12 @@ from typing import Any
 
 # Extras that no target of the Makefile installs.
 _NOT_LOCKED = ("torch", "cupy")
-_TO_INSTALL = {"OpenEXR": "openexr", "PIL": "pillow", "dask": '"dask[array]"'}
+_TO_INSTALL = {
+    "OpenEXR": "openexr",
+    "PIL": "pillow",
+    "cv2": "opencv-python-headless",
+    "dask": '"dask[array]"',
+}
 
 
 def library(name: str, user: str, extra: str) -> Any:

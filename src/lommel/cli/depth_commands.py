@@ -115,7 +115,7 @@ def depth(
             f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
         )
     noise = noise_of(options, instrument.camera, photographs=True)
-    lenses = _each(instrument.lens, len(photos), foci, f_numbers)
+    lenses = each_lens(instrument.lens, len(photos), foci, f_numbers)
     with progress("reading") as started:
         pictures = [read_photo(path, encoding) for path in photos]
         kinds = {(one.values.dtype, one.encoding) for one in pictures}
@@ -155,11 +155,13 @@ def _write_sharp(path: Path, found: DefocusDepth) -> None:
     write_photo(path, light, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
 
 
-def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...]) -> list[Lens]:
+def each_lens(
+    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], what: str = "photos"
+) -> list[Lens]:
     """Return the lens of each photo."""
     for name, given in (("--focus", foci), ("--f-number", f_numbers)):
         if len(given) not in (0, 1, count):
-            raise ValueError(f"{name} must be given once, or for each of {count} photos, got {len(given)}")
+            raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(given)}")
     if count < 2:
         raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
     lenses = [lens] * count
@@ -168,6 +170,21 @@ def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[floa
     if foci:
         lenses = [one.focused(focus) for one, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
     return lenses
+
+
+def misfit_in_words(misfit: float, what: str) -> str:
+    """Return what a median misfit says of frames or photos."""
+    fits = "registration and noise agree"
+    if misfit > _MISFIT:
+        fits = f"the {what} do not fit: check registration, noise and lens"
+    elif misfit < _LEAST_MISFIT:
+        fits = f"less than the noise stated: the {what} were denoised, or --white and --read overstate it"
+    return f"misfit {misfit:.3g} (1 if only noise is left): {fits}"
+
+
+def untested(what: str) -> str:
+    """Return what frames or photos cannot tell."""
+    return f"not tested, for {what} cannot tell: which of them is focused nearer, focus distances, f-number, pixel"
 
 
 def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
@@ -200,18 +217,13 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
     near, far = map(format_length, options["between"])
-    fits = "registration and noise agree"
-    if left > _MISFIT:
-        fits = "the photos do not fit: check registration, noise and lens"
-    elif left < _LEAST_MISFIT:
-        fits = "less than the noise stated: the photos were denoised, or --white and --read overstate it"
     lines = [
         rest["read"],
         f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
         f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
         text,
-        f"misfit {left:.3g} (1 if only noise is left): {fits}",
-        "not tested, for photos cannot tell: which of them is focused nearer, focus distances, f-number, pixel",
+        misfit_in_words(left, "photos"),
+        untested("photos"),
     ]
     return Report(facts | rest, lines)
 

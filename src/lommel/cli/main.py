@@ -31,6 +31,8 @@ COMMANDS = {
     "restore": "photo_commands",
     "deconvolve": "deconvolve_command",
     "depth": "depth_commands",
+    "watch": "watch_command",
+    "sharpen": "sharpen_command",
     "precision": "depth_commands",
     "retrieve": "retrieve_command",
     "beads": "beads_command",

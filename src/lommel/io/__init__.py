@@ -1,1 +1,10 @@
-"""Files: PSFs, PSF grids, photographs, depth maps and frames, in registered formats."""
+"""Files: PSFs, PSF grids, photographs, depth maps, frames and video, in registered formats."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if TYPE_CHECKING:
+    from lommel.io.videos import *  # noqa: F403
+else:
+    __getattr__, __dir__ = lazy.parts(__name__, exports="videos")

@@ -25,6 +25,7 @@ KINDS = {
     "zernike": "Zernike coefficients",
     "opd": "an OPD map",
     "molecules": "a table of molecules",
+    "video": "video",
 }
 """The kinds of contents, and their names in messages."""
 
@@ -39,7 +40,14 @@ Description: TypeAlias = dict[str, Any]
 
 DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"
 
-_EXTRAS = {"tifffile": "images", "PIL.Image": "images", "astropy": "fits", "h5py": "hdf5", "OpenEXR": "exr"}
+_EXTRAS = {
+    "tifffile": "images",
+    "PIL.Image": "images",
+    "astropy": "fits",
+    "h5py": "hdf5",
+    "OpenEXR": "exr",
+    "av": "video",
+}
 """The extras of this package that install the libraries of formats."""
 
 _FORMATS: list[Format] = []
@@ -55,7 +63,8 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd", "molecules"}
+    kind : str
+        "psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd", "molecules" or "video".
     suffixes : tuple of str
         Suffixes of its files, in lower case, each with its dot.
     write, read : callable, optional
@@ -94,6 +103,8 @@ class Format:
     - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
     - "molecules": (path, path beside it, if any) to a context manager, which yields what is called with rows and a
       ``lommel.localize.Recording`` in turn
+    - "video": (path, seconds from a frame to the next, comment) to a context manager, which is called with values and
+      the time in seconds of each frame; read by ``lommel.io.videos``
     - "zernike": (settings, terms), both by name, to text; bytes to (ZernikeTable or None, list of errors)
 
     Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.

@@ -1,0 +1,216 @@
+"""The command ``lommel sharpen``: videos and photos of known depth in focus."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.encoding import from_light
+from lommel.base.units import format_length
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
+from lommel.cli.options import FILE, JSON, LENGTH, PATH, Option, command, under
+from lommel.cli.output import Report, require_folder, written
+from lommel.cli.photo_commands import NOISE, finite, output_type
+from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
+from lommel.imaging import LiveSharpen, read_depth, read_photo, write_photo
+from lommel.imaging.photograph import fill_missing
+from lommel.io import photos, videos
+from lommel.io.registry import Values, formats, suffixes
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
+    from lommel.optics.lens import Lens
+
+_BESIDE = 1e-3  # of a distance, by which filters are made for more than it
+_FAR = 1e9  # metres, as good as infinite
+
+
+class Clip(NamedTuple):
+    """Frames to be sharpened, and what writes the light of each (1 is white) at its time."""
+
+    shape: tuple[int, ...]
+    coding: Coding
+    frames: Iterator[videos.VideoFrame]
+    write: Callable[[Values, float], object]
+    video: videos.VideoFrames | None
+
+
+@command(
+    click.Argument(["clip"], type=PATH),
+    LENS,
+    Option("-o", "--output", required=True, type=FILE,
+           help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
+    Option("--at", type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
+    Option("--depth", "map_", type=FILE, metavar="FILE",
+           help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not "
+           "known it is that of the nearest pixel."),
+    Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
+    Option("--zero-unknown", is_flag=True, help="Treat depth 0 as unknown."),
+    JSON,
+    *under(
+        "Camera",
+        Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file."),
+        Option("--f-number", type=float, help="F-number; overrides the lens file."),
+        CAMERA,
+        SQUARE_PIXEL,
+        ENCODING,
+    ),
+    *under("Noise", *NOISE, SATURATION),
+)  # fmt: skip
+def sharpen(
+    clip: Path,
+    lens: Path,
+    output: Path,
+    at: float | None,
+    map_: Path | None,
+    depth_scale: float | None,
+    zero_unknown: bool,
+    focus: float | None,
+    f_number: float | None,
+    camera: Camera | None,
+    pixel: float | None,
+    encoding: str | None,
+    **noise: Any,
+) -> Report:
+    """Sharpen video or a photo of known depth at video rate, by Wiener's filters in one pass.
+
+    CLIP is a video file, numbered images (a folder or frames/%04d.tif) or a photo, in grey or colour. LENS is a lens
+    file. Blur wider than about 40 pixels is undone in part; `lommel restore` takes longer and undoes more. Ctrl-C ends
+    the command and leaves a whole file.
+
+    Examples
+    --------
+      lommel sharpen clip.mp4 phone.toml --focus 2m --at 1.5m -o sharp.mp4
+      lommel sharpen photo.png phone.toml --focus 1.5m --depth depth.tif --white 5000 --read 3 -o sharp.png
+    """
+    if (at is None) == (map_ is None):
+        raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
+    require_folder(output)
+    instrument = radial_instrument(lens, camera, pixel)
+    one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
+    one = one if focus is None else one.focused(focus)
+    distance: float | Array
+    if map_ is None:
+        assert at is not None
+        distance, unknown = at, 0.0
+    else:
+        found = read_depth(map_, scale=depth_scale, zero_is_unknown=zero_unknown)
+        distance, unknown = fill_missing(found, "nearest"), float(np.isnan(found).mean())
+    stop, count = Stop(), 0
+    with Status() as status, ExitStack() as stack:
+        status.step("reading")
+        opened = _clip(clip, output, noise, instrument.camera, encoding, status, stack)
+        shape, coding, frames, write, video = opened
+        if coding.guess:
+            status.tell(coding.guess)
+        status.step("computing the filters")
+        with stop.signals():
+            live: LiveSharpen | None = None
+            start = time.perf_counter()
+            while (frame := stop.next(frames)) is not None:
+                light = coding.light(frame.values)
+                if live is None:
+                    live = _filters(one, instrument.side, distance, coding, light)
+                    start, begun = time.perf_counter(), frame.time
+                write(live(light, distance) / np.float32(coding.white), frame.time - begun)
+                count += 1
+                status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
+            seconds = time.perf_counter() - start
+        lost = None if video is None else video.lost
+        ended = "interrupted" if stop.asked else lost or "the end"
+        if not count:
+            raise ValueError(f"no frame was read: {ended}")
+    height, width = shape[:2]
+    ends = [float(np.min(distance)), float(np.max(distance))]
+    blur = float(np.max(2.0 * one.pupil(np.array(ends)).geometric_radius())) / instrument.side
+    facts = {
+        **coding.facts,
+        "shape": list(shape),
+        "pixel": instrument.side,
+        "focus_distance": finite(one.focus_distance),
+        "f_number": one.f_number,
+        "focal_length": one.focal_length,
+        "between": [finite(each) for each in ends],
+        "unknown": unknown,
+        "blur": blur,
+        "frames": count,
+        "seconds": seconds,
+        "ended": ended,
+    }
+    where = format_length(ends[0]) if ends[0] == ends[1] else " to ".join(map(format_length, ends))
+    lines = [
+        coding.words,
+        *([coding.guess] if coding.guess else []),
+        f"{width} x {height} pixels of {format_length(instrument.side)}; focus {format_length(one.focus_distance)} "
+        f"at f/{one.f_number:.3g}, depth {where}: blur of up to {blur:.3g} pixels",
+    ]
+    if unknown:
+        lines.append(f"depth not known at {100.0 * unknown:.2g} % of the map, taken from the nearest pixel")
+    if video is not None:
+        facts |= {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
+        refused = f", of another size: {video.refused}" if video.refused else ""
+        lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {ended}")
+        lines.append(f"frames dropped: {video.dropped}{refused}")
+    files = written([output])
+    return Report(facts | files.facts, [*lines, *files.parts], converged=lost is None)
+
+
+def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first: Values) -> LiveSharpen:
+    """Return the filters for the distances, of the light of the first frame."""
+    near, far = float(np.min(distance)), float(np.max(distance))
+    return LiveSharpen(
+        lens,
+        pixel,
+        between=(min(near, _FAR) * (1.0 - _BESIDE), far * (1.0 + _BESIDE)),
+        noise=coding.noise,
+        shape=first.shape,
+        light=max(1.0, float(coding.noise.electrons(float(np.nanmean(first))))),
+        saturation=coding.saturation,
+    )
+
+
+def _clip(
+    clip: Path,
+    output: Path,
+    noise: dict[str, Any],
+    camera: Camera | None,
+    encoding: str | None,
+    status: Status,
+    stack: ExitStack,
+) -> Clip:
+    """Open a photo or a video, and what is written."""
+    if (
+        clip.suffix.lower() in {suffix for form in formats("photo") for suffix in form.suffixes}
+        and "%" not in clip.name
+    ):
+        photos.find(output, "--output")
+        picture = read_photo(clip, encoding)
+        values = picture.values
+        levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
+        coding = coding_of(levels, values.dtype, picture.encoding, noise, camera, encoding)
+        dtype, stored_as = output_type(picture, output, None)
+        profile = picture.profile if stored_as == picture.encoding else None
+
+        def save(light: Values, _: float) -> None:
+            write_photo(output, light, encoding=stored_as, dtype=dtype, profile=profile)
+
+        return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
+    form = videos.find(output, "--output")
+    video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
+    coding = coding_of(video.levels, video.dtype, video.encoding, noise, camera, encoding)
+    # Grey of more than 8 bits keeps them, and its encoding, where the format holds them.
+    deep = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
+    write = stack.enter_context(form.write(output, video.interval))
+
+    def store(light: Values, seconds: float) -> None:
+        kept = from_light(light, coding.encoding, np.uint16) if deep else from_light(light, "srgb", np.uint8)
+        write(kept, seconds)
+
+    return Clip(video.shape, coding, video, store, video)

@@ -1,0 +1,205 @@
+"""What commands on video share: how values are light, and with what noise; Ctrl-C; a line of progress."""
+
+from __future__ import annotations
+
+import math
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.encoding import to_light
+from lommel.base.validation import brief
+from lommel.cli.instruments import instrument_of, noise_of
+from lommel.cli.options import Option
+from lommel.cli.output import Facts
+from lommel.estimation.noise import Noise
+from lommel.io.registry import Values
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Instrument
+
+Kept = TypeVar("Kept")
+
+_WHITE, _READ = 5000.0, 3.0  # electrons, of 8-bit video of which nothing is stated
+_DARK = 0.02  # of white: below it the noise of stored values is not fitted
+_TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
+
+SATURATION = Option(
+    "--saturation",
+    type=float,
+    help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as 0.95; "
+    "the largest integer always counts as saturated.",
+)
+ENCODING = Option(
+    "--encoding",
+    type=click.Choice(["srgb", "linear"]),
+    help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.",
+)
+
+
+def radial_instrument(lens: Path, camera: Camera | None, pixel: float | None) -> Instrument:
+    """Return the instrument of a lens file whose aberrations are the same all over the field."""
+    instrument = instrument_of(lens, camera=camera, pixel=pixel)
+    if instrument.aberrations_of_field is not None:
+        raise ValueError(f"{lens} has aberrations that vary over the field, which this command does not support")
+    return instrument
+
+
+class Coding(NamedTuple):
+    """How stored values are light, and with what noise."""
+
+    encoding: str
+    white: float  # electrons at white, with rounding as a part of the noise
+    noise: Noise  # of what `light` returns
+    saturation: float | None
+    guess: str  # sentence on a noise that is a guess, or ""
+    words: str
+    facts: Facts
+
+    def light(self, values: Values) -> Values:
+        """Return what live filters take: integers that are linear as they are, all else as linear light."""
+        return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
+
+
+def coding_of(
+    levels: int, dtype: np.dtype[np.generic], usual: str, given: Facts, camera: Camera | None, encoding: str | None
+) -> Coding:
+    """Return the coding of values by the options --white, --read, --offset and --saturation, which are taken out.
+
+    The noise of 8-bit sRGB is a guess where nothing is stated, and said to be one in any case.
+    """
+    used = encoding or usual
+    guessed = used == "srgb" and levels == 256
+    saturation = given.pop("saturation")
+    assumed = []
+    for name, value in (("white", _WHITE), ("read", _READ)) if guessed else ():
+        stated = camera and (camera.full_well if name == "white" else camera.read)
+        if given[name] is None and stated is None:
+            given[name] = value
+            assumed.append(f"--{name}")
+    sensor = noise_of(given, camera, photographs=True)
+    white, read, offset = (_number(each) for each in (sensor.white, sensor.read, sensor.offset))
+    top = 1.0 if used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
+    gain, noise = stored_noise(white, read, levels, used)
+    bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
+    name, other = ("sRGB", "linear") if used == "srgb" else ("linear", "sRGB")
+    words = f"{bits} values, {name}"
+    if encoding is None:
+        words = f"{bits} values, assumed {name}; if they are {other}, give --encoding {other.lower()}"
+    guess = ""
+    if guessed:
+        who = f"taken for want of {' and '.join(assumed)}" if assumed else "as stated"
+        guess = (
+            f"The noise of 8-bit sRGB values is a guess, for cameras denoise and compress them: {white:g} electrons "
+            f"at white, read noise {read:g} electrons ({who}), and rounding."
+        )
+    facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
+    full = None if saturation is None else saturation * top
+    return Coding(used, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts)
+
+
+def _number(value: float | NDArray[np.float64] | None) -> float:
+    assert isinstance(value, float)
+    return value
+
+
+def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:
+    """Return electrons at white and read noise of linear light that was stored in so many levels, 0 for floats.
+
+    Rounding adds a twelfth of the squared step. The steps of sRGB grow with the light, nearly as the variance of
+    photons does: both together are a gain and a read noise, by least squares in units of the variance.
+    """
+    if not levels:
+        return white, read
+    if encoding == "linear":
+        return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
+    light = to_light("levels", np.linspace(0.0, 1.0, levels), "srgb", np.float64)
+    variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
+    fitted = light > _DARK
+    terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
+    slope, level = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
+    return 1.0 / slope, math.sqrt(max(level, 0.0)) / slope
+
+
+class Stop:
+    """Ctrl-C and SIGTERM, which end a loop after the frame that is being written."""
+
+    def __init__(self) -> None:
+        self.asked = self._waits = False
+
+    @contextmanager
+    def signals(self) -> Iterator[None]:
+        """Take the signals; a second one interrupts at once."""
+
+        def handle(_signal: int, _frame: FrameType | None) -> None:
+            again, self.asked = self.asked, True
+            if again or self._waits:  # nothing is being written
+                raise KeyboardInterrupt
+
+        before = {one: signal.signal(one, handle) for one in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield
+        finally:
+            for one, old in before.items():
+                signal.signal(one, old)
+
+    def next(self, frames: Iterator[Kept]) -> Kept | None:
+        """Return the next frame; None at the end, or when the signal comes."""
+        try:
+            self._waits = True
+            return None if self.asked else next(frames, None)
+        except KeyboardInterrupt:
+            return None
+        finally:
+            self._waits = False
+
+
+class Status:
+    """Sentences on standard error, and progress there: the last line of a terminal, else a line now and then."""
+
+    def __init__(self) -> None:
+        from rich.console import Console
+
+        self._console = Console(stderr=True, highlight=False, markup=False, emoji=False)
+        self._line = self._console.status("", spinner="line") if self._console.is_terminal else None
+        self._start = time.monotonic()
+        self._next = 0.0 if self._line is not None else _LOG
+
+    def __enter__(self) -> Self:
+        if self._line is not None:
+            self._line.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._line is not None:
+            self._line.stop()
+
+    def tell(self, sentence: str) -> None:
+        """Print a sentence."""
+        self._console.print(sentence, soft_wrap=self._line is None)
+
+    def step(self, name: str) -> None:
+        """Show what is done before the first frame."""
+        if self._line is not None:
+            self._line.update(name)
+
+    def __call__(self, words: str) -> None:
+        """Show words every few seconds on a terminal, else less and less often."""
+        spent = time.monotonic() - self._start
+        if spent < self._next:
+            return
+        if self._line is not None:
+            self._next = spent + _TERMINAL
+            self._line.update(brief(words, self._console.width - 3))
+        else:
+            self._next = max(spent + _LOG, 1.25 * spent)
+            self.tell(f"{spent:.0f} s: {words}")

@@ -1,0 +1,433 @@
+"""The command ``lommel watch``: depth of video."""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+import sys
+import time
+from collections import deque
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import atomic, optional, validation
+from lommel.base.encoding import from_light
+from lommel.base.units import format_length
+from lommel.cli.depth_commands import each_lens, misfit_in_words, untested
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
+from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under
+from lommel.cli.output import Report, require_folder, written
+from lommel.cli.photo_commands import NOISE, finite
+from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
+from lommel.imaging import LiveDepth
+from lommel.imaging.focal_engine import BLOCK
+from lommel.io import videos
+from lommel.io.registry import suffixes
+from lommel.show.depth_frames import DepthColours
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
+
+Map = NDArray[np.float32]
+
+_BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
+_COUNTED = 2**16  # pairs that medians are taken of: the last ones
+_TOP = 65535  # levels of lossless depth
+_CURVE = 4096  # levels of linear light that are encoded beforehand
+_COLUMNS = ["time (s)", "known", "depth (m)", "deviation (m)", "misfit", "frame time (s)", "dropped"]
+
+
+class Seen(NamedTuple):
+    """A pair of frames: its time from the first one, what was found, and how long that took; seconds.
+
+    `known` is a share; `median` those of depth, deviation and misfit, NaN where none is known.
+    """
+
+    time: float
+    depth: Map | None
+    deviation: Map | None
+    image: Map | None
+    known: float
+    median: tuple[float, ...]
+    took: float
+
+
+@dataclass
+class Files:
+    """What is to be written, and whether a window is to be shown."""
+
+    output: Path | None
+    depths: tuple[Path, ...]
+    table: Path | None
+    scale: float
+    show: bool
+
+    def __post_init__(self) -> None:
+        """Refuse what could not be written, before anything is opened."""
+        if self.output is not None:
+            videos.find(self.output, "--output", holding="of uint8")
+        if len(self.depths) > 2:
+            raise ValueError(f"--depth takes depth and its standard deviation, got {len(self.depths)} files")
+        for path in self.depths:
+            videos.find(path, "--depth", holding="of uint16")
+        if self.table is not None and self.table.suffix.lower() != ".csv":
+            raise ValueError(f"--table must end in .csv, got {validation.shown(str(self.table))}")
+        for path in self.all:
+            require_folder(path)
+
+    @property
+    def all(self) -> list[Path]:
+        """All files."""
+        return [path for path in (self.output, *self.depths, self.table) if path is not None]
+
+
+@command(
+    LENS,
+    Option("--source", "sources", multiple=True, required=True, metavar="SOURCE",
+           help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
+           "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
+    Option("--alternating", is_flag=True, help="The frames of one source are of one focus and the other in turn."),
+    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
+           help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
+    Option("-o", "--output", type=FILE, help=f"Video of the depth in colours: {suffixes('video')}."),
+    Option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
+    Option("--depth", "depths", type=FILE, multiple=True,
+           help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of "
+           "--depth-scale, 0 where it is not known; given a second time, its standard deviation."),
+    Option("--table", type=FILE, help="Table with a row for each pair: .csv."),
+    Option("--show/--no-show", default=None,
+           help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
+    JSON,
+    *under(
+        "Camera",
+        Option("--focus", "foci", type=LENGTH, multiple=True,
+               help="Focus distance, such as 1.35m: once for both frames, or repeated for each; overrides the lens "
+               "file."),
+        Option("--f-number", "f_numbers", type=float, multiple=True,
+               help="F-number: once for both frames, or repeated for each; overrides the lens file."),
+        Option("--exposure", "exposures", type=float, multiple=True,
+               help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default "
+               "the ratio of their mean values, pair by pair."),
+        CAMERA,
+        SQUARE_PIXEL,
+        ENCODING,
+    ),
+    *under("Noise", *NOISE, SATURATION),
+    *under(
+        "Estimation",
+        documented(LiveDepth, "window", type=float),
+        Option("--depth-scale", type=float,
+               help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
+               "farthest distance."),
+    ),
+)  # fmt: skip
+def watch(
+    lens: Path,
+    sources: tuple[str, ...],
+    alternating: bool,
+    between: tuple[float, float],
+    output: Path | None,
+    sharp: bool,
+    depths: tuple[Path, ...],
+    table: Path | None,
+    show: bool | None,
+    foci: tuple[float, ...],
+    f_numbers: tuple[float, ...],
+    exposures: tuple[float, ...],
+    camera: Camera | None,
+    pixel: float | None,
+    encoding: str | None,
+    window: float,
+    depth_scale: float | None,
+    **noise: Any,
+) -> Report:
+    """Estimate depth of video at video rate, of pairs of frames with different focus.
+
+    LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
+    standard error are those of blocks of 4 x 4 pixels; colours are turned to grey. Ctrl-C ends the command and leaves
+    whole files.
+
+    Examples
+    --------
+      lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
+      lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
+    """
+    if len(sources) != (1 if alternating else 2):
+        with_it = " and --alternating" if alternating else ""
+        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
+    instrument = radial_instrument(lens, camera, pixel)
+    lenses = each_lens(instrument.lens, 2, foci, f_numbers, "two frames")
+    if lenses[0] == lenses[1]:
+        raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
+    scale = _scale(between[1]) if depth_scale is None else validation.real("depth_scale", depth_scale, above=0.0)
+    windowless = "" if show is False else no_window()
+    if show and windowless:
+        raise ValueError(f"--show is not possible: {windowless}")
+    shown = show or (show is None and output is None and not windowless)
+    files, stop, tally = Files(output, depths, table, scale, shown), Stop(), Tally()
+    with Status() as status, ExitStack() as stack:
+        status.step("opening the sources")
+        second = None if alternating else sources[1]
+        pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
+        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noise, instrument.camera, encoding)
+        if coding.guess:
+            status.tell(coding.guess)
+        status.step("computing the filters of every distance")
+        live = LiveDepth(
+            lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=window,
+            exposures=exposures or None, saturation=coding.saturation, sharp=sharp,
+        )  # fmt: skip
+        outputs = stack.enter_context(Outputs(files, between, pairs, coding, sharp))
+        ended, first = "the end", math.nan
+        tally.start = time.perf_counter()
+        with stop.signals():
+            while (pair := stop.next(pairs)) is not None:
+                first = pair.time if math.isnan(first) else first
+                seen, fault = _seen(live, coding, pair, first, sharp)
+                if fault and not tally.failed:
+                    status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
+                tally.add(seen, bool(fault))
+                if outputs(seen):
+                    ended = "the window was closed"
+                    break
+                status(tally.words(pairs.dropped))
+            tally.stop = time.perf_counter()
+        ended = "interrupted" if stop.asked else pairs.lost or ended
+        if not tally.pairs:
+            raise ValueError(f"no pair of frames came: {ended}")
+    read = Report(coding.facts, [coding.words, *([coding.guess] if coding.guess else [])])
+    height, width = pairs.shape
+    each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
+    near, far = map(format_length, between)
+    setting = Report(
+        {
+            "shape": [height, width],
+            "pixel": instrument.side,
+            "focus_distances": [finite(one.focus_distance) for one in lenses],
+            "f_numbers": [one.f_number for one in lenses],
+            "focal_length": lenses[0].focal_length,
+            "between": [finite(one) for one in between],
+            "design_error": live.design_error,
+        },
+        [
+            f"{width} x {height} pixels of {format_length(instrument.side)}; focus {each}",
+            f"distances from {near} to {far}, windows of {window:g} pixels rms",
+        ],
+    )
+    found = read + setting + _counts(tally, pairs, ended) + tally.found() + outputs.report()
+    return Report(found.facts, found.parts, converged=pairs.lost is None)
+
+
+def _scale(far: float) -> float:
+    """Return the finest power of ten of which 65535 reach a distance; 1 mm for infinity."""
+    return 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _TOP)))
+
+
+def _seen(live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool) -> tuple[Seen, str]:
+    """Return what is found of a pair, and why nothing is, as in a black frame."""
+    start = time.perf_counter()
+    try:
+        found = live(coding.light(pair.first), coding.light(pair.second))
+    except ValueError as error:
+        took = time.perf_counter() - start
+        return Seen(pair.time - first, None, None, None, 0.0, (math.nan,) * 3, took), str(error)
+    image = live.sharp() if sharp else None
+    took = time.perf_counter() - start
+    known = np.isfinite(found.deviation)
+    median: tuple[float, ...] = (math.nan,) * 3
+    if known.any():
+        median = tuple(float(np.median(each[known])) for each in (found.depth, found.deviation, found.misfit))
+    return Seen(pair.time - first, found.depth, found.deviation, image, float(known.mean()), median, took), ""
+
+
+@dataclass
+class Tally:
+    """Figures of the pairs so far."""
+
+    start: float = 0.0
+    stop: float = 0.0
+    pairs: int = 0
+    failed: int = 0
+    took: deque[float] = field(default_factory=lambda: deque(maxlen=_COUNTED))
+    rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_COUNTED))
+
+    def add(self, seen: Seen, failed: bool) -> None:
+        """Count a pair."""
+        self.pairs += 1
+        self.failed += failed
+        self.took.append(seen.took)
+        self.rows.append((seen.known, *seen.median))
+
+    def words(self, dropped: int) -> str:
+        """Return the line of progress."""
+        rate = self.pairs / (time.perf_counter() - self.start)
+        known, depth, deviation, misfit = self.rows[-1]
+        text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.took[-1]:.3g} ms; dropped {dropped}"
+        if known:
+            text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * deviation:.2g} mm, misfit {misfit:.2f}"
+        return text
+
+    def found(self) -> Report:
+        """Return the report of known share, depth and misfit over the pairs."""
+        rows = np.array(self.rows)
+        share, some = float(rows[:, 0].mean()), rows[:, 0] > 0.0
+        if not some.any():
+            nothing = "no depth found: the frames have no texture, or all of it is out of range"
+            return Report(
+                {"known": share, "depth": None, "deviation": None, "misfit": None}, [nothing, untested("frames")]
+            )
+        depth, deviation, misfit = np.median(rows[some, 1:], axis=0).tolist()
+        lines = [
+            f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
+            f"{format_length(depth)}, standard deviation {format_length(deviation, digits=2)}",
+            misfit_in_words(misfit, "frames"),
+            untested("frames"),
+        ]
+        return Report({"known": share, "depth": depth, "deviation": deviation, "misfit": misfit}, lines)
+
+
+def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
+    """Return the report of times and of frames that are missing."""
+    seconds = tally.stop - tally.start
+    usual, slow = np.percentile(tally.took, [50.0, 95.0]).tolist()
+    left = {
+        "frames dropped": pairs.dropped,
+        "frames without a partner": pairs.alone,
+        "frames of another size": pairs.refused,
+        "pairs without depth": tally.failed,
+    }
+    facts = {
+        "pairs": tally.pairs,
+        "seconds": seconds,
+        "pairs_per_second": tally.pairs / seconds,
+        "frame_time": {"median": usual, "95 %": slow},
+        "interval": pairs.interval,
+        "ended": ended,
+    }
+    lines = [
+        f"{tally.pairs} pairs in {seconds:.3g} s: {tally.pairs / seconds:.3g} pairs/s, {1e3 * usual:.3g} ms each "
+        f"(95 %: {1e3 * slow:.3g} ms); ended: {ended}",
+        ", ".join(f"{name}: {count}" for name, count in left.items() if count or name == "frames dropped"),
+    ]
+    return Report(facts | {name.replace(" ", "_"): count for name, count in left.items()}, lines)
+
+
+class Outputs:
+    """What is made of each pair: a video in colours, lossless depth, a table and a window."""
+
+    def __init__(
+        self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding, sharp: bool
+    ) -> None:
+        height, width = pairs.shape
+        self._files, self._between, self._pairs, self._coding = files, between, pairs, coding
+        self._blocks = height // BLOCK, width // BLOCK
+        coloured = files.output is not None or files.show
+        self._colours = DepthColours(between, (height, width), BLOCK, sharp) if coloured else None
+        self._curve = from_light(np.linspace(0.0, 1.0, _CURVE, dtype=np.float32), "srgb", np.uint8)
+        # Linear video may be far below its white.
+        self._white = coding.white if coding.encoding == "srgb" else math.nan
+        self._stack, self._beyond = ExitStack(), 0
+
+    def __enter__(self) -> Self:
+        files, interval = self._files, self._pairs.interval
+
+        def writer(path: Path, words: str) -> videos.VideoWriter:
+            made: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, words))
+            return made
+
+        level = f"metres per level {files.scale:g}, 0 where not known"
+        self._picture = None if files.output is None else writer(files.output, "depth")
+        words = (f"depth: {level}", f"standard deviation of depth: {level}")
+        self._lossless = [writer(*each) for each in zip(files.depths, words, strict=False)]
+        self._table = None
+        if files.table is not None:
+            temporary = self._stack.enter_context(atomic.placed(files.table))
+            self._table = csv.writer(self._stack.enter_context(temporary.open("w", encoding="utf-8", newline="")))
+            self._table.writerow(_COLUMNS)
+        self._window = Window("lommel watch", self._stack) if files.show else None
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self._stack.__exit__(*error)
+
+    def __call__(self, seen: Seen) -> bool:
+        """Write what is made of a pair; return whether the window has been closed."""
+        if self._table is not None:
+            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, *seen.median)]
+            self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
+        for writer, metres in zip(self._lossless, (seen.depth, seen.deviation), strict=False):
+            writer(self._levels(metres), seen.time)
+        if self._colours is None:
+            return False
+        unknown = np.full(self._blocks, np.nan, np.float32)
+        image = None if seen.image is None else self._grey(seen.image)
+        picture = self._colours(unknown if seen.depth is None else seen.depth, image)
+        if self._picture is not None:
+            self._picture(picture, seen.time)
+        return self._window is not None and self._window(picture, None if self._pairs.live else seen.time)
+
+    def _levels(self, metres: Map | None) -> NDArray[np.uint16]:
+        """Return levels, of 1 and more where known, and count those of which there are too few."""
+        if metres is None:
+            return np.zeros(self._blocks, np.uint16)
+        known = np.isfinite(metres)
+        levels = np.rint(np.where(known, metres, 0.0) / self._files.scale)
+        self._beyond += int(np.count_nonzero(levels > _TOP))
+        return np.where(known, np.clip(levels, 1, _TOP), 0).astype(np.uint16)
+
+    def _grey(self, electrons: Map) -> NDArray[np.uint8]:
+        """Return a sharp image in sRGB, as bright as sRGB video; of linear video the first one sets the white."""
+        if math.isnan(self._white):
+            self._white = max(float(np.percentile(electrons, _BRIGHT)), 1.0)
+        levels = np.clip(electrons * ((_CURVE - 1) / self._white), 0.0, _CURVE - 1.0)
+        return np.asarray(self._curve[levels.astype(np.uint16)])
+
+    def report(self) -> Report:
+        """Return the report of the files."""
+        files, lines = self._files, []
+        near, far = map(format_length, self._between)
+        if files.output is not None:
+            lines.append(f"colours: yellow at {near} to violet at {far}, even in 1 / distance; grey: not known")
+        if files.depths:
+            beyond = f"; {self._beyond} values beyond the last one" if self._beyond else ""
+            lines.append(f"--depth: levels of {format_length(files.scale)}, 0 where not known{beyond}")
+        facts = {"depth_scale": files.scale, "beyond_scale": self._beyond} if files.depths else {}
+        return Report(facts, lines) + written(files.all)
+
+
+class Window:
+    """A window of OpenCV, which q, Esc and its own button close."""
+
+    def __init__(self, title: str, stack: ExitStack) -> None:
+        self._cv2, self._title = optional.library("cv2", "a window needs", "video"), title
+        self._begun = math.nan
+        stack.callback(self._cv2.destroyAllWindows)
+
+    def __call__(self, picture: NDArray[np.uint8], due: float | None) -> bool:
+        """Show a picture, when its time has come if that is stated; return whether the window has been closed."""
+        now = time.monotonic()
+        if math.isnan(self._begun):
+            self._begun = now
+        late = 0.0 if due is None else self._begun + due - now
+        self._cv2.imshow(self._title, picture[..., ::-1])
+        key = self._cv2.waitKey(max(1, round(1e3 * late))) & 0xFF
+        return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0
+
+
+def no_window() -> str:
+    """Return why there can be no window, or ""."""
+    if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return "there is no display"
+    try:
+        cv2 = optional.library("cv2", "a window needs", "video")
+    except ImportError as error:
+        return str(error)
+    if cv2.currentUIFramework():
+        return ""
+    return "this OpenCV has no windows: pip uninstall opencv-python-headless, then pip install opencv-python"

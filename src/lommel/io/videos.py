@@ -1,0 +1,735 @@
+"""Video: frames of files, streams, cameras and numbered images, in pairs by their times; videos that are written."""
+
+from __future__ import annotations
+
+import math
+import re
+import threading
+import time
+import warnings
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from fractions import Fraction
+from functools import partial
+from os import PathLike, fspath
+from pathlib import Path
+from statistics import median
+from types import TracebackType
+from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, TypeAlias
+
+import numpy as np
+
+from lommel.base import atomic, optional, reading, validation
+from lommel.io import photos, registry
+from lommel.io.registry import Format, Values
+
+if TYPE_CHECKING:
+    from av.container import InputContainer, OutputContainer
+
+__all__ = ["FramePair", "FramePairs", "VideoError", "VideoFrame", "VideoFrames", "frame_pairs", "video_frames"]
+
+Source: TypeAlias = int | str | PathLike[str]
+Tell: TypeAlias = Callable[[str], object]
+
+MAX_FRAME = 2**26
+"""Most pixels of a frame."""
+
+USUAL_RATE = 25.0
+"""Frames a second of sources that state neither times nor a rate, as numbered images."""
+
+_SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
+_PATIENCE = 10.0  # seconds without a frame, after which a live source is taken to have ended
+_KEPT = 4  # frames of a live source that wait
+_STEPS = 31  # differences of times that the interval is the median of
+_FAULTS = 100  # damaged packets, or frames of another size, one after the other
+_ALONE = 100  # frames without a partner, one after the other, that are told
+
+
+class VideoError(ValueError):
+    """A source that cannot be read as video; the message names it and says why."""
+
+
+class VideoFrame(NamedTuple):
+    """One frame: values of uint8, uint16 or float32, in grey or with three channels, and its time in seconds."""
+
+    values: Values
+    time: float
+
+
+class FramePair(NamedTuple):
+    """Two frames of one moment, and the time of the first, seconds."""
+
+    first: Values
+    second: Values
+    time: float
+
+
+class _Reader(Protocol):
+    """What gives the frames of one source."""
+
+    name: str
+    live: bool
+    interval: float  # seconds from a frame to the next, as stated; 0 if it is not
+    levels: int  # that stored values may have; 0 for floats
+    grey: bool  # whether the source has no colour
+
+    def frames(self) -> Iterator[VideoFrame]:
+        """Yield all frames; VideoError where they break off."""
+        ...
+
+    def close(self) -> None:
+        """Close the source, from which nobody reads any more."""
+        ...
+
+
+_Numbered: TypeAlias = tuple[int, VideoFrame]
+
+
+class VideoFrames:
+    """Frames of one source in the order of their times, of one size and type: an iterator of :class:`VideoFrame`.
+
+    Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
+    older ones are dropped.
+
+    Attributes
+    ----------
+    name : str
+        Of the source, in messages; without a password.
+    live : bool
+        Whether it is a camera or a stream.
+    shape : tuple of int
+        Height and width of the frames, and 3 for colour.
+    dtype : dtype
+        uint8; uint16 where the source has more than 8 bits, which then end at 65535; or float32.
+    levels : int
+        Values that the source can store: 256 for 8 bits; 0 for floats.
+    encoding : {"srgb", "linear"}
+        As is usual: grey of more than 8 bits and floats are linear, all else is sRGB.
+    number : int
+        Of the last frame, from 0, with those that are missing.
+    dropped : int
+        Frames that are missing by the times of those read so far.
+    refused : int
+        Frames of another size or type, which were left out.
+    lost : str or None
+        Why the frames ended early.
+    """
+
+    def __init__(self, reader: _Reader, tell: Tell) -> None:
+        self._reader, self._tell = reader, tell
+        self.name, self.live, self.levels = reader.name, reader.live, reader.levels
+        self.dropped = self.refused = self.number = 0
+        self.lost: str | None = None
+        self._times: deque[float] = deque(maxlen=_STEPS)
+        self._frames = self._numbered()
+        self._last: int | None = None
+        try:
+            first = next(self._frames, None)
+            if first is None:
+                raise VideoError(f"{self.name} holds no frame")
+        except BaseException:
+            reader.close()
+            raise
+        self.shape, self.dtype = first[1].values.shape, first[1].values.dtype
+        self._first: _Numbered | None = first
+        deep = reader.grey and reader.levels > 256
+        self.encoding = "linear" if deep or self.dtype.kind == "f" else "srgb"
+        self._waiting = _Waiting(self._frames, self.name) if self.live else None
+
+    def __repr__(self) -> str:
+        height, width = self.shape[:2]
+        return f"<VideoFrames of {self.name}: {width} x {height}, {self.dtype}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Self:
+        return self
+
+    @property
+    def interval(self) -> float:
+        """Seconds from a frame to the next: the median of what was seen, or as stated."""
+        seen = list(self._times)
+        if len(seen) > 2:
+            return median(seen)
+        return self._reader.interval or min(seen, default=1.0 / USUAL_RATE)
+
+    def _numbered(self) -> Iterator[_Numbered]:
+        """Yield frames with numbers that grow by more than 1 where times show that some are missing."""
+        number, last = 0, math.nan
+        for frame in self._reader.frames():
+            step = frame.time - last
+            if step > 0.0:
+                self._times.append(step)
+            if not math.isnan(last):
+                number += max(1, round(step / self.interval))
+            last = frame.time
+            yield number, frame
+
+    def __next__(self) -> VideoFrame:
+        """Return the next frame."""
+        while True:
+            self.number, frame = self._read()
+            if frame.values.shape == self.shape and frame.values.dtype == self.dtype:
+                break
+            self.refused += 1
+            if self.refused == 1:
+                other, own = (" x ".join(map(str, one[1::-1])) for one in (frame.values.shape, self.shape))
+                self._tell(
+                    f"{self.name} has a frame of {other} {frame.values.dtype} at {frame.time:.2f} s, where the first "
+                    f"is of {own} {self.dtype}: such frames are left out"
+                )
+        self.dropped += 0 if self._last is None else self.number - self._last - 1
+        self._last = self.number
+        return frame
+
+    def _read(self) -> _Numbered:
+        first, self._first = self._first, None
+        if first is not None:
+            if self._waiting is None:
+                return first
+            self._waiting.clear()  # of the time before anybody asked
+        try:
+            return next(self._waiting or self._frames)
+        except VideoError as error:
+            self.lost = str(error)
+            self._tell(self.lost)
+            raise StopIteration from None
+
+    def close(self) -> None:
+        """Close the source."""
+        if self._waiting is None or self._waiting.stop():
+            self._reader.close()
+
+
+class _Waiting:
+    """The last few frames of a live source, which a thread reads."""
+
+    def __init__(self, frames: Iterator[_Numbered], name: str) -> None:
+        self._frames, self._name = frames, name
+        self._kept: deque[_Numbered] = deque(maxlen=_KEPT)
+        self._changed = threading.Condition()
+        self._end: BaseException | None = None
+        self._stopped = False
+        self._thread = threading.Thread(target=self._run, daemon=True, name=f"frames of {name}")
+        self._thread.start()
+
+    def _run(self) -> None:
+        end: BaseException = StopIteration()
+        try:
+            for frame in self._frames:
+                with self._changed:
+                    if self._stopped:
+                        break
+                    self._kept.append(frame)
+                    self._changed.notify()
+        except Exception as error:
+            end = error
+        with self._changed:
+            self._end = end
+            self._changed.notify()
+
+    def clear(self) -> None:
+        """Forget the frames that wait."""
+        with self._changed:
+            self._kept.clear()
+
+    def __iter__(self) -> Self:
+        return self
+
+    def __next__(self) -> _Numbered:
+        with self._changed:
+            if not self._changed.wait_for(lambda: self._kept or self._end is not None, _PATIENCE):
+                raise VideoError(f"{self._name} has had no frame for {_PATIENCE:g} s")
+            if self._kept:
+                return self._kept.popleft()
+            assert self._end is not None
+            raise self._end
+
+    def stop(self) -> bool:
+        """Return whether the thread has ended, within a few seconds of being told to."""
+        self._stopped = True
+        self._thread.join(timeout=3.0)
+        return not self._thread.is_alive()
+
+
+class FramePairs:
+    """Pairs of frames of one moment: an iterator of :class:`FramePair`.
+
+    Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
+
+    Attributes
+    ----------
+    sources : tuple of VideoFrames
+        One or two.
+    shape, dtype, levels, encoding
+        Those of the first source, as of :class:`VideoFrames`; `shape` and `dtype` are those of the second, too.
+    alone : int
+        Frames without a partner.
+    """
+
+    def __init__(self, sources: tuple[VideoFrames, ...], tell: Tell) -> None:
+        self.sources, self._tell = sources, tell
+        first = sources[0]
+        self.shape, self.dtype, self.levels, self.encoding = first.shape, first.dtype, first.levels, first.encoding
+        self.alone = 0
+        self._pairs = self._alternating() if len(sources) == 1 else self._matched()
+
+    def __repr__(self) -> str:
+        height, width = self.shape[:2]
+        names = " and ".join(one.name for one in self.sources)
+        return f"<FramePairs of {names}: {width} x {height}, {self.dtype}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Self:
+        return self
+
+    def __next__(self) -> FramePair:
+        """Return the next pair."""
+        return next(self._pairs)
+
+    @property
+    def dropped(self) -> int:
+        """Frames that are missing by the times of the others, of all sources."""
+        return sum(one.dropped for one in self.sources)
+
+    @property
+    def refused(self) -> int:
+        """Frames of another size or type, which were left out."""
+        return sum(one.refused for one in self.sources)
+
+    @property
+    def lost(self) -> str | None:
+        """Why a source ended early, or None."""
+        return next((one.lost for one in self.sources if one.lost), None)
+
+    @property
+    def interval(self) -> float:
+        """Seconds from a pair to the next."""
+        return (2.0 if len(self.sources) == 1 else 1.0) * max(one.interval for one in self.sources)
+
+    @property
+    def live(self) -> bool:
+        """Whether a source is a camera or a stream."""
+        return any(one.live for one in self.sources)
+
+    def close(self) -> None:
+        """Close the sources."""
+        for one in self.sources:
+            one.close()
+
+    def _alternating(self) -> Iterator[FramePair]:
+        """Yield each even frame with the odd one after it; a dropped frame moves no other to the wrong side."""
+        (source,) = self.sources
+        held: VideoFrame | None = None
+        start = expected = -1
+        for frame in source:
+            start = source.number if start < 0 else start
+            odd = bool((source.number - start) % 2)
+            if odd and held is not None and source.number == expected:
+                yield FramePair(held.values, frame.values, held.time)
+                held = None
+                continue
+            self.alone += (held is not None) + odd
+            held, expected = None if odd else frame, source.number + 1
+        if held is not None:
+            self.alone += 1
+            if source.lost is None:
+                self._tell(f"{source.name} ends inside a pair: its last frame was left out")
+
+    def _matched(self) -> Iterator[FramePair]:
+        """Yield the frames of two sources whose times are within half an interval."""
+        first, second = self.sources
+        row = 0
+        a, b = next(first, None), next(second, None)
+        while a is not None and b is not None:
+            gap = b.time - a.time
+            near = 0.5 * min(first.interval, second.interval)
+            if abs(gap) <= near:
+                row = 0
+                yield FramePair(a.values, b.values, a.time)
+                a, b = next(first, None), next(second, None)
+                continue
+            self.alone += 1
+            row += 1
+            if row == _ALONE:
+                self._tell(
+                    f"no frames of {first.name} and {second.name} are within {1e3 * near:.3g} ms of each other, at "
+                    f"{a.time:.3f} and {b.time:.3f} s: they were not taken together, or their clocks differ"
+                )
+            if gap > 0.0:
+                a = next(first, None)
+            else:
+                b = next(second, None)
+        for ended, left, frame in ((first, second, b), (second, first, a)):
+            if frame is not None and not ended.live and self.lost is None:
+                self.alone += 1
+                self._tell(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was left out")
+
+
+def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None) -> VideoFrames:
+    """Open a video file, a stream, a camera or numbered images as frames with their times.
+
+    Parameters
+    ----------
+    source : int or path
+        The number of a camera; a file; an address such as ``rtsp://camera/stream``; a folder of numbered images of
+        one size, or a pattern of their names such as ``frames/%04d.tif``.
+    grey : bool, default False
+        Whether colours are turned to grey: the luma of the video.
+    tell : callable, optional
+        Called with a sentence about each fault that reading goes on after; by default it is a RuntimeWarning.
+
+    Returns
+    -------
+    VideoFrames
+
+    Raises
+    ------
+    VideoError
+        If there is no such camera, or the source holds no video, or frames of more than 2^26 pixels.
+    TypeError, ValueError
+        If an argument is of another type.
+    OSError, ImportError
+        If it cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
+    """
+    grey = validation.truth("grey", grey)
+    say = _told(tell)
+    if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
+        source = int(source)
+    if isinstance(source, int | np.integer):
+        return VideoFrames(_Camera(validation.integer("source", source, least=0, most=999), grey), say)
+    if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
+        if found[1].lower() not in _SCHEMES:
+            raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
+        return VideoFrames(_Coded(source, _without_password(source), True, grey, say), say)
+    path = validation.path("source", source)
+    if path.is_dir() or "%" in path.name:
+        return VideoFrames(_Images(path, grey), say)
+    reading.size(path)  # a pipe is not waited for
+    return VideoFrames(_Coded(fspath(path), validation.line(path), False, grey, say), say)
+
+
+def frame_pairs(
+    a: Source, b: Source | None = None, *, alternating: bool = False, tell: Tell | None = None
+) -> FramePairs:
+    """Open pairs of grey frames that differ in focus: of two sources, or of one whose focus alternates.
+
+    Parameters
+    ----------
+    a : int or path
+        A source, as of :func:`video_frames`.
+    b : int or path, optional
+        Another one: frames whose times are within half an interval of each other are pairs. Times of files are those
+        they state; those of cameras and streams are counted from when their first frame arrives.
+    alternating : bool, default False
+        Whether the frames of `a` are of one focus and the other in turn, the first of the first lens. Where a frame
+        is dropped, which the times show, the rest of its pair is left out.
+    tell : callable, optional
+        As of :func:`video_frames`.
+
+    Returns
+    -------
+    FramePairs
+
+    Raises
+    ------
+    VideoError
+        As of :func:`video_frames`, or if the frames of the sources differ in size or type.
+    TypeError, ValueError
+        If an argument is of another type, or `b` is given with `alternating`, or neither is.
+    OSError, ImportError
+        As of :func:`video_frames`.
+
+    Examples
+    --------
+    >>> with lm.io.frame_pairs("near.mkv", "far.mkv") as pairs:  # doctest: +SKIP
+    ...     for near, far, seconds in pairs:
+    ...         found = live(near, far)
+    """
+    if validation.truth("alternating", alternating) is (b is not None):
+        got = "two sources" if alternating else "one source"
+        raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
+    say = _told(tell)
+    with ExitStack() as stack:
+        opened = tuple(
+            stack.enter_context(video_frames(one, grey=True, tell=say)) for one in (a, b) if one is not None
+        )
+        first, last = opened[0], opened[-1]
+        if (first.shape, first.dtype) != (last.shape, last.dtype):
+            each = " and ".join(f"{one.shape[1]} x {one.shape[0]} {one.dtype}" for one in opened)
+            raise VideoError(f"{first.name} and {last.name} must have frames of one size and type, got {each}")
+        stack.pop_all()
+        return FramePairs(opened, say)
+
+
+def _told(tell: Tell | None) -> Tell:
+    validation.function("tell", tell, required=False)
+    return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
+
+
+def _without_password(address: str) -> str:
+    return validation.line(re.sub(r"//[^/@]*@", "//", address))
+
+
+def _limited(name: str, width: int, height: int) -> None:
+    if width * height > MAX_FRAME:
+        raise VideoError(f"{name} has frames of {width} x {height} pixels; the limit is {MAX_FRAME} pixels")
+
+
+class _Coded:
+    """A video file or a stream, by PyAV."""
+
+    def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Tell) -> None:
+        self._av = optional.library("av", "reading video needs", "video")
+        self.name, self.live, self._grey, self._tell = name, live, grey, tell
+        # A file may be a list of others, which may not be addresses.
+        options = {"protocol_whitelist": "file"}
+        if live:
+            options = {"rtsp_transport": "tcp"} if source.lower().startswith("rtsp") else {}
+        try:
+            self._container: InputContainer = self._av.open(source, options=options, timeout=_PATIENCE)
+        except (self._av.FFmpegError, ValueError) as error:
+            raise VideoError(f"{name} cannot be read as video: {_reason(error)}") from None
+        try:
+            self._open()
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self) -> None:
+        if not self._container.streams.video:
+            raise VideoError(f"{self.name} holds no video")
+        self._stream = self._container.streams.video[0]
+        codec = self._stream.codec_context
+        if codec is None:
+            raise VideoError(f"{self.name} has video of a kind that is not known, or is cut off")
+        _limited(self.name, codec.width, codec.height)
+        codec.options = {"max_pixels": str(MAX_FRAME)}
+        codec.thread_type = "SLICE" if self.live else "AUTO"  # threads of frames are some frames late
+        rate = self._stream.guessed_rate or self._stream.average_rate
+        self.interval = float(1 / rate) if rate else 0.0
+        try:
+            form = self._av.VideoFormat(codec.pix_fmt or "")
+        except ValueError:
+            raise VideoError(f"{self.name} has pixels of a format that is not known") from None
+        self.levels = 2 ** min(16, max(8, form.components[0].bits))
+        self.grey = len(form.components) == 1 and not form.has_palette and not form.name.startswith("bayer")
+        deep, plain = self.levels > 256, self.grey or self._grey
+        self._form = ("gray16le" if deep else "gray") if plain else "rgb48le" if deep else "rgb24"
+
+    def frames(self) -> Iterator[VideoFrame]:
+        """Yield all frames."""
+        packets = self._container.demux(self._stream)
+        faults = number = 0
+        shift = math.nan
+        while True:
+            try:
+                packet = next(packets)
+            except (StopIteration, EOFError):
+                return
+            except self._av.FFmpegError as error:
+                raise VideoError(f"{self.name} breaks off after {number} frames: {_reason(error)}") from None
+            try:
+                found = packet.decode()
+            except self._av.FFmpegError as error:
+                faults += 1
+                if faults == 1:
+                    self._tell(f"{self.name} is damaged after {number} frames ({_reason(error)}): reading goes on")
+                if faults > _FAULTS:
+                    raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
+                continue
+            for frame in found:
+                faults = 0
+                stamp = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
+                if math.isnan(shift):
+                    shift = time.monotonic() - stamp if self.live else 0.0
+                number += 1
+                yield VideoFrame(frame.to_ndarray(format=self._form), stamp + shift)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._container.close()
+
+
+def _reason(error: Exception) -> str:
+    return validation.brief(getattr(error, "strerror", None) or reading.reason(error))
+
+
+class _Camera:
+    """A camera by its number, by OpenCV."""
+
+    live, levels, grey = True, 256, False
+
+    def __init__(self, number: int, grey: bool) -> None:
+        self._cv2 = optional.library("cv2", "cameras need", "video")
+        self._cv2.utils.logging.setLogLevel(0)  # errors are told
+        self.name, self._grey = f"camera {number}", grey
+        self._capture = self._cv2.VideoCapture(number)
+        if not self._capture.isOpened():
+            raise VideoError(f"{self.name} cannot be opened: there is none of this number, or it is in use")
+        rate = self._capture.get(self._cv2.CAP_PROP_FPS)
+        self.interval = 1.0 / rate if 0.0 < rate < 1e4 else 0.0
+
+    def frames(self) -> Iterator[VideoFrame]:
+        """Yield all frames, at the times when they arrive."""
+        while self._capture.grab():
+            arrived = time.monotonic()
+            taken, values = self._capture.retrieve()
+            if not taken:
+                break
+            _limited(self.name, *values.shape[1::-1])
+            order = self._cv2.COLOR_BGR2GRAY if self._grey else self._cv2.COLOR_BGR2RGB
+            yield VideoFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrived)
+        raise VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
+
+    def close(self) -> None:
+        """Release the camera."""
+        self._capture.release()
+
+
+class _Images:
+    """Numbered images, whose numbers are their times."""
+
+    live, interval = False, 1.0 / USUAL_RATE
+
+    def __init__(self, path: Path, grey: bool) -> None:
+        self.name, self._grey = validation.line(path), grey
+        folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _numbered(path.name))
+        suffixes = {suffix for one in registry.formats("photo") for suffix in one.suffixes}
+        images = (one for one in folder.iterdir() if one.suffix.lower() in suffixes)
+        found = ((re.fullmatch(form, one.name, re.ASCII), one) for one in images)
+        self._files = sorted((int(match[1]), one) for match, one in found if match)
+        if not self._files:
+            raise VideoError(f"{self.name} has no numbered images")
+        values = self._read(self._files[0][1])
+        self.levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
+        self.grey = values.ndim == 2
+
+    def _read(self, path: Path) -> Values:
+        values, _, _ = photos.read_raster(path)
+        _limited(validation.line(path), *values.shape[1::-1])
+        if self._grey and values.ndim == 3:
+            luma = values @ np.array([0.299, 0.587, 0.114])
+            values = (luma if values.dtype.kind == "f" else np.rint(luma)).astype(values.dtype)
+        return values.astype(np.float32) if values.dtype.kind == "f" else values
+
+    def frames(self) -> Iterator[VideoFrame]:
+        """Yield all images."""
+        for number, path in self._files:
+            yield VideoFrame(self._read(path), number * self.interval)
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+def _numbered(name: str) -> str:
+    """Return the regular expression of a name with one number such as %04d."""
+    parts = re.split(r"%0?\d?d", name)
+    if len(parts) != 2 or "%" in "".join(parts):
+        raise ValueError(f"source must have one number such as %04d and no other %, got {validation.shown(name)}")
+    return r"(\d+)".join(map(re.escape, parts))
+
+
+class VideoWriter:
+    """Writes frames with their times; the file is moved into place at the end, and after an error there is none.
+
+    Parameters
+    ----------
+    path : Path
+    interval : float
+        Seconds from a frame to the next, about: for the rate of bits.
+    comment : str, default ""
+        Of the metadata.
+    form : str
+        Of the container.
+
+    Notes
+    -----
+    uint8, grey or RGB: H.264, or MPEG-4 where PyAV has none, with sides made even. uint16, grey: FFV1, lossless.
+    """
+
+    def __init__(self, path: Path, interval: float, comment: str = "", *, form: str) -> None:
+        self._path, self._form, self._comment = path, form, comment
+        self._rate = Fraction(min(max(1.0 / interval, 0.1), 1000.0)).limit_denominator(1001)
+        self._last = -1
+        self._stack = ExitStack()
+        self._container: OutputContainer | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __call__(self, values: Values, seconds: float) -> None:
+        """Write a frame."""
+        import av
+
+        if self._container is None:
+            self._open(values)
+        assert self._container is not None
+        grey = "gray16le" if values.dtype == np.uint16 else "gray"
+        if values.dtype == np.uint8 and (odd := [side % 2 for side in values.shape[:2]]) != [0, 0]:
+            values = np.pad(values, [(0, each) for each in odd] + [(0, 0)] * (values.ndim - 2), mode="edge")
+        frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(values), format="rgb24" if values.ndim == 3 else grey)
+        self._last = frame.pts = max(round(1e3 * seconds), self._last + 1)
+        frame.time_base = Fraction(1, 1000)
+        self._container.mux(self._stream.encode(frame))
+
+    def _open(self, values: Values) -> None:
+        import av
+
+        temporary = self._stack.enter_context(atomic.placed(self._path))
+        container = self._stack.enter_context(_made(temporary, self._form))
+        container.metadata["comment"] = self._comment
+        deep = values.dtype == np.uint16
+        lossy = "libx264" if "libx264" in av.codecs_available else "mpeg4"
+        options = {"crf": "16", "preset": "veryfast"} if lossy == "libx264" and not deep else {}
+        stream = container.add_stream("ffv1" if deep else lossy, rate=self._rate, options=options)
+        assert isinstance(stream, av.VideoStream)
+        height, width = values.shape[:2]
+        stream.height, stream.width = (height, width) if deep else (height + height % 2, width + width % 2)
+        stream.pix_fmt = "gray16le" if deep else "yuv420p"
+        stream.codec_context.time_base = Fraction(1, 1000)
+        if lossy == "mpeg4" and not deep:
+            stream.bit_rate = 8 * width * height
+        self._container, self._stream = container, stream
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if kind is None and self._container is not None:
+            try:
+                self._container.mux(self._stream.encode(None))
+            except BaseException as fault:
+                self._stack.__exit__(type(fault), fault, fault.__traceback__)
+                raise
+        self._stack.__exit__(kind, error, trace)
+
+
+@contextmanager
+def _made(path: Path, form: str) -> Iterator[OutputContainer]:
+    import av
+
+    with av.open(str(path), "w", format=form) as container:
+        yield container
+
+
+_video = partial(Format, "video", library="av")
+registry.register(
+    _video(
+        (".mkv",),
+        partial(VideoWriter, form="matroska"),
+        holds=("of uint8", "of uint16"),
+        what="Matroska: H.264, or FFV1 of 16 bits",
+    ),
+    _video((".mp4",), partial(VideoWriter, form="mp4"), holds=("of uint8",), what="MPEG-4: H.264"),
+)
+find = partial(registry.find, "video")

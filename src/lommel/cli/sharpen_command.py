@@ -82,8 +82,8 @@ def sharpen(
     """Sharpen video or a photo of known depth at video rate, by Wiener's filters in one pass.
 
     CLIP is a video file, numbered images (a folder or frames/%04d.tif) or a photo, in grey or colour. LENS is a lens
-    file. Blur wider than about 40 pixels is undone in part; `lommel restore` takes longer and undoes more. Ctrl-C ends
-    the command and leaves a whole file.
+    file. Blur wider than about 40 pixels is undone in part; `lommel restore` takes longer and undoes more. Ctrl-C
+    ends the command and leaves a whole file.
 
     Examples
     --------

@@ -21,7 +21,7 @@ from lommel.base.encoding import from_light
 from lommel.base.units import format_length
 from lommel.cli.depth_commands import each_lens, misfit_in_words, untested
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under
+from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under, with_options
 from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
@@ -236,7 +236,10 @@ def _seen(live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float,
         found = live(coding.light(pair.first), coding.light(pair.second))
     except ValueError as error:
         took = time.perf_counter() - start
-        return Seen(pair.time - first, None, None, None, 0.0, (math.nan,) * 3, took), str(error)
+        fault = (
+            with_options(str(error)).replace("frames[0]", "the first frame").replace("frames[1]", "the second frame")
+        )
+        return Seen(pair.time - first, None, None, None, 0.0, (math.nan,) * 3, took), fault
     image = live.sharp() if sharp else None
     took = time.perf_counter() - start
     known = np.isfinite(found.deviation)

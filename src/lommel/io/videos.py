@@ -42,6 +42,7 @@ _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp"
 _PATIENCE = 10.0  # seconds without a frame, after which a live source is taken to have ended
 _KEPT = 4  # frames of a live source that wait
 _STEPS = 31  # differences of times that the interval is the median of
+_SHIFTS = 250  # frames of a stream whose delays are compared
 _FAULTS = 100  # damaged packets, or frames of another size, one after the other
 _ALONE = 100  # frames without a partner, one after the other, that are told
 
@@ -430,7 +431,7 @@ def frame_pairs(
         A source, as of :func:`video_frames`.
     b : int or path, optional
         Another one: frames whose times are within half an interval of each other are pairs. Times of files are those
-        they state; those of cameras and streams are counted from when their first frame arrives.
+        they state; those of cameras and streams are when frames arrive, of streams less how late they are.
     alternating : bool, default False
         Whether the frames of `a` are of one focus and the other in turn, the first of the first lens. Where a frame
         is dropped, which the times show, the rest of its pair is left out.
@@ -531,7 +532,8 @@ class _Coded:
         """Yield all frames."""
         packets = self._container.demux(self._stream)
         faults = number = 0
-        shift = math.nan
+        # Of a stream, whose times begin anywhere: by the least late of the last frames, for clocks drift.
+        shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_SHIFTS)
         while True:
             try:
                 packet = next(packets)
@@ -551,10 +553,10 @@ class _Coded:
             for frame in found:
                 faults = 0
                 stamp = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
-                if math.isnan(shift):
-                    shift = time.monotonic() - stamp if self.live else 0.0
+                if self.live:
+                    shifts.append(time.monotonic() - stamp)
                 number += 1
-                yield VideoFrame(frame.to_ndarray(format=self._form), stamp + shift)
+                yield VideoFrame(frame.to_ndarray(format=self._form), stamp + min(shifts))
 
     def close(self) -> None:
         """Close the file."""

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from fractions import Fraction
 from functools import partial
+from itertools import chain, islice, pairwise
 from os import PathLike, fspath
 from pathlib import Path
 from statistics import median
@@ -25,6 +26,7 @@ from lommel.io import photos, registry
 from lommel.io.registry import Format, Values
 
 if TYPE_CHECKING:
+    from av import Packet, VideoStream
     from av.container import InputContainer, OutputContainer
 
 __all__ = ["FramePair", "FramePairs", "VideoError", "VideoFrame", "VideoFrames", "frame_pairs", "video_frames"]
@@ -41,7 +43,9 @@ USUAL_RATE = 25.0
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
 _PATIENCE = 10.0  # seconds without a frame, after which a live source is taken to have ended
 _KEPT = 4  # frames of a live source that wait
+_FIRST = 6  # frames that the interval is first known by
 _STEPS = 31  # differences of times that the interval is the median of
+_SHORT = 0.02  # of the stated length of a file, by which it may end before
 _SHIFTS = 250  # frames of a stream whose delays are compared
 _FAULTS = 100  # damaged packets, or frames of another size, one after the other
 _ALONE = 100  # frames without a partner, one after the other, that are told
@@ -161,15 +165,26 @@ class VideoFrames:
 
     def _numbered(self) -> Iterator[_Numbered]:
         """Yield frames with numbers that grow by more than 1 where times show that some are missing."""
+        frames = self._reader.frames()
+        # Stated rates may be wrong, and a frame may be missing among the first: no number without some differences.
+        waiting, end = list[VideoFrame](), None
+        try:
+            for frame in islice(frames, _FIRST):
+                waiting.append(frame)
+        except VideoError as error:
+            end = error
+        self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
         number, last = 0, math.nan
-        for frame in self._reader.frames():
+        for k, frame in enumerate(chain(_emptied(waiting), frames)):
             step = frame.time - last
-            if step > 0.0:
+            if k >= _FIRST and step > 0.0:
                 self._times.append(step)
             if not math.isnan(last):
                 number += max(1, round(step / self.interval))
             last = frame.time
             yield number, frame
+        if end is not None:
+            raise end
 
     def __next__(self) -> VideoFrame:
         """Return the next frame."""
@@ -205,6 +220,12 @@ class VideoFrames:
         """Close the source."""
         if self._waiting is None or self._waiting.stop():
             self._reader.close()
+
+
+def _emptied(frames: list[VideoFrame]) -> Iterator[VideoFrame]:
+    """Yield what a list has, which is not kept."""
+    while frames:
+        yield frames.pop(0)
 
 
 class _Waiting:
@@ -517,6 +538,9 @@ class _Coded:
         _limited(self.name, codec.width, codec.height)
         codec.options = {"max_pixels": str(MAX_FRAME)}
         codec.thread_type = "SLICE" if self.live else "AUTO"  # threads of frames are some frames late
+        # Other formats have their length estimated, and another stream may be longer.
+        known = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
+        self._stated = 1e-6 * (self._container.duration or 0) if known and not self.live else 0.0
         rate = self._stream.guessed_rate or self._stream.average_rate
         self.interval = float(1 / rate) if rate else 0.0
         try:
@@ -530,14 +554,16 @@ class _Coded:
 
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames."""
-        packets = self._container.demux(self._stream)
-        faults = number = 0
+        packets = self._packets()
+        told, faults, number, end = False, 0, 0, 0.0
         # Of a stream, whose times begin anywhere: by the least late of the last frames, for clocks drift.
         shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_SHIFTS)
         while True:
             try:
                 packet = next(packets)
             except (StopIteration, EOFError):
+                if self._stated - end > max(3.0 * self.interval, _SHORT * self._stated):
+                    raise VideoError(f"{self.name} breaks off at {end:.2f} s of {self._stated:.2f} s") from None
                 return
             except self._av.FFmpegError as error:
                 raise VideoError(f"{self.name} breaks off after {number} frames: {_reason(error)}") from None
@@ -545,7 +571,8 @@ class _Coded:
                 found = packet.decode()
             except self._av.FFmpegError as error:
                 faults += 1
-                if faults == 1:
+                if not told:
+                    told = True
                     self._tell(f"{self.name} is damaged after {number} frames ({_reason(error)}): reading goes on")
                 if faults > _FAULTS:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
@@ -556,7 +583,11 @@ class _Coded:
                 if self.live:
                     shifts.append(time.monotonic() - stamp)
                 number += 1
+                end = max(end, stamp + self.interval)
                 yield VideoFrame(frame.to_ndarray(format=self._form), stamp + min(shifts))
+
+    def _packets(self) -> Iterator[Packet[VideoStream]]:
+        return self._container.demux(self._stream)
 
     def close(self) -> None:
         """Close the file."""

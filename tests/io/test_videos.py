@@ -1,0 +1,373 @@
+"""Video: bits, ranges and times are kept; pairs are of one moment; faults are told and reading goes on."""
+
+from __future__ import annotations
+
+import re
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from fractions import Fraction
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel.io import videos
+from lommel.io.videos import VideoError, VideoFrame, VideoFrames, frame_pairs, video_frames
+
+av = pytest.importorskip("av", reason="video needs PyAV: pip install av")
+
+from video_files import frames_of, write_video  # noqa: E402
+
+
+def noise(count: int, shape: tuple[int, ...] = (64, 97), top: int = 255, dtype: type = np.uint8) -> list[np.ndarray]:
+    return list(np.random.default_rng(count).integers(0, top, (count, *shape), endpoint=True).astype(dtype))
+
+
+def numbers(frames: list[np.ndarray], found: np.ndarray) -> int:
+    return next(k for k, frame in enumerate(frames) if np.array_equal(frame, found))
+
+
+@pytest.mark.parametrize("bits", [10, 12, 16])
+def test_grey_video_keeps_its_bits_and_ends_at_the_largest_integer(bits, tmp_path):
+    frames = noise(3, top=2**bits - 1, dtype=np.uint16)
+    frames[0][0, :2] = 0, 2**bits - 1
+    path = write_video(tmp_path / "a.mkv", frames, stored=f"gray{bits}le")
+    with video_frames(path) as video:
+        assert (video.shape, video.dtype, video.levels, video.encoding) == ((64, 97), np.uint16, 2**bits, "linear")
+        found = [frame.values for frame in video]
+    assert np.array_equal([one >> (16 - bits) for one in found], frames)
+    assert found[0][0, :2].tolist() == [0, 65535 if bits != 12 else found[0][0, 1]]
+    assert found[0][0, 1] >= 65519
+
+
+@pytest.mark.parametrize(("codec", "stored"), [("ffv1", "yuv420p"), ("mjpeg", "yuvj420p")])
+def test_limited_and_full_range_are_both_read_from_black_to_white(codec, stored, tmp_path):
+    ramp = np.tile(np.arange(256, dtype=np.uint8), (64, 1))
+    options = {"qmin": "1", "qmax": "1"} if codec == "mjpeg" else {}
+    path = write_video(tmp_path / "a.mkv", [ramp], codec=codec, stored=stored, **options)
+    with video_frames(path, grey=True) as video:
+        assert (video.levels, video.encoding) == (256, "srgb")
+        values = next(video).values
+    assert np.abs(values.astype(int) - ramp).max() <= 2
+    assert np.ptp(values) >= 253
+
+
+def test_colours_are_as_they_are_or_the_luma_of_them(tmp_path):
+    frames = noise(2, (64, 64, 3))
+    path = write_video(tmp_path / "a.mkv", frames, stored="bgr0")
+    with video_frames(path) as video:
+        assert np.array_equal([frame.values for frame in video], frames)
+    with video_frames(path, grey=True) as video:
+        assert video.encoding == "srgb"
+        luma = next(video).values
+    assert np.abs(luma - frames[0] @ [0.299, 0.587, 0.114]).max() < 2.5
+
+
+def test_times_of_frames_are_those_of_the_file_and_gaps_are_dropped_frames(tmp_path):
+    times = np.delete(0.04 * np.arange(14) + 0.2, [5, 8, 9])
+    path = write_video(tmp_path / "a.mkv", noise(11), times, rate=50)  # a rate that is not so
+    with video_frames(path) as video:
+        assert [frame.time for frame in video] == pytest.approx(times.tolist())
+        assert video.dropped == 3
+        assert video.interval == pytest.approx(0.04)
+
+
+def test_frames_of_one_source_alternate_and_a_dropped_one_moves_no_other_to_the_wrong_lens(tmp_path):
+    frames = noise(13)
+    kept = [k for k in range(13) if k not in (4, 8)]
+    path = write_video(tmp_path / "a.mkv", [frames[k] for k in kept], 0.04 * np.array(kept))
+    said: list[str] = []
+    with frame_pairs(path, alternating=True, tell=said.append) as pairs:
+        found = [(numbers(frames, a), numbers(frames, b), seconds) for a, b, seconds in pairs]
+        assert [each[:2] for each in found] == [(0, 1), (2, 3), (6, 7), (10, 11)]
+        assert [each[2] for each in found] == pytest.approx([0.0, 0.08, 0.24, 0.4])
+        assert (pairs.dropped, pairs.alone, pairs.lost) == (2, 3, None)
+        assert pairs.interval == pytest.approx(0.08)
+    assert said == [f"{path} ends inside a pair: its last frame was left out"]
+
+
+def test_frames_of_two_sources_are_paired_by_their_times(tmp_path):
+    frames, steps = noise(12), 0.04 * np.arange(12)
+    near = [k for k in range(12) if k not in (4, 8)]
+    far = [k for k in range(10) if k != 6]
+    jitter = np.random.default_rng(1).uniform(-0.01, 0.01, 12)
+    a = write_video(tmp_path / "a.mkv", [frames[k] for k in near], steps[near])
+    b = write_video(tmp_path / "b.mkv", [frames[k] for k in far], 0.012 + steps[far] + 0.5 * jitter[far])
+    said: list[str] = []
+    with frame_pairs(a, b, tell=said.append) as pairs:
+        assert repr(pairs) == f"<FramePairs of {a} and {b}: 97 x 64, uint8>"
+        found = [(numbers(frames, one), numbers(frames, other)) for one, other, _ in pairs]
+        assert found == [(k, k) for k in (0, 1, 2, 3, 5, 7, 9)]
+        assert pairs.dropped == 3
+        assert pairs.alone == 4
+    assert said == [f"{b} ends before {a}, whose frame at 0.400 s was left out"]
+
+
+def test_sources_of_different_moments_have_no_pairs_and_that_is_told(tmp_path, monkeypatch):
+    monkeypatch.setattr(videos, "_ALONE", 5)
+    a = write_video(tmp_path / "a.mkv", noise(12))
+    b = write_video(tmp_path / "b.mkv", noise(12), 9.0 + 0.04 * np.arange(12))
+    said: list[str] = []
+    with frame_pairs(a, b, tell=said.append) as pairs:
+        assert list(pairs) == []
+    assert "are within 20 ms of each other, at 0.160 and 9.000 s" in said[0]
+
+
+def test_frames_of_another_size_are_left_out_and_told_once(tmp_path):
+    parts = [
+        write_video(tmp_path / f"{k}.ts", frames, codec="mpeg4", stored="yuv420p", form="mpegts").read_bytes()
+        for k, frames in enumerate((noise(4, (64, 96)), noise(3, (96, 64))))
+    ]
+    (tmp_path / "a.ts").write_bytes(parts[0] + parts[1] + parts[0])
+    with video_frames(tmp_path / "a.ts", grey=True) as video:
+        said = "a frame of 64 x 96 uint8 .* the first is of 96 x 64 uint8: such frames are left out"
+        with pytest.warns(RuntimeWarning, match=said):
+            found = list(video)
+        assert {frame.values.shape for frame in found} == {(64, 96)}
+        assert video.refused == 3
+    b = write_video(tmp_path / "b.mkv", noise(4, (96, 64)))
+    with pytest.raises(VideoError, match="frames of one size and type, got 96 x 64 uint8 and 64 x 96 uint8"):
+        frame_pairs(tmp_path / "0.ts", b)
+
+
+def test_reading_goes_on_after_damaged_frames_which_are_dropped(tmp_path):
+    data = bytearray(write_video(tmp_path / "a.mkv", noise(40, (64, 64))).read_bytes())
+    data[len(data) // 3 : len(data) // 3 + 9000] = bytes(9000)
+    (tmp_path / "a.mkv").write_bytes(data)
+    with video_frames(tmp_path / "a.mkv", tell=pytest.fail) as video:
+        count = sum(1 for _ in video)
+        assert 20 <= count < 40
+        assert (video.dropped, video.lost) == (40 - count, None)
+
+
+def test_a_codec_that_finds_frames_damaged_is_told_of_once(tmp_path, monkeypatch):
+    class Packet:
+        def __init__(self, number: int) -> None:
+            self.number = number
+
+        def decode(self) -> list[av.VideoFrame]:
+            if self.number % 2:
+                raise av.error.InvalidDataError(1, "invalid data")
+            frame = av.VideoFrame.from_ndarray(np.zeros((64, 64), np.uint8), format="gray")
+            frame.pts, frame.time_base = 40 * self.number, Fraction(1, 1000)
+            return [frame]
+
+    path, said = write_video(tmp_path / "a.mkv", noise(2, (64, 64))), []
+    monkeypatch.setattr(videos._Coded, "_packets", lambda self: map(Packet, range(12)), raising=True)
+    with video_frames(path, tell=said.append) as video:
+        assert len(list(video)) == 6
+    assert said == [f"{path} is damaged after 1 frames (invalid data): reading goes on"]
+
+
+def test_a_file_that_is_cut_off_is_told_by_the_length_that_it_states(tmp_path):
+    data = write_video(tmp_path / "a.mkv", noise(40, (64, 64))).read_bytes()
+    (tmp_path / "a.mkv").write_bytes(data[: len(data) // 2])
+    said: list[str] = []
+    with video_frames(tmp_path / "a.mkv", tell=said.append) as video:
+        assert 17 <= len(list(video)) <= 20
+        assert re.fullmatch(r".*a\.mkv breaks off at 0\.\d+ s of 1\.60 s", video.lost)
+    assert said == [video.lost]
+
+
+def test_numbered_images_are_video_with_gaps_where_numbers_are_missing(tmp_path):
+    frames = noise(4, (64, 66), top=65535, dtype=np.uint16)
+    for number, frame in zip((1, 2, 10, 11), frames, strict=True):
+        tifffile.imwrite(tmp_path / f"b2-{number}.tif", frame)
+    (tmp_path / "b2-3.txt").write_text("no image")
+    for source in (tmp_path, tmp_path / "b2-%04d.tif"):
+        with video_frames(source) as video:
+            assert np.array_equal([frame.values for frame in video], frames)
+            assert (video.dropped, video.levels, video.encoding) == (7, 65536, "linear")
+    colour = noise(1, (64, 66, 3))[0]
+    Image.fromarray(colour).save(tmp_path / "c7.png")
+    with video_frames(tmp_path / "c%d.png", grey=True) as video:
+        assert np.abs(next(video).values - colour @ [0.299, 0.587, 0.114]).max() <= 0.5
+        assert video.encoding == "srgb"
+
+
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        ("text.mkv", "text.mkv cannot be read as video"),
+        ("empty.mkv", "empty.mkv cannot be read as video"),
+        ("half.mp4", "half.mp4 cannot be read as video"),
+        ("%04d.tif", "has no numbered images"),
+        ("a%s.tif", "one number such as %04d and no other %"),
+        ("%d%d.tif", "one number such as %04d"),
+    ],
+)
+def test_what_is_no_video_is_told(source, said, tmp_path):
+    (tmp_path / "text.mkv").write_text("hello " * 100)
+    (tmp_path / "empty.mkv").touch()
+    whole = write_video(tmp_path / "whole.mp4", noise(4, (64, 64)), codec="mpeg4", stored="yuv420p").read_bytes()
+    (tmp_path / "half.mp4").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(ValueError, match=said):
+        video_frames(tmp_path / source)
+
+
+def test_arguments_out_of_range_are_told(tmp_path, monkeypatch):
+    with pytest.raises(FileNotFoundError):
+        video_frames(tmp_path / "none.mkv")
+    with pytest.raises(ValueError, match=r"source must be of http, .*, got 'ftp://'"):
+        video_frames("ftp://somewhere/a.mkv")
+    with pytest.raises(VideoError, match=r"rtsp://127\.0\.0\.1:9/a cannot be read as video: Connection refused"):
+        video_frames("rtsp://user:secret@127.0.0.1:9/a")
+    path = write_video(tmp_path / "a.mkv", noise(2, (64, 64)))
+    for given in ({"b": path, "alternating": True}, {}):
+        with pytest.raises(ValueError, match="two sources, or from one with alternating=True"):
+            frame_pairs(path, **given)
+    with pytest.raises(TypeError, match="tell"):
+        frame_pairs(path, path, tell="aloud")
+    monkeypatch.setattr(videos, "MAX_FRAME", 4000)
+    with pytest.raises(VideoError, match="has frames of 64 x 64 pixels; the limit is 4000 pixels"):
+        video_frames(path)
+
+
+@pytest.mark.parametrize(("name", "source"), [("av", "a.mkv"), ("cv2", 0)])
+def test_missing_packages_are_told_with_the_extra_that_has_them(name, source, tmp_path, monkeypatch):
+    (tmp_path / "a.mkv").touch()
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(ImportError, match=f'{name}: pip install .*extra "video"'):
+        lm.io.video_frames(source)
+
+
+class Endless:
+    """A live source of frames that count, as fast as they may come."""
+
+    name, live, interval, levels, grey = "a camera", True, 0.01, 256, True
+
+    def __init__(self, ends: int | None = None, stalls: bool = False) -> None:
+        self.ends, self.stalls, self.closed = ends, stalls, False
+        self.sent = 0
+        self.go = threading.Event()
+
+    def frames(self) -> Iterator[VideoFrame]:
+        while self.ends is None or self.sent < self.ends:
+            if self.sent > 6 and not self.go.wait(5.0):
+                return
+            yield VideoFrame(np.full((8, 8), self.sent, np.uint16), 0.01 * self.sent)
+            self.sent += 1
+            time.sleep(0.0005)
+        if self.stalls:
+            threading.Event().wait(0.3)
+        raise VideoError("a camera gives no more frames")
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def waited(source: Endless, count: int) -> None:
+    while source.sent < count:
+        time.sleep(0.001)
+
+
+def test_a_slow_reader_of_a_camera_gets_the_last_frames_and_pairs_that_are_pairs():
+    source = Endless(400)
+    source.go.set()
+    with videos.FramePairs((VideoFrames(source, print),), print) as pairs:
+        waited(source, 50)  # which come before anybody asks, and are not counted
+        found = []
+        for pair in pairs:
+            found.append((int(pair.first[0, 0]), int(pair.second[0, 0])))
+            time.sleep(0.01)
+        assert found[0][0] >= 46
+        assert all(b == a + 1 for a, b in found)
+        assert len({a % 2 for a, _ in found}) == 1
+        first, last = found[0][0], found[-1][1]
+        assert 0 < pairs.dropped <= last - first + 1 - 2 * len(found) + 2
+        assert pairs.lost == "a camera gives no more frames"
+    assert source.closed
+
+
+def test_a_camera_without_frames_is_not_waited_for_for_ever(monkeypatch):
+    monkeypatch.setattr(videos, "_PATIENCE", 0.05)
+    source = Endless(9, stalls=True)
+    source.go.set()
+    said: list[str] = []
+    with VideoFrames(source, said.append) as video:
+        waited(source, 9)
+        assert len(list(video)) == 0
+        assert video.lost == "a camera has had no frame for 0.05 s"
+    assert said == [video.lost]
+
+
+def test_a_camera_is_read_by_opencv_until_it_is_unplugged(monkeypatch):
+    class Capture:
+        def __init__(self, number: int) -> None:
+            self.left = 9 if number == 3 else 0
+
+        def isOpened(self) -> bool:
+            return self.left > 0
+
+        def get(self, _: int) -> float:
+            return 0.0
+
+        def grab(self) -> bool:
+            self.left -= 1
+            return self.left >= 0
+
+        def retrieve(self) -> tuple[bool, np.ndarray]:
+            return True, np.full((64, 64, 3), self.left, np.uint8)
+
+        def release(self) -> None:
+            self.left = -1
+
+    module = SimpleNamespace(
+        VideoCapture=Capture, CAP_PROP_FPS=5, COLOR_BGR2GRAY=6, COLOR_BGR2RGB=4,
+        utils=SimpleNamespace(logging=SimpleNamespace(setLogLevel=lambda level: None)),
+        cvtColor=lambda values, order: values[..., 0] if order == 6 else values[..., ::-1],
+    )  # fmt: skip
+    monkeypatch.setitem(sys.modules, "cv2", module)
+    said: list[str] = []
+    with video_frames("3", grey=True, tell=said.append) as video:
+        assert (video.name, video.shape, video.encoding, video.live) == ("camera 3", (64, 64), "srgb", True)
+        assert len(list(video)) <= 9
+    assert said == ["camera 3 gives no more frames: it was unplugged, or stopped"]
+    with pytest.raises(VideoError, match="camera 0 cannot be opened"):
+        video_frames(0)
+
+
+def test_grey_of_16_bits_is_written_without_loss_and_with_its_times(tmp_path):
+    frames = noise(5, (40, 31), top=65535, dtype=np.uint16)
+    times = [0.0, 0.04, 0.09, 0.5, 0.54]
+    with videos.find(tmp_path / "a.mkv").write(tmp_path / "a.mkv", 0.04, "of depth") as write:
+        for frame, seconds in zip(frames, times, strict=True):
+            write(frame, seconds)
+    found, seconds = frames_of(tmp_path / "a.mkv")
+    assert np.array_equal(found, frames)
+    assert seconds == pytest.approx(times)
+    with av.open(str(tmp_path / "a.mkv")) as container:
+        assert {name.lower(): text for name, text in container.metadata.items()}["comment"] == "of depth"
+
+
+@pytest.mark.parametrize("suffix", [".mkv", ".mp4"])
+def test_colours_are_written_for_players_with_even_sides(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    with videos.find(path).write(path, 0.04) as write:
+        for k in range(8):
+            write(np.full((33, 65, 3), (20 * k, 100, 200), np.uint8), 0.04 * k)
+    found, times = frames_of(path, "rgb24")
+    assert found.shape == (8, 34, 66, 3)
+    assert times == pytest.approx(0.04 * np.arange(8), abs=1e-3)
+    assert np.abs(found[5, 8:24, 8:24].astype(int) - (100, 100, 200)).max() <= 6
+    assert [path] == list(tmp_path.iterdir())
+
+
+def test_an_error_while_video_is_written_leaves_what_was_there_before(tmp_path):
+    path = tmp_path / "a.mkv"
+    path.write_text("before")
+    writer = videos.find(path).write(path, 0.04)
+    with pytest.raises(AttributeError), writer:  # noqa: PT012 (the second of two calls)
+        writer(noise(1)[0], 0.0)
+        writer(None, 0.04)
+    assert path.read_text() == "before"
+    assert [path] == list(tmp_path.iterdir())
+    with videos.find(path).write(path, 0.04):
+        pass  # nothing to write
+    assert path.read_text() == "before"

@@ -162,7 +162,7 @@ def watch(
         with_it = " and --alternating" if alternating else ""
         raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
     instrument = radial_instrument(lens, camera, pixel)
-    lenses = each_lens(instrument.lens, 2, foci, f_numbers, "two frames")
+    lenses = each_lens(instrument.lens, 2, foci, f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
     scale = _scale(between[1]) if depth_scale is None else validation.real("depth_scale", depth_scale, above=0.0)

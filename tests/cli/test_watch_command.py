@@ -1,0 +1,384 @@
+"""`lommel watch`, on video that continuous scenes make, rendered without this package."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from functools import cache
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+pytest.importorskip("av", reason="video needs PyAV: pip install av")
+
+import lommel as lm
+from lommel.base.encoding import from_light, to_light
+from lommel.cli import video_input, watch_command
+from lommel.io import videos
+from scenes import ThinLens, plane, record, texture
+from video_files import frames_of, write_video
+
+LENS = """
+[lens]
+focal_length = "35 mm"
+f_number = 8.0
+wavelength = "540 nm"
+[sensor]
+pixel = "4 um"
+"""
+SIDE, LIGHT, WHITE = 112, 5000.0, 12_000.0
+PAIR = [ThinLens(35e-3, 8.0, focus, 540e-9, 4e-6) for focus in (1.35, 1.8)]
+DISTANCES = [1.35, 1.5, 1.7]
+SCENE = ["lens.toml", "--focus", "1.35 m", "--focus", "1.8 m", "--between", "1.2 m", "2 m", "--no-show"]
+DEEP = ["--white", 65535, "--read", 3]
+STATED = ["--white", WHITE, "--read", 3]
+
+
+@cache
+def recorded(distance: float) -> list[np.ndarray]:
+    """A pair of frames, 1 electron a count."""
+    return record(plane(texture("leaves", SIDE, seed=7), PAIR, distance, LIGHT), int(1e3 * distance), offset=0.0)
+
+
+def shots() -> list[np.ndarray]:
+    """Frames of one focus and the other in turn."""
+    return [frame for distance in DISTANCES for frame in recorded(distance)]
+
+
+def eight_bits(frames: list[np.ndarray]) -> list[np.ndarray]:
+    return [from_light(np.minimum(frame / WHITE, 1.0), "srgb", np.uint8) for frame in frames]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    write_video(tmp_path / "near.mkv", shots()[0::2])
+    write_video(tmp_path / "far.mkv", shots()[1::2])
+    return tmp_path
+
+
+TWO = ["--source", "near.mkv", "--source", "far.mkv"]
+
+
+class Kept(dict):
+    """Tables that tests share."""
+
+    def __call__(self, lenses: list[lm.Lens], pixel: float, **options: object) -> lm.imaging.LiveDepth:
+        key = repr((lenses, pixel, sorted(options.items())))
+        if key not in self:
+            self[key] = lm.imaging.LiveDepth(lenses, pixel, light=LIGHT, **options)
+        return self[key]
+
+
+TABLES = Kept()
+
+
+@pytest.fixture(autouse=True)
+def tables(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Make the tables of one level of light, once."""
+    monkeypatch.setattr(watch_command, "LiveDepth", TABLES)
+
+
+def rows(path: Path) -> list[dict[str, float]]:
+    with path.open(encoding="utf-8") as file:
+        return [{name: float(text or "nan") for name, text in row.items()} for row in csv.DictReader(file)]
+
+
+def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, call_lommel):
+    result = call_lommel(
+        "watch", *SCENE, *DEEP, *TWO, "--sharp", "-o", "out.mkv", "--depth", "depth.mkv", "--depth", "deviation.mkv",
+        "--table", "found.csv", folder=folder,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert lines[0] == "16-bit values, assumed linear; if they are sRGB, give --encoding srgb"
+    assert lines[1] == "112 x 112 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
+    assert lines[2] == "distances from 1.2 m to 2 m, windows of 4 pixels rms"
+    assert lines[3].startswith("3 pairs in ")
+    assert lines[3].endswith("ended: the end")
+    assert lines[4] == "frames dropped: 0"
+    assert lines[5].startswith("depth known at ")
+    assert lines[6].endswith("(1 if only noise is left): registration and noise agree")
+    assert lines[7].startswith("not tested, for frames cannot tell: which of them is focused nearer, focus distances")
+    assert lines[8] == "colours: yellow at 1.2 m to violet at 2 m, even in 1 / distance; grey: not known"
+    assert lines[9] == "--depth: levels of 100 um, 0 where not known"
+    assert lines[10:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "deviation.mkv", "found.csv")]
+    (depth, times), (deviation, _) = frames_of(folder / "depth.mkv"), frames_of(folder / "deviation.mkv")
+    assert depth.shape == (3, SIDE // 4, SIDE // 4)
+    assert times == pytest.approx([0.0, 0.04, 0.08])
+    known = depth > 0
+    assert np.array_equal(known, deviation > 0)
+    table = rows(folder / "found.csv")
+    for k, distance in enumerate(DISTANCES):
+        metres, error = 1e-4 * depth[k][known[k]], 1e-4 * deviation[k][known[k]]
+        z = (metres - distance) / error
+        assert abs(np.median(z)) < 0.6
+        assert np.median(np.abs(z)) / 0.6745 == pytest.approx(1.0, abs=0.35)
+        row = table[k]
+        assert row["time (s)"] == pytest.approx(times[k])
+        assert row["known"] == pytest.approx(known[k].mean(), abs=1e-4)
+        assert row["depth (m)"] == pytest.approx(np.median(metres), abs=1e-4)
+        assert row["deviation (m)"] == pytest.approx(np.median(error), abs=1e-4)
+        assert row["misfit"] == pytest.approx(1.0, abs=0.2)
+        assert row["frame time (s)"] > 0.0
+        assert row["dropped"] == 0
+
+
+def test_the_video_is_depth_in_colours_beside_the_sharp_image_over_a_bar(folder, call_lommel):
+    call_lommel("watch", *SCENE, *DEEP, *TWO, "--sharp", "-o", "out.mp4", folder=folder)
+    pictures, times = frames_of(folder / "out.mp4", "rgb24")
+    assert pictures.shape == (3, SIDE + 24, 2 * SIDE, 3)
+    assert times == pytest.approx([0.0, 0.04, 0.08], abs=1e-3)
+    inner = pictures[:, 24:-48, 24 : SIDE - 24].astype(float)
+    # viridis: from yellow, which is light, to violet
+    green = np.median(inner[..., 1], axis=(1, 2))
+    assert green[0] > green[1] > green[2]
+    assert np.abs(pictures[:, :4, :4].astype(int) - 128).max() < 20  # grey within the blur of the border
+    sharp = pictures[0, :SIDE, SIDE:, 1].astype(float)
+    better = recorded(DISTANCES[0])[0].astype(float)
+    assert np.corrcoef(sharp.ravel(), better.ravel())[0, 1] > 0.9
+    assert np.ptp(pictures[0, SIDE + 12, 40:-60].astype(int), axis=0).max() > 150
+
+
+def test_json_has_all_facts(folder, call_lommel):
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "--depth", "depth.mkv", "--json", folder=folder)
+    found = json.loads(result.stdout)
+    assert found["pairs"] == 3
+    assert found["ended"] == "the end"
+    assert found["depth"] == pytest.approx(1.5, abs=0.02)
+    assert found["known"] > 0.7
+    assert found["misfit"] == pytest.approx(1.0, abs=0.2)
+    assert found["frame_time"]["median"] > 0.0
+    assert found["frames_dropped"] == found["pairs_without_depth"] == 0
+    assert found["noise_is_a_guess"] is False
+    assert found["depth_scale"] == 1e-4
+    assert found["files"] == ["depth.mkv"]
+    assert result.stderr == ""
+
+
+def test_dropped_frames_of_alternating_video_are_counted_and_move_no_pair(folder, call_lommel):
+    shown = shots() * 2
+    kept = [k for k in range(12) if k not in (5, 8)]
+    write_video(folder / "both.mkv", [shown[k] for k in kept], 0.02 * np.array(kept), rate=50)
+    options = ["--source", "both.mkv", "--alternating", "--table", "found.csv"]
+    result = call_lommel("watch", *SCENE, *DEEP, *options, folder=folder)
+    assert "frames dropped: 2, frames without a partner: 2" in result.stdout
+    table = rows(folder / "found.csv")
+    assert [row["depth (m)"] for row in table] == pytest.approx([1.35, 1.5, 1.35, 1.7], abs=0.02)
+    assert [row["dropped"] for row in table] == [0, 0, 1, 2]
+
+
+@pytest.mark.parametrize("codec", ["ffv1", "libx264"])
+def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_used(codec, folder, call_lommel):
+    lossless = codec == "ffv1"
+    options = {} if lossless else {"crf": "4"}
+    write_video(
+        folder / "both.mkv", eight_bits(shots()), codec=codec, stored="gray" if lossless else "yuv420p", **options
+    )
+    source = ["--source", "both.mkv", "--alternating"]
+    result = call_lommel("watch", *SCENE, *STATED, *source, "--table", "found.csv", folder=folder)
+    guess = (
+        "The noise of 8-bit sRGB values is a guess, for cameras denoise and compress them: 12000 electrons at white"
+    )
+    assert result.stderr.startswith(guess)
+    assert result.stdout.splitlines()[1] == result.stderr.strip()
+    assert "read noise 3 electrons (as stated), and rounding." in result.stderr
+    for row, distance in zip(rows(folder / "found.csv"), DISTANCES, strict=True):
+        assert abs(row["depth (m)"] - distance) < (0.6 if lossless else 1.5) * row["deviation (m)"]
+        assert row["misfit"] == pytest.approx(1.0, abs=0.15) if lossless else row["misfit"] < 1.5
+    if lossless:
+        found = json.loads(call_lommel("watch", *SCENE, *source, "--read", 2, "--json", folder=folder).stdout)
+        assert (found["white"], found["read_noise"], found["assumed"]) == (5000.0, 2.0, ["--white"])
+
+
+@pytest.mark.parametrize("encoding", ["srgb", "linear"])
+@pytest.mark.parametrize("white", [2000.0, 40_000.0])
+def test_noise_of_stored_levels_is_that_of_photons_read_noise_and_rounding(encoding, white):
+    draw = np.random.default_rng(0)
+    gain, read = video_input.stored_noise(white, 5.0, 256, encoding)
+    for light in (0.1, 0.3, 0.6):
+        electrons = draw.poisson(white * np.linspace(light, 1.05 * light, 50_000)) + draw.normal(0.0, 5.0, 50_000)
+        stored = from_light(electrons / white, encoding, np.uint8)
+        found = to_light("values", stored, encoding, np.float64) - np.linspace(light, 1.05 * light, 50_000)
+        assert (light * gain + read**2) / gain**2 == pytest.approx(found.var(), rel=0.12)
+    assert video_input.stored_noise(white, 5.0, 0, encoding) == (white, 5.0)
+
+
+def test_a_black_frame_is_told_and_counted_and_the_stream_goes_on(folder, call_lommel):
+    frames = shots()
+    frames[3] = np.zeros_like(frames[3])
+    write_video(folder / "far.mkv", frames[1::2])
+    result = call_lommel(
+        "watch", *SCENE, *DEEP, *TWO, "--table", "found.csv", "-o", "o.mkv", "--depth", "d.mkv", folder=folder
+    )
+    assert result.returncode == 0
+    assert result.stderr.startswith("no depth at 0.04 s: the second frame must hold light, got a mean of 0 electrons")
+    assert "frames dropped: 0, pairs without depth: 1" in result.stdout
+    table = rows(folder / "found.csv")
+    assert [row["known"] > 0.7 for row in table] == [True, False, True]
+    assert np.isnan(table[1]["depth (m)"])
+    assert not frames_of(folder / "d.mkv")[0][1].any()
+    assert np.abs(frames_of(folder / "o.mkv", "rgb24")[0][1, 8 : SIDE - 8, 8 : SIDE - 8].astype(int) - 128).max() < 5
+
+
+def test_ctrl_c_while_a_frame_is_written_leaves_whole_files(folder, call_lommel, monkeypatch):
+    write_video(folder / "near.mkv", shots()[0::2] * 20)
+    write_video(folder / "far.mkv", shots()[1::2] * 20)
+    write, calls = watch_command.Outputs.__call__, []
+
+    def interrupted(self, seen):
+        calls.append(seen.time)
+        if len(calls) == 4:
+            os.kill(os.getpid(), signal.SIGINT)
+        return write(self, seen)
+
+    monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mp4", "--table", "found.csv", folder=folder)
+    assert result.returncode == 0
+    assert "ended: interrupted" in result.stdout
+    assert len(frames_of(folder / "out.mp4")[0]) == len(rows(folder / "found.csv")) == 4
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_ctrl_c_while_a_frame_is_waited_for_leaves_whole_files(folder, call_lommel, monkeypatch):
+    read, calls = videos.FramePairs.__next__, []
+
+    def interrupted(self):
+        calls.append(1)
+        if len(calls) == 3:
+            os.kill(os.getpid(), signal.SIGTERM)
+        return read(self)
+
+    monkeypatch.setattr(videos.FramePairs, "__next__", interrupted)
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", folder=folder)
+    assert "ended: interrupted" in result.stdout
+    assert len(frames_of(folder / "out.mkv")[0]) == 2
+
+
+def test_the_installed_command_ends_by_ctrl_c_with_a_file_that_plays(folder):
+    write_video(folder / "both.mkv", eight_bits(shots()) * 700)
+    words = [*SCENE, *STATED, "--source", "both.mkv", "--alternating", "-o", "out.mkv", "--depth", "depth.mkv"]
+    command = [str(Path(sys.executable).with_name("lommel")), "watch", *map(str, words)]
+    environment = os.environ | {"COLUMNS": "200"}
+    process = subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    )
+    try:
+        for _ in range(6000):  # until frames are written
+            if len(list(folder.glob(".lommel-*"))) == 2 or process.poll() is not None:
+                break
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        told, errors = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    assert process.returncode == 0, errors
+    assert "ended: interrupted" in told
+    pictures, depths = frames_of(folder / "out.mkv")[0], frames_of(folder / "depth.mkv")[0]
+    assert 0 < len(pictures) == len(depths) < 2100
+    assert sorted(path.name for path in folder.glob(".*")) == []
+
+
+def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(folder, call_lommel, monkeypatch):
+    write, written = watch_command.Outputs.__call__, []
+
+    class Camera:
+        live, levels, grey, interval = True, 256, False, 0.005
+
+        def __init__(self, number: int, grey: bool) -> None:
+            self.name, (self.frame,) = f"camera {number}", eight_bits([recorded(1.5)[number]])
+
+        def frames(self):
+            while len(written) < 3:
+                yield videos.VideoFrame(self.frame, time.monotonic())
+                time.sleep(0.005)
+            raise videos.VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
+
+        def close(self) -> None:
+            pass
+
+    def counted(self, seen):
+        written.append(seen)
+        return write(self, seen)
+
+    monkeypatch.setattr(watch_command.Outputs, "__call__", counted)
+    monkeypatch.setattr(videos, "_Camera", Camera)
+    result = call_lommel("watch", *SCENE, *STATED, "--source", 0, "--source", 1, "-o", "out.mkv", folder=folder)
+    assert result.returncode == 3
+    assert "gives no more frames: it was unplugged, or stopped" in result.stderr
+    assert "gives no more frames" in next(line for line in result.stdout.splitlines() if "; ended: camera" in line)
+    assert len(frames_of(folder / "out.mkv")[0]) == len(written) >= 3
+
+
+def test_a_window_shows_pictures_until_q_is_pressed(folder, call_lommel, monkeypatch):
+    shown: list[np.ndarray] = []
+    keys = iter([-1, ord("q")])
+    module = SimpleNamespace(
+        currentUIFramework=lambda: "QT", imshow=lambda name, picture: shown.append(picture.copy()),
+        WND_PROP_VISIBLE=4, waitKey=lambda wait: next(keys), getWindowProperty=lambda name, which: 1.0,
+        destroyAllWindows=lambda: shown.append(np.zeros(0)),
+    )  # fmt: skip
+    monkeypatch.setitem(sys.modules, "cv2", module)
+    monkeypatch.setenv("DISPLAY", ":9")
+    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, folder=folder)
+    assert "ended: the window was closed" in result.stdout
+    assert [picture.shape for picture in shown] == [(SIDE + 24, SIDE, 3)] * 2 + [(0,)]
+    module.currentUIFramework = lambda: ""
+    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, folder=folder)
+    assert "ended: the end" in result.stdout
+    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, "--show", folder=folder)
+    assert result.returncode == 2
+    assert "--show is not possible: this OpenCV has no windows: pip uninstall opencv-python-headless" in result.stderr
+
+
+def test_distances_beyond_what_the_levels_hold_are_counted(folder, call_lommel):
+    options = ["--depth", "depth.mkv", "--depth-scale", 2.2e-5]
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, *options, folder=folder)
+    (line,) = (line for line in result.stdout.splitlines() if line.startswith("--depth: levels of 22 um, 0 where"))
+    assert int(line.split("; ")[1].removesuffix(" values beyond the last one")) > 200
+    depth, _ = frames_of(folder / "depth.mkv")
+    assert depth[2].max() == 65535
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            [*TWO, "--alternating"],
+            "--source must be given twice, or once with --alternating; got 2 and --alternating",
+        ),
+        (TWO[:2], "--source must be given twice, or once with --alternating; got 1"),
+        ([*TWO, "--focus", "2 m"], "--focus must be given once, or for each of 2 frames, got 3"),
+        ([*TWO, "-o", "a.gif"], "--output must end in .mkv, .mp4 for video of uint8, got '.gif'"),
+        ([*TWO, "--depth", "a.mp4"], "--depth must end in .mkv for video of uint16, got '.mp4'"),
+        ([*TWO, *["--depth", "a.mkv"] * 3], "--depth takes depth and its standard deviation, got 3 files"),
+        ([*TWO, "--table", "a.txt"], "--table must end in .csv, got 'a.txt'"),
+        ([*TWO, "-o", "no/a.mkv"], "no/a.mkv: No such file or directory"),
+        ([*TWO, "--depth-scale", "0"], "--depth-scale must be > 0"),
+        ([*TWO, "--between", "2 m", "1 m"], "--between must be the nearest and the farthest distance, got 2 and 1 m"),
+        ([*TWO[:2], "--source", "no.mkv"], "no.mkv: No such file or directory"),
+        ([*TWO[:2], "--source", "lens.toml"], "lens.toml holds no video"),
+        (["--source", "near.mkv", "--source", "late.mkv"], "no pair of frames came: the end"),
+    ],
+)
+def test_mistakes_are_told_in_a_line_and_nothing_is_written(words, said, folder, call_lommel):
+    write_video(folder / "late.mkv", shots()[1::2], [9.0, 9.04, 9.08])
+    before = sorted(folder.iterdir())
+    result = call_lommel("watch", *SCENE, *DEEP, "--table", "t.csv", *words, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert sorted(folder.iterdir()) == before
+
+
+def test_frames_must_differ_in_focus_or_aperture_and_noise_of_linear_video_be_stated(folder, call_lommel):
+    result = call_lommel("watch", *SCENE[:3], *SCENE[5:], *DEEP, *TWO, folder=folder)
+    assert "--focus must be given for each of two frames, or --f-number" in result.stderr
+    result = call_lommel("watch", *SCENE, *TWO, folder=folder)
+    assert "--white is missing: the number of electrons at white" in result.stderr

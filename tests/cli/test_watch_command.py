@@ -198,6 +198,55 @@ def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_use
         assert (found["white"], found["read_noise"], found["assumed"]) == (5000.0, 2.0, ["--white"])
 
 
+def test_compression_that_leaves_less_than_noise_takes_is_told(folder, call_lommel):
+    options = ["--source", "both.mkv", "--alternating", "--json"]
+    found = []
+    for crf in ("4", "18"):
+        write_video(folder / "both.mkv", eight_bits(shots()), codec="libx264", stored="yuv420p", crf=crf)
+        result = call_lommel("watch", *SCENE, *STATED, *options, folder=folder)
+        found.append(json.loads(result.stdout))
+        assert ("fine texture is lost with it, and depth may be wrong" in result.stderr) is (crf == "18")
+    assert found[0]["noise_bits"] == pytest.approx(2.23, abs=0.02)  # of 1.1 levels
+    assert found[1]["bits"] < 1.0 < found[0]["noise_bits"] < found[0]["bits"]
+
+
+def test_blocks_that_do_not_fit_are_not_known_and_counted(folder, call_lommel):
+    frames = [np.roll(frame, 2 * (k % 2), axis=1) for k, frame in enumerate(shots())]  # as of motion
+    write_video(folder / "both.mkv", frames)
+    words = ["watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", "--depth", "d.mkv", "--table", "t.csv"]
+    result = call_lommel(*words, folder=folder)
+    assert "not known for a misfit above 2 (--misfit): " in result.stdout
+    assert "(--magnification lens)" in result.stdout
+    assert "the frames do not fit: check registration, noise and lens" in result.stdout
+    known = [(values > 0).mean() for values in frames_of(folder / "d.mkv")[0]]
+    table = rows(folder / "t.csv")
+    assert [row["known"] for row in table] == pytest.approx(known, abs=1e-5)
+    assert all(row["unfit"] > 0.3 and row["misfit"] > 4.0 for row in table)
+    assert ("no depth found that fits the frames" in result.stdout) is not any(known)
+    result = call_lommel(*words, "--misfit", "inf", "--magnification", "lens", "--json", folder=folder)
+    found = json.loads(result.stdout)
+    assert found["unfit"] == 0.0
+    assert found["known"] > 0.5
+    assert found["magnification"] == "lens"
+
+
+def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lommel):
+    ramp = 1.0 + 0.04 * np.linspace(-1.0, 1.0, SIDE)[:, None]
+    frames = [np.rint(frame * (ramp if k % 2 else ramp[::-1])).astype(np.uint16) for k, frame in enumerate(shots())]
+    write_video(folder / "both.mkv", frames)
+    words = ["watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", "--depth", "d.mkv", "--depth", "s.mkv"]
+    worst = []
+    for options in ([], ["--exposure", 1, "--exposure", 1]):
+        assert call_lommel(*words, *options, folder=folder).returncode == 0
+        depth, deviation = (1e-4 * frames_of(folder / name)[0] for name in ("d.mkv", "s.mkv"))
+        z = [
+            (one - distance)[one > 0] / error[one > 0]
+            for one, error, distance in zip(depth, deviation, DISTANCES, strict=True)
+        ]
+        worst.append(1.4826 * np.median(np.abs(np.concatenate(z))))
+    assert worst[0] < 1.15 < 1.5 < worst[1]
+
+
 @pytest.mark.parametrize("encoding", ["srgb", "linear"])
 @pytest.mark.parametrize("white", [2000.0, 40_000.0])
 def test_noise_of_stored_levels_is_that_of_photons_read_noise_and_rounding(encoding, white):
@@ -290,7 +339,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     write, written = watch_command.Outputs.__call__, []
 
     class Camera:
-        live, levels, grey, interval = True, 256, False, 0.005
+        live, levels, grey, bits, interval = True, 256, False, None, 0.005
 
         def __init__(self, number: int, grey: bool) -> None:
             self.name, (self.frame,) = f"camera {number}", eight_bits([recorded(1.5)[number]])
@@ -361,6 +410,7 @@ def test_distances_beyond_what_the_levels_hold_are_counted(folder, call_lommel):
         ([*TWO, *["--depth", "a.mkv"] * 3], "--depth takes depth and its standard deviation, got 3 files"),
         ([*TWO, "--table", "a.txt"], "--table must end in .csv, got 'a.txt'"),
         ([*TWO, "-o", "no/a.mkv"], "no/a.mkv: No such file or directory"),
+        ([*TWO, "--misfit", "0.5"], "--misfit must be >= 1"),
         ([*TWO, "--depth-scale", "0"], "--depth-scale must be > 0"),
         ([*TWO, "--between", "2 m", "1 m"], "--between must be the nearest and the farthest distance, got 2 and 1 m"),
         ([*TWO[:2], "--source", "no.mkv"], "no.mkv: No such file or directory"),

@@ -147,6 +147,8 @@ def test_reading_goes_on_after_damaged_frames_which_are_dropped(tmp_path):
 
 def test_a_codec_that_finds_frames_damaged_is_told_of_once(tmp_path, monkeypatch):
     class Packet:
+        size = 100
+
         def __init__(self, number: int) -> None:
             self.number = number
 
@@ -162,6 +164,18 @@ def test_a_codec_that_finds_frames_damaged_is_told_of_once(tmp_path, monkeypatch
     with video_frames(path, tell=said.append) as video:
         assert len(list(video)) == 6
     assert said == [f"{path} is damaged after 1 frames (invalid data): reading goes on"]
+
+
+def test_bits_of_a_pixel_are_those_of_compression_with_losses(tmp_path):
+    frames = noise(5, (64, 96))
+    lossless, lossy = write_video(tmp_path / "a.mkv", frames), tmp_path / "b.mkv"
+    write_video(lossy, frames, codec="libx264", stored="yuv420p", crf="30")
+    with frame_pairs(lossless, lossy) as pairs:
+        assert pairs.bits is None or pairs.bits > 0.0
+        assert len(list(pairs)) == 5
+        assert [one.bits is None for one in pairs.sources] == [True, False]
+        size = 8.0 * lossy.stat().st_size / (5 * 64 * 96)
+        assert 0.5 * size < pairs.bits < size
 
 
 def test_a_file_that_is_cut_off_is_told_by_the_length_that_it_states(tmp_path):

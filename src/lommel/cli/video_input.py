@@ -15,7 +15,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.encoding import to_light
+from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
 from lommel.cli.instruments import instrument_of, noise_of
 from lommel.cli.options import Option
@@ -58,6 +58,7 @@ class Coding(NamedTuple):
     """How stored values are light, and with what noise."""
 
     encoding: str
+    levels: int  # that values are stored in, 0 for floats
     white: float  # electrons at white, with rounding as a part of the noise
     noise: Noise  # of what `light` returns
     saturation: float | None
@@ -68,6 +69,14 @@ class Coding(NamedTuple):
     def light(self, values: Values) -> Values:
         """Return what live filters take: integers that are linear as they are, all else as linear light."""
         return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
+
+    def noise_bits(self, electrons: float) -> float:
+        """Return the bits that the noise of a pixel of so many electrons takes: the entropy of a normal variable."""
+        spread = math.hypot(math.sqrt(electrons), self.noise.read)
+        ends = np.clip(np.array([electrons - spread, electrons + spread]) / self.white, 0.0, 1.0)
+        low, high = from_light(ends, self.encoding, np.float64)
+        levels = 0.5 * (self.levels - 1) * float(high - low)
+        return max(0.0, math.log2(max(levels, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
 
 
 def coding_of(
@@ -104,7 +113,9 @@ def coding_of(
         )
     facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
     full = None if saturation is None else saturation * top
-    return Coding(used, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts)
+    return Coding(
+        used, levels, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts
+    )
 
 
 def _number(value: float | NDArray[np.float64] | None) -> float:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
+import click
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +23,7 @@ from lommel.base.units import format_length
 from lommel.cli.depth_commands import each_lens, misfit_in_words, untested
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under, with_options
-from lommel.cli.output import Report, require_folder, written
+from lommel.cli.output import Facts, Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
 from lommel.imaging import LiveDepth
@@ -38,15 +39,17 @@ Map = NDArray[np.float32]
 
 _BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
 _COUNTED = 2**16  # pairs that medians are taken of: the last ones
+_SOON = 25  # pairs after which compression is told, as well as at the end
 _TOP = 65535  # levels of lossless depth
 _CURVE = 4096  # levels of linear light that are encoded beforehand
-_COLUMNS = ["time (s)", "known", "depth (m)", "deviation (m)", "misfit", "frame time (s)", "dropped"]
+_COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "deviation (m)", "misfit", "frame time (s)", "dropped"]
 
 
 class Seen(NamedTuple):
     """A pair of frames: its time from the first one, what was found, and how long that took; seconds.
 
-    `known` is a share; `median` those of depth, deviation and misfit, NaN where none is known.
+    `known` is a share of the blocks, and `unfit` that of those with a depth but a misfit above the limit; `median`
+    those of depth and deviation of the former and of the misfit of both, NaN where there are none.
     """
 
     time: float
@@ -54,8 +57,10 @@ class Seen(NamedTuple):
     deviation: Map | None
     image: Map | None
     known: float
-    median: tuple[float, ...]
+    unfit: float
+    median: tuple[float, float, float]
     took: float
+    light: float  # mean electrons of a pixel
 
 
 @dataclass
@@ -113,7 +118,8 @@ class Files:
                help="F-number: once for both frames, or repeated for each; overrides the lens file."),
         Option("--exposure", "exposures", type=float, multiple=True,
                help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default "
-               "the ratio of their mean values, pair by pair."),
+               "a ratio that changes smoothly over the frame, measured pair by pair."),
+        documented(LiveDepth, "magnification", type=click.Choice(["registered", "lens"])),
         CAMERA,
         SQUARE_PIXEL,
         ENCODING,
@@ -122,6 +128,8 @@ class Files:
     *under(
         "Estimation",
         documented(LiveDepth, "window", type=float),
+        Option("--misfit", type=float, default=2.0,
+               help="Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all."),
         Option("--depth-scale", type=float,
                help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
                "farthest distance."),
@@ -140,10 +148,12 @@ def watch(
     foci: tuple[float, ...],
     f_numbers: tuple[float, ...],
     exposures: tuple[float, ...],
+    magnification: str,
     camera: Camera | None,
     pixel: float | None,
     encoding: str | None,
     window: float,
+    misfit: float,
     depth_scale: float | None,
     **noise: Any,
 ) -> Report:
@@ -166,6 +176,7 @@ def watch(
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
     scale = _scale(between[1]) if depth_scale is None else validation.real("depth_scale", depth_scale, above=0.0)
+    misfit = validation.real("misfit", misfit, least=1.0, infinite=True)
     windowless = "" if show is False else no_window()
     if show and windowless:
         raise ValueError(f"--show is not possible: {windowless}")
@@ -181,7 +192,8 @@ def watch(
         status.step("computing the filters of every distance")
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=window,
-            exposures=exposures or None, saturation=coding.saturation, sharp=sharp,
+            exposures=exposures or "smooth", magnification=magnification,
+            saturation=coding.saturation, sharp=sharp,
         )  # fmt: skip
         outputs = stack.enter_context(Outputs(files, between, pairs, coding, sharp))
         ended, first = "the end", math.nan
@@ -189,19 +201,24 @@ def watch(
         with stop.signals():
             while (pair := stop.next(pairs)) is not None:
                 first = pair.time if math.isnan(first) else first
-                seen, fault = _seen(live, coding, pair, first, sharp)
+                seen, fault = _seen(live, coding, pair, first, sharp, misfit)
                 if fault and not tally.failed:
                     status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
                 tally.add(seen, bool(fault))
+                if tally.pairs == _SOON and (lossy := _compressed(pairs, coding, tally.light)[1]):
+                    status.tell(lossy)
                 if outputs(seen):
                     ended = "the window was closed"
                     break
                 status(tally.words(pairs.dropped))
             tally.stop = time.perf_counter()
         ended = "interrupted" if stop.asked else pairs.lost or ended
+        bits, lossy = _compressed(pairs, coding, tally.light)
+        if lossy and tally.pairs < _SOON:
+            status.tell(lossy)
         if not tally.pairs:
             raise ValueError(f"no pair of frames came: {ended}")
-    read = Report(coding.facts, [coding.words, *([coding.guess] if coding.guess else [])])
+    read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
     height, width = pairs.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
     near, far = map(format_length, between)
@@ -213,6 +230,7 @@ def watch(
             "f_numbers": [one.f_number for one in lenses],
             "focal_length": lenses[0].focal_length,
             "between": [finite(one) for one in between],
+            "magnification": magnification,
             "design_error": live.design_error,
         },
         [
@@ -220,7 +238,13 @@ def watch(
             f"distances from {near} to {far}, windows of {window:g} pixels rms",
         ],
     )
-    found = read + setting + _counts(tally, pairs, ended) + tally.found() + outputs.report()
+    found = (
+        read
+        + setting
+        + _counts(tally, pairs, ended)
+        + tally.found(misfit, magnification == "registered")
+        + outputs.report()
+    )
     return Report(found.facts, found.parts, converged=pairs.lost is None)
 
 
@@ -229,7 +253,9 @@ def _scale(far: float) -> float:
     return 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _TOP)))
 
 
-def _seen(live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool) -> tuple[Seen, str]:
+def _seen(
+    live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool, limit: float
+) -> tuple[Seen, str]:
     """Return what is found of a pair, and why nothing is, as in a black frame."""
     start = time.perf_counter()
     try:
@@ -239,14 +265,33 @@ def _seen(live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float,
         fault = (
             with_options(str(error)).replace("frames[0]", "the first frame").replace("frames[1]", "the second frame")
         )
-        return Seen(pair.time - first, None, None, None, 0.0, (math.nan,) * 3, took), fault
+        return Seen(pair.time - first, None, None, None, 0.0, 0.0, (math.nan,) * 3, took, math.nan), fault
     image = live.sharp() if sharp else None
     took = time.perf_counter() - start
-    known = np.isfinite(found.deviation)
-    median: tuple[float, ...] = (math.nan,) * 3
-    if known.any():
-        median = tuple(float(np.median(each[known])) for each in (found.depth, found.deviation, found.misfit))
-    return Seen(pair.time - first, found.depth, found.deviation, image, float(known.mean()), median, took), ""
+    estimated = np.isfinite(found.deviation)
+    known = estimated & (found.misfit <= limit)
+    median = _median(found.depth[known]), _median(found.deviation[known]), _median(found.misfit[estimated])
+    found.depth[~known], found.deviation[~known] = np.nan, np.inf
+    share, unfit = float(known.mean()), float((estimated & ~known).mean())
+    return Seen(pair.time - first, found.depth, found.deviation, image, share, unfit, median, took, found.light), ""
+
+
+def _median(values: Map) -> float:
+    return float(np.median(values)) if values.size else math.nan
+
+
+def _compressed(pairs: videos.FramePairs, coding: Coding, light: float) -> tuple[Facts, str]:
+    """Return the bits a pixel of compressed video, with those of noise, and a sentence if they are too few for it."""
+    bits = pairs.bits
+    if bits is None or math.isnan(light):
+        return {"bits": None, "noise_bits": None}, ""
+    noise, sentence = coding.noise_bits(light), ""
+    if bits < noise:
+        sentence = (
+            f"Compression leaves {bits:.2g} bits a pixel, and noise alone takes {noise:.2g}: fine texture is lost "
+            "with it, and depth may be wrong by many standard errors. Record without compression, or with less."
+        )
+    return {"bits": bits, "noise_bits": noise}, sentence
 
 
 @dataclass
@@ -259,40 +304,51 @@ class Tally:
     failed: int = 0
     took: deque[float] = field(default_factory=lambda: deque(maxlen=_COUNTED))
     rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_COUNTED))
+    light: float = math.nan
 
     def add(self, seen: Seen, failed: bool) -> None:
         """Count a pair."""
         self.pairs += 1
         self.failed += failed
         self.took.append(seen.took)
-        self.rows.append((seen.known, *seen.median))
+        self.light = self.light if failed else seen.light
+        self.rows.append((seen.known, seen.unfit, *seen.median))
 
     def words(self, dropped: int) -> str:
         """Return the line of progress."""
         rate = self.pairs / (time.perf_counter() - self.start)
-        known, depth, deviation, misfit = self.rows[-1]
+        known, _, depth, deviation, misfit = self.rows[-1]
         text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.took[-1]:.3g} ms; dropped {dropped}"
         if known:
             text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * deviation:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def found(self) -> Report:
+    def found(self, limit: float, registered: bool) -> Report:
         """Return the report of known share, depth and misfit over the pairs."""
         rows = np.array(self.rows)
-        share, some = float(rows[:, 0].mean()), rows[:, 0] > 0.0
-        if not some.any():
-            nothing = "no depth found: the frames have no texture, or all of it is out of range"
-            return Report(
-                {"known": share, "depth": None, "deviation": None, "misfit": None}, [nothing, untested("frames")]
+        share, unfit = rows[:, :2].mean(axis=0).tolist()
+        depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
+        lines = ["no depth found: the frames have no texture, or all of it is out of range"]
+        if share:
+            lines = [
+                f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
+                f"{format_length(depth)}, standard deviation {format_length(deviation, digits=2)}"
+            ]
+        elif unfit:
+            lines = ["no depth found that fits the frames"]
+        if unfit:
+            also = ", magnification that differs (--magnification lens)" if registered else ""
+            lines.append(
+                f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks: motion "
+                f"from frame to frame, edges of depth{also}"
             )
-        depth, deviation, misfit = np.median(rows[some, 1:], axis=0).tolist()
-        lines = [
-            f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
-            f"{format_length(depth)}, standard deviation {format_length(deviation, digits=2)}",
-            misfit_in_words(misfit, "frames"),
-            untested("frames"),
-        ]
-        return Report({"known": share, "depth": depth, "deviation": deviation, "misfit": misfit}, lines)
+        if not math.isnan(misfit):
+            lines.append(misfit_in_words(misfit, "frames"))
+        values = {"depth": depth, "deviation": deviation, "misfit": misfit}
+        facts = {"known": share, "unfit": unfit} | {
+            name: None if math.isnan(each) else each for name, each in values.items()
+        }
+        return Report(facts, [*lines, untested("frames")])
 
 
 def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
@@ -362,7 +418,7 @@ class Outputs:
     def __call__(self, seen: Seen) -> bool:
         """Write what is made of a pair; return whether the window has been closed."""
         if self._table is not None:
-            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, *seen.median)]
+            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, seen.unfit, *seen.median)]
             self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
         for writer, metres in zip(self._lossless, (seen.depth, seen.deviation), strict=False):
             writer(self._levels(metres), seen.time)

@@ -79,6 +79,11 @@ class _Reader(Protocol):
     levels: int  # that stored values may have; 0 for floats
     grey: bool  # whether the source has no colour
 
+    @property
+    def bits(self) -> float | None:
+        """Bits a pixel so far, of compression with losses; None where it is not known, or has none."""
+        ...
+
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames; VideoError where they break off."""
         ...
@@ -154,6 +159,11 @@ class VideoFrames:
 
     def __iter__(self) -> Self:
         return self
+
+    @property
+    def bits(self) -> float | None:
+        """Bits a pixel so far, if the source is compressed with losses; None if it is not, or that is not known."""
+        return self._reader.bits
 
     @property
     def interval(self) -> float:
@@ -340,6 +350,11 @@ class FramePairs:
         return (2.0 if len(self.sources) == 1 else 1.0) * max(one.interval for one in self.sources)
 
     @property
+    def bits(self) -> float | None:
+        """Bits a pixel so far of the source that is compressed most, as of :class:`VideoFrames`."""
+        return min((one.bits for one in self.sources if one.bits is not None), default=None)
+
+    @property
     def live(self) -> bool:
         """Whether a source is a camera or a stream."""
         return any(one.live for one in self.sources)
@@ -514,6 +529,7 @@ class _Coded:
     def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Tell) -> None:
         self._av = optional.library("av", "reading video needs", "video")
         self.name, self.live, self._grey, self._tell = name, live, grey, tell
+        self._bytes = self._pixels = 0
         # A file may be a list of others, which may not be addresses.
         options = {"protocol_whitelist": "file"}
         if live:
@@ -577,14 +593,22 @@ class _Coded:
                 if faults > _FAULTS:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
                 continue
+            self._bytes += packet.size
             for frame in found:
                 faults = 0
+                self._pixels += frame.width * frame.height
                 stamp = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
                 if self.live:
                     shifts.append(time.monotonic() - stamp)
                 number += 1
                 end = max(end, stamp + self.interval)
                 yield VideoFrame(frame.to_ndarray(format=self._form), stamp + min(shifts))
+
+    @property
+    def bits(self) -> float | None:
+        """Bits a pixel, from the packets so far."""
+        lossy = self._stream.codec_context.codec.lossy
+        return 8.0 * self._bytes / self._pixels if lossy and self._pixels else None
 
     def _packets(self) -> Iterator[Packet[VideoStream]]:
         return self._container.demux(self._stream)
@@ -601,7 +625,7 @@ def _reason(error: Exception) -> str:
 class _Camera:
     """A camera by its number, by OpenCV."""
 
-    live, levels, grey = True, 256, False
+    live, levels, grey, bits = True, 256, False, None
 
     def __init__(self, number: int, grey: bool) -> None:
         self._cv2 = optional.library("cv2", "cameras need", "video")
@@ -633,7 +657,7 @@ class _Camera:
 class _Images:
     """Numbered images, whose numbers are their times."""
 
-    live, interval = False, 1.0 / USUAL_RATE
+    live, interval, bits = False, 1.0 / USUAL_RATE, None
 
     def __init__(self, path: Path, grey: bool) -> None:
         self.name, self._grey = validation.line(path), grey

@@ -1,0 +1,145 @@
+"""`lommel sharpen`, on video and photos that continuous scenes make, rendered without this package."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("av", reason="video needs PyAV: pip install av")
+
+import lommel as lm
+from lommel.base.encoding import from_light
+from lommel.io import videos
+from scenes import ThinLens, averaged, plane, record, texture
+from video_files import frames_of, write_video
+
+LENS = """
+[lens]
+focal_length = "35 mm"
+f_number = 8.0
+focus_distance = "1.8 m"
+wavelength = "540 nm"
+[sensor]
+pixel = "4 um"
+"""
+SIDE, LIGHT, WHITE, AT = 96, 5000.0, 12_000.0, 1.5
+DEEP = ["--white", 65535, "--read", 3]
+
+
+@cache
+def frames() -> list[np.ndarray]:
+    """Frames of a plane, 1 electron a count."""
+    (seen,) = plane(texture("leaves", SIDE, seed=7), [ThinLens(35e-3, 8.0, 1.8, 540e-9, 4e-6)], AT, LIGHT)
+    return [record([seen], seed, offset=0.0)[0] for seed in range(3)]
+
+
+def eight_bits(values: np.ndarray) -> np.ndarray:
+    return from_light(np.minimum(values / WHITE, 1.0), "srgb", np.uint8)
+
+
+def off(image: np.ndarray) -> float:
+    """Rms difference from the scene, over its mean, away from the border."""
+    scene, inner = averaged(texture("leaves", SIDE, seed=7)), slice(16, -16)
+    return float(np.std((image / image.mean() - scene / scene.mean())[inner, inner]))
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    write_video(tmp_path / "clip.mkv", frames(), [5.0, 5.04, 5.16])
+    return tmp_path
+
+
+def test_sharp_video_is_nearer_to_the_scene_and_keeps_bits_times_and_light(folder, call_lommel):
+    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
+    assert result.returncode == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert lines[1].startswith("96 x 96 pixels of 4 um; focus 1.8 m at f/8, depth 1.5 m: blur of up to ")
+    assert lines[2].startswith("3 frames in ")
+    assert lines[2].endswith("frames/s; ended: the end")
+    assert lines[3:] == ["frames dropped: 2", "wrote o.mkv"]
+    sharp, times = frames_of(folder / "o.mkv")
+    assert sharp.dtype == np.uint16
+    assert times == pytest.approx([0.0, 0.04, 0.16])
+    for after, before in zip(sharp, frames(), strict=True):
+        assert off(after) < 0.75 * off(before)
+        assert after.mean() == pytest.approx(before.mean(), rel=0.01)
+
+
+def test_colour_video_of_8_bits_is_sharpened_in_linear_light(folder, call_lommel):
+    colours = [eight_bits(np.stack([share * one for share in (0.5, 1.0, 0.75)], axis=2)) for one in frames()]
+    write_video(folder / "clip.mkv", colours, codec="libx264rgb", stored="rgb24", crf="0")
+    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", "-o", "o.mp4", "--json", folder=folder)
+    found = json.loads(result.stdout)
+    assert (found["frames"], found["noise_is_a_guess"], found["assumed"]) == (3, True, ["--white", "--read"])
+    assert "The noise of 8-bit sRGB values is a guess" in result.stderr
+    sharp, _ = frames_of(folder / "o.mp4", "rgb24")
+    assert sharp.shape == (3, SIDE, SIDE, 3)
+    green = lm.base.encoding.to_light("o", np.ascontiguousarray(sharp[0, ..., 1]), "srgb", np.float64)
+    assert off(green) < 0.9 * off(frames()[0].astype(float))
+
+
+def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
+    lm.imaging.write_photo(folder / "photo.tif", frames()[0] / 65535.0, encoding="linear", dtype=np.uint16)
+    depth = np.full((SIDE // 4, SIDE // 4), AT)
+    depth[:2] = np.nan
+    lm.imaging.write_depth(folder / "depth.tif", depth)
+    words = ["photo.tif", "lens.toml", "--depth", "depth.tif", "--encoding", "linear", *DEEP, "-o", "sharp.tif"]
+    result = call_lommel("sharpen", *words, folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert "depth not known at 8.3 % of the map, taken from the nearest pixel" in result.stdout
+    sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
+    assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
+
+
+def test_ctrl_c_leaves_a_whole_file(folder, call_lommel, monkeypatch):
+    write, calls = videos.VideoWriter.__call__, []
+
+    def interrupted(self, values, seconds):
+        calls.append(seconds)
+        if len(calls) == 2:
+            os.kill(os.getpid(), signal.SIGINT)
+        return write(self, values, seconds)
+
+    monkeypatch.setattr(videos.VideoWriter, "__call__", interrupted)
+    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
+    assert result.returncode == 0
+    assert "2 frames in " in result.stdout
+    assert "ended: interrupted" in result.stdout
+    assert len(frames_of(folder / "o.mkv")[0]) == 2
+
+
+def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):
+    write_video(folder / "clip.mkv", frames() * 20)
+    data = (folder / "clip.mkv").read_bytes()
+    (folder / "clip.mkv").write_bytes(data[: len(data) // 2])
+    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
+    assert result.returncode == 3
+    assert "breaks off" in result.stderr
+    assert 20 < len(frames_of(folder / "o.mkv")[0]) < 40
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["clip.mkv", "-o", "o.mkv"], "give one of --at and --depth, got neither"),
+        (["clip.mkv", "--at", "1m", "--depth", "d.tif", "-o", "o.mkv"], "give one of --at and --depth, got both"),
+        (["clip.mkv", "--at", "1m", "-o", "o.png"], "--output must end in .mkv, .mp4 for video, got '.png'"),
+        (["no.mkv", "--at", "1m", "-o", "o.mkv"], "no.mkv: No such file or directory"),
+        (["lens.toml", "--at", "1m", "-o", "o.mkv"], "lens.toml holds no video"),
+        (["clip.mkv", "--depth", "d.tif", "-o", "o.mkv"], "depth must "),
+    ],
+)
+def test_mistakes_are_told_and_nothing_is_written(words, said, folder, call_lommel):
+    lm.imaging.write_depth(folder / "d.tif", np.full((30, 30), AT))
+    before = sorted(folder.iterdir())
+    result = call_lommel("sharpen", words[0], "lens.toml", *words[1:], *DEEP, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert sorted(folder.iterdir()) == before

@@ -38,31 +38,45 @@ LENS = '[lens]\nfocal_length = "35 mm"\nf_number = 8.0\nwavelength = "540 nm"\n[
 class Fault(NamedTuple):
     """What a camera does wrong, and the options by which the command is told of it.
 
-    `motion` is in points a frame, `rolling` a share of the brightness, `crf` the quality of H.264, None for lossless.
+    `motion` is in points a frame, `rolling` a share of the brightness, of so many `cycles` over the rows.
     """
 
     name: str
     motion: int = 0
     breathes: bool = False
     rolling: float = 0.0
+    cycles: float = 1.0
     eight_bits: bool = True
-    crf: int | None = None
+    compressed: dict[str, str] | None = None
     options: tuple[str, ...] = ()
 
 
+def h264(crf: int) -> dict[str, str]:
+    """Return the options of H.264 of a constant quality."""
+    return {"codec": "libx264", "stored": "yuv420p", "crf": str(crf)}
+
+
+def jpeg(step: int) -> dict[str, str]:
+    """Return the options of Motion JPEG."""
+    return {"codec": "mjpeg", "stored": "yuvj420p", "qmin": str(step), "qmax": str(step)}
+
+
+LENS_SCALE = ("--magnification", "lens")
+TOGETHER = Fault("all: moves 0.5 pixels, breathes, rolls, crf 4", 4, True, 0.03, compressed=h264(4))
 CASES = [
     Fault("16 bits, no fault", eight_bits=False),
-    Fault("8 bits"),
-    *(Fault(f"moves {points / POINTS:g} pixels a frame", motion=points) for points in (1, 4, 16)),
+    Fault("8 bits, lossless"),
+    *(Fault(f"moves {points / POINTS:g} pixels a frame", motion=points) for points in (4, 8, 16)),
     Fault("focus breathing of 0.67 %", breathes=True),
-    Fault("the same, `--magnification lens`", breathes=True, options=("--magnification", "lens")),
-    Fault("rolling brightness of 3 %", rolling=0.03),
-    Fault("the same, `--exposure 1 --exposure 1`", rolling=0.03, options=("--exposure=1", "--exposure=1")),
-    *(Fault(f"H.264, crf {crf}", crf=crf) for crf in (4, 10, 18, 23)),
+    Fault("the same, `--magnification lens`", breathes=True, options=LENS_SCALE),
+    Fault("rolling brightness of 3 %, 1 cycle", rolling=0.03),
+    Fault("rolling brightness of 3 %, 3 cycles", rolling=0.03, cycles=3.0),
+    *(Fault(f"H.264, crf {crf}", compressed=h264(crf)) for crf in (4, 10, 18, 23)),
+    *(Fault(f"Motion JPEG, q {step}", compressed=jpeg(step)) for step in (1, 4)),
+    TOGETHER,
+    TOGETHER._replace(name="the same, `--magnification lens`", options=LENS_SCALE),
+    TOGETHER._replace(name="the same at crf 18", options=LENS_SCALE, compressed=h264(18)),
 ]
-TOGETHER = Fault("all: 0.5 pixels, breathing, rolling, crf 10", 4, True, 0.03, True, 10)
-CASES += [TOGETHER, TOGETHER._replace(
-    name="the same, `--magnification lens`", options=("--magnification", "lens"))]  # fmt: skip
 
 
 def mask() -> Array:
@@ -98,7 +112,7 @@ def video(fault: Fault) -> Iterator[Array]:
     """Yield the frames, of one focus and the other in turn."""
     for number in range(2 * PAIRS):
         draw = np.random.default_rng(number)
-        rows = 2.0 * np.pi * (np.arange(SIDE)[:, None] / SIDE + 0.37 * number)
+        rows = 2.0 * np.pi * (fault.cycles * np.arange(SIDE)[:, None] / SIDE + 0.37 * number)
         seen = light(number, fault.motion, fault.breathes) * (1.0 + fault.rolling * np.sin(rows))
         seen = (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / WHITE
         seen = np.clip(seen, 0.0, 1.0)
@@ -112,8 +126,7 @@ def video(fault: Fault) -> Iterator[Array]:
 def row(fault: Fault, folder: Path) -> str:
     """Return what the command finds of a video, beside the truth."""
     (folder / "lens.toml").write_text(LENS, encoding="utf-8")
-    lossy = {} if fault.crf is None else {"codec": "libx264", "stored": "yuv420p", "crf": str(fault.crf)}
-    write_video(folder / "both.mkv", list(video(fault)), rate=30, **lossy)
+    write_video(folder / "both.mkv", list(video(fault)), rate=30, **(fault.compressed or {}))
     words = ["lens.toml", "--source", "both.mkv", "--alternating", "--no-show", "--json"]
     words += [*(f"--focus={focus}m" for focus in FOCI), "--between", *(f"{one}m" for one in BETWEEN)]
     words += [f"--white={WHITE}", f"--read={READ}", "--depth=depth.mkv", "--depth=deviation.mkv", *fault.options]
@@ -124,8 +137,7 @@ def row(fault: Fault, folder: Path) -> str:
     depth, deviation = (
         frames_of(folder / f"{name}.mkv")[0] * facts["depth_scale"] for name in ("depth", "deviation")
     )
-    z, edge = [], []
-    shares = []
+    z, edge, shares = [], [], []
     for k in range(PAIRS):
         inside = (
             averaged(np.roll(mask(), 2 * k * fault.motion, axis=1)).reshape(SIDE // 4, 4, -1, 4).mean(axis=(1, 3))
@@ -138,21 +150,26 @@ def row(fault: Fault, folder: Path) -> str:
         apart = away >= BESIDE
         z.append(np.stack([off[known & apart], inside[known & apart]]))
         edge.append(off[known & ~apart])
-        shares.append(known[apart].mean())
+        shares.append([100.0 * known[apart & (inside == side)].mean() for side in (True, False)])
     values, within = np.concatenate(z, axis=1)
-    cells = [f"{np.median(values[within == side]):+.2f}" for side in (1.0, 0.0)]
-    beside = np.concatenate(edge)
-    spread = 1.4826 * np.median(np.abs(values))
+    medians = " / ".join(f"{np.median(values[within == side]):+.2f}" for side in (1.0, 0.0))
+    spread, beside = (1.4826 * np.median(np.abs(each)) for each in (values, np.concatenate(edge)))
+    told = ["do not fit"] if facts["misfit"] > 2.0 else []
+    told += ["compression"] if facts["bits"] is not None and facts["bits"] < facts["noise_bits"] else []
+    bits = "" if facts["bits"] is None else f"{facts['bits']:.2g}"
     return (
-        f"| {fault.name} | {' / '.join(cells)} | {spread:.2f} | {100.0 * np.mean(np.abs(values) > 3.0):.1f} % | "
-        f"{1.4826 * np.median(np.abs(beside)):.2f} | {100.0 * np.mean(shares):.0f} % | {facts['misfit']:.2f} |"
+        f"| {fault.name} | {medians} | {spread:.2f} | {100.0 * np.mean(np.abs(values) > 3.0):.1f} % | {beside:.2f} | "
+        f"{' / '.join(f'{each:.0f}' for each in np.mean(shares, axis=0))} % | {100.0 * facts['unfit']:.0f} % | "
+        f"{facts['misfit']:.2f} | {bits} | {', '.join(told)} |"
     )
 
 
 def main() -> None:
     """Print the table."""
-    print("| fault | median z, object / wall | robust z | beyond 3 | robust z at the edge | known | misfit |")
-    print("|---|---|---|---|---|---|---|")
+    print(
+        "| fault | median z, object / wall | robust z | beyond 3 | robust z at the edge | known, object / wall | "
+        "left out | misfit | bits a pixel | told |\n|---|---|---|---|---|---|---|---|---|---|"
+    )
     for fault in CASES:
         with tempfile.TemporaryDirectory() as folder:
             print(row(fault, Path(folder)), flush=True)

@@ -157,6 +157,12 @@ SECTIONS = [
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
         " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
     ),
+    Section(
+        "Video",
+        "Frames of video files, streams and cameras, and pairs of them.",
+        "See [](../live-depth.md).",
+        package="io",
+    ),
     Section("Live page", "Open the live page as a notebook widget.", "See [](../live.md).", ("page",)),
     Section(
         "Plots",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lommel.io import field_files, opd_files, photos, registry, zernike_tables  # noqa: F401 (formats)
+from lommel.io import field_files, opd_files, photos, registry, videos, zernike_tables  # noqa: F401 (formats)
 
 # What a file holds, and what writes and reads it.
 CONTENTS = (
@@ -15,6 +15,7 @@ CONTENTS = (
     ("zernike", "Zernike coefficients", "`wavefront.save`", "`lm.load_zernike`, lens files"),
     ("photo", "a photograph", "`lm.imaging.write_photo`", "`lm.imaging.read_photo`, `lommel blur`"),
     ("depth map", "a depth map", "`lm.imaging.write_depth`", "`lm.imaging.read_depth`"),
+    ("video", "video", "`lommel watch`, `lommel sharpen`", ""),
 )  # fmt: skip
 
 

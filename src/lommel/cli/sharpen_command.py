@@ -79,11 +79,11 @@ def sharpen(
     encoding: str | None,
     **noise: Any,
 ) -> Report:
-    """Sharpen video or a photo of known depth at video rate, by Wiener's filters in one pass.
+    """Sharpen video or a photo of known depth.
 
-    CLIP is a video file, numbered images (a folder or frames/%04d.tif) or a photo, in grey or colour. LENS is a lens
-    file. Blur wider than about 40 pixels is undone in part; `lommel restore` takes longer and undoes more. Ctrl-C
-    ends the command and leaves a whole file.
+    Wiener's filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
+    or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is undone in part;
+    `lommel restore` takes longer and undoes more. Ctrl-C ends the command and leaves a whole file.
 
     Examples
     --------

@@ -157,7 +157,7 @@ def watch(
     depth_scale: float | None,
     **noise: Any,
 ) -> Report:
-    """Estimate depth of video at video rate, of pairs of frames with different focus.
+    """Estimate depth of video from frames with different focus.
 
     LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
     standard error are those of blocks of 4 x 4 pixels; colours are turned to grey. Ctrl-C ends the command and leaves

@@ -56,14 +56,30 @@ class VideoError(ValueError):
 
 
 class VideoFrame(NamedTuple):
-    """One frame: values of uint8, uint16 or float32, in grey or with three channels, and its time in seconds."""
+    """One frame of a video.
+
+    Parameters
+    ----------
+    values : ndarray of uint8, uint16 or float32, shape (height, width) or (height, width, 3)
+        In grey or colour.
+    time : float
+        Seconds.
+    """
 
     values: Values
     time: float
 
 
 class FramePair(NamedTuple):
-    """Two frames of one moment, and the time of the first, seconds."""
+    """Two grey frames of one moment.
+
+    Parameters
+    ----------
+    first, second : ndarray of uint8, uint16 or float32, shape (height, width)
+        Of one size and type.
+    time : float
+        Of the first, seconds.
+    """
 
     first: Values
     second: Values
@@ -102,6 +118,13 @@ class VideoFrames:
     Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
     older ones are dropped.
 
+    Parameters
+    ----------
+    reader : object
+        What reads the source.
+    tell : callable
+        Called with a sentence about each fault that reading goes on after.
+
     Attributes
     ----------
     name : str
@@ -124,6 +147,11 @@ class VideoFrames:
         Frames of another size or type, which were left out.
     lost : str or None
         Why the frames ended early.
+
+    Raises
+    ------
+    VideoError
+        If the source holds no frame.
     """
 
     def __init__(self, reader: _Reader, tell: Tell) -> None:
@@ -294,10 +322,15 @@ class FramePairs:
 
     Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
 
-    Attributes
+    Parameters
     ----------
     sources : tuple of VideoFrames
-        One or two.
+        One, whose focus alternates, or two.
+    tell : callable
+        As of :class:`VideoFrames`.
+
+    Attributes
+    ----------
     shape, dtype, levels, encoding
         Those of the first source, as of :class:`VideoFrames`; `shape` and `dtype` are those of the second, too.
     alone : int

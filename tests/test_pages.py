@@ -37,6 +37,7 @@ from lommel.estimation import field_fit
 from lommel.methods import METHODS
 from lommel.microscopy import refinement
 from lommel.page import module
+from video_files import write_video
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -155,7 +156,7 @@ def write_files(place: Path) -> None:
         (place / f"{name}.toml").symlink_to(Path("examples") / "lenses" / f"{lens}.toml")
     objective = (ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml").read_text(encoding="utf-8")
     (place / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")
-    y, x = np.mgrid[:48, :64]
+    y, x = np.mgrid[:64, :64]
     image = np.where((x // 8 + y // 8)[..., None] % 2, (200, 120, 40), (60, 140, 220)).astype(np.uint8)
     photo, exif = Image.fromarray(image), Image.Exif()
     exif[0x8769] = {0x829D: 1.8, 0x920A: 4.0}  # f-number and focal length, millimetres
@@ -237,6 +238,10 @@ def write_files(place: Path) -> None:
     for k, name in enumerate(("near", "far")):
         blurred = texture + np.roll(texture, 1, axis=k) + np.roll(texture, -1, axis=k)
         tifffile.imwrite(f"{name}.tif", (blurred / 4.0).astype(np.float32))
+        pair = [(64.0 * each).astype(np.uint8) for each in (texture + 1.0, blurred)]
+        write_video(place / f"{name}.mkv", [pair[k]] * 3)
+    for name in ("both.mkv", "both.mp4", "clip.mp4"):
+        write_video(place / name, pair * 2, codec="mpeg4", stored="yuv420p")
 
 
 @pytest.fixture

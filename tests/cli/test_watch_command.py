@@ -231,7 +231,7 @@ def test_blocks_that_do_not_fit_are_not_known_and_counted(folder, call_lommel):
 
 
 def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lommel):
-    ramp = 1.0 + 0.04 * np.linspace(-1.0, 1.0, SIDE)[:, None]
+    ramp = 1.0 + 0.04 * np.sin(np.linspace(0.0, 12.0, SIDE))[:, None]
     frames = [np.rint(frame * (ramp if k % 2 else ramp[::-1])).astype(np.uint16) for k, frame in enumerate(shots())]
     write_video(folder / "both.mkv", frames)
     words = ["watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", "--depth", "d.mkv", "--depth", "s.mkv"]
@@ -245,6 +245,39 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
         ]
         worst.append(1.4826 * np.median(np.abs(np.concatenate(z))))
     assert worst[0] < 1.15 < 1.5 < worst[1]
+
+
+@pytest.mark.parametrize("kind", [np.uint16, np.float32])
+def test_frames_are_made_even_in_brightness_row_by_row(kind):
+    given = {"white": 65535.0, "read": 3.0, "offset": 100 / 65535, "saturation": None}
+    coding = video_input.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
+    scale = 1.0 if kind == np.uint16 else 65535.0
+    draw = np.random.default_rng(0)
+    first = draw.uniform(2000.0, 4000.0, (120, 200))
+    second = first * (1.0 + 0.04 * np.sin(0.1 * np.arange(120)))[:, None]
+    first[60, 50], second[30, 20] = 66_000.0, np.nan
+    first[:10], second[:10] = 3.0, 1.0  # dark rows have no ratio
+    frames = [((each + 100.0) / scale).clip(0, 65535 / scale) for each in (first, second)]
+    if kind == np.uint16:
+        frames = [np.nan_to_num(each, nan=65535.0) for each in frames]
+    even = video_input.evened(*(each.astype(kind) for each in frames), coding)
+    light = [each * scale - 100.0 for each in even]
+    assert np.isnan(light[1][60, 50]) if kind == np.uint16 else light[1][60, 50] > 1000.0
+    assert np.isnan(light[0][30, 20])
+    assert light[0][40, 0] == pytest.approx(first[40, 0], abs=1.0)
+    ratio = (light[1] / light[0])[24:]
+    assert np.nanstd(ratio) < 0.01 < 0.025 < np.nanstd((second / first)[24:])
+    assert light[1][0] == pytest.approx(1.0, abs=0.6)
+
+
+def test_pixels_at_white_are_full_in_srgb_too(folder, call_lommel):
+    frames = eight_bits(shots())
+    for frame in frames:
+        frame[40:52, 40:52] = 255
+    write_video(folder / "both.mkv", frames)
+    words = ["watch", *SCENE, *STATED, "--source", "both.mkv", "--alternating", "--depth", "d.mkv"]
+    assert call_lommel(*words, folder=folder).returncode == 0
+    assert not frames_of(folder / "d.mkv")[0][:, 10:13, 10:13].any()
 
 
 @pytest.mark.parametrize("encoding", ["srgb", "linear"])

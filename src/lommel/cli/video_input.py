@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
 import click
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
 
 from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
@@ -30,7 +31,10 @@ if TYPE_CHECKING:
 Kept = TypeVar("Kept")
 
 _WHITE, _READ = 5000.0, 3.0  # electrons, of 8-bit video of which nothing is stated
+_LAST = 1e-5  # of white, less than half a step of 16 bits of sRGB there
 _DARK = 0.02  # of white: below it the noise of stored values is not fitted
+_BAND = 6.0  # rows, rms, in which the brightness of frames is compared
+_FAINT = 0.1  # of the mean: rows that are darker are not
 _TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
 
 SATURATION = Option(
@@ -61,7 +65,7 @@ class Coding(NamedTuple):
     levels: int  # that values are stored in, 0 for floats
     white: float  # electrons at white, with rounding as a part of the noise
     noise: Noise  # of what `light` returns
-    saturation: float | None
+    saturation: float | None  # of the same
     guess: str  # sentence on a noise that is a guess, or ""
     words: str
     facts: Facts
@@ -77,6 +81,28 @@ class Coding(NamedTuple):
         low, high = from_light(ends, self.encoding, np.float64)
         levels = 0.5 * (self.levels - 1) * float(high - low)
         return max(0.0, math.log2(max(levels, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
+
+
+def evened(first: Values, second: Values, coding: Coding) -> list[Values]:
+    """Return two frames whose ratio of brightness is the same in all rows; full pixels are NaN.
+
+    Lamps that flicker make bands where a shutter rolls over the rows, and no smooth ratio of exposures follows them.
+    """
+    light = [each.astype(np.float32) - np.float32(coding.noise.offset) for each in (first, second)]
+    full = math.inf if coding.saturation is None else coding.saturation - float(coding.noise.offset)
+    known = np.logical_and(*(each < full for each in light))
+    if not known.all():
+        light = [np.where(known, each, np.float32(np.nan)) for each in light]
+    rows = [gaussian_filter1d(np.nansum(each, axis=1, dtype=np.float64), _BAND) for each in light]
+    bright = np.minimum(*rows) > _FAINT * max(rows[0].mean(), rows[1].mean())
+    if bright.any():
+        ratio = np.ones(len(rows[0]))
+        np.divide(rows[1], rows[0], out=ratio, where=bright)
+        ratio[bright] *= rows[0][bright].sum() / rows[1][bright].sum()
+        light[1] *= (1.0 / np.clip(ratio, 0.5, 2.0)).astype(np.float32)[:, None]
+    for each in light:
+        each += np.float32(coding.noise.offset)
+    return light
 
 
 def coding_of(
@@ -113,6 +139,8 @@ def coding_of(
         )
     facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
     full = None if saturation is None else saturation * top
+    if levels:
+        full = min(math.inf if full is None else full, (1.0 - _LAST) * top)
     return Coding(
         used, levels, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts
     )

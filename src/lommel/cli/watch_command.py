@@ -25,7 +25,7 @@ from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under, with_options
 from lommel.cli.output import Facts, Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
-from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
+from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
 from lommel.imaging import LiveDepth
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import videos
@@ -118,7 +118,7 @@ class Files:
                help="F-number: once for both frames, or repeated for each; overrides the lens file."),
         Option("--exposure", "exposures", type=float, multiple=True,
                help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default "
-               "a ratio that changes smoothly over the frame, measured pair by pair."),
+               "a ratio that changes over the frame, smoothly and from row to row, measured pair by pair."),
         documented(LiveDepth, "magnification", type=click.Choice(["registered", "lens"])),
         CAMERA,
         SQUARE_PIXEL,
@@ -201,7 +201,7 @@ def watch(
         with stop.signals():
             while (pair := stop.next(pairs)) is not None:
                 first = pair.time if math.isnan(first) else first
-                seen, fault = _seen(live, coding, pair, first, sharp, misfit)
+                seen, fault = _seen(live, coding, pair, first, sharp, misfit, not exposures)
                 if fault and not tally.failed:
                     status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
                 tally.add(seen, bool(fault))
@@ -254,12 +254,13 @@ def _scale(far: float) -> float:
 
 
 def _seen(
-    live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool, limit: float
+    live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool, limit: float, even: bool
 ) -> tuple[Seen, str]:
     """Return what is found of a pair, and why nothing is, as in a black frame."""
     start = time.perf_counter()
     try:
-        found = live(coding.light(pair.first), coding.light(pair.second))
+        frames = coding.light(pair.first), coding.light(pair.second)
+        found = live(*(evened(*frames, coding) if even else frames))
     except ValueError as error:
         took = time.perf_counter() - start
         fault = (
@@ -329,6 +330,8 @@ class Tally:
         share, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
+        if self.failed == self.pairs:
+            lines = ["no depth found: no pair could be used, for the reason told at the first"]
         if share:
             lines = [
                 f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "

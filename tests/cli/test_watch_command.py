@@ -374,7 +374,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     class Camera:
         live, levels, grey, bits, interval = True, 256, False, None, 0.005
 
-        def __init__(self, number: int, grey: bool) -> None:
+        def __init__(self, number: int, grey: bool, tell: object) -> None:
             self.name, (self.frame,) = f"camera {number}", eight_bits([recorded(1.5)[number]])
 
         def frames(self):

@@ -204,6 +204,21 @@ def test_numbered_images_are_video_with_gaps_where_numbers_are_missing(tmp_path)
         assert video.encoding == "srgb"
 
 
+def test_a_damaged_image_is_left_out_and_told_and_bits_of_jpeg_are_counted(tmp_path):
+    colour = noise(1, (64, 66, 3))[0]
+    for number in (1, 2, 3, 4, 5):
+        Image.fromarray(colour).save(tmp_path / f"{number}.jpg", quality=50)
+    for number in (3, 4):
+        (tmp_path / f"{number}.jpg").write_bytes((tmp_path / "1.jpg").read_bytes()[:300])
+    said: list[str] = []
+    with video_frames(tmp_path, grey=True, tell=said.append) as video:
+        assert len(list(video)) == 3
+        assert video.dropped == 2
+        assert video.bits == pytest.approx(8.0 * (tmp_path / "1.jpg").stat().st_size / (64 * 66))
+    (sentence,) = said
+    assert "3.jpg is left out: " in sentence
+
+
 @pytest.mark.parametrize(
     ("source", "said"),
     [
@@ -319,8 +334,8 @@ def test_a_camera_is_read_by_opencv_until_it_is_unplugged(monkeypatch):
         def isOpened(self) -> bool:
             return self.left > 0
 
-        def get(self, _: int) -> float:
-            return 0.0
+        def get(self, which: int) -> float:
+            return 1196444237.0 if which == 6 else 0.0  # "MJPG"
 
         def grab(self) -> bool:
             self.left -= 1
@@ -333,7 +348,7 @@ def test_a_camera_is_read_by_opencv_until_it_is_unplugged(monkeypatch):
             self.left = -1
 
     module = SimpleNamespace(
-        VideoCapture=Capture, CAP_PROP_FPS=5, COLOR_BGR2GRAY=6, COLOR_BGR2RGB=4,
+        VideoCapture=Capture, CAP_PROP_FPS=5, CAP_PROP_FOURCC=6, COLOR_BGR2GRAY=6, COLOR_BGR2RGB=4,
         utils=SimpleNamespace(logging=SimpleNamespace(setLogLevel=lambda level: None)),
         cvtColor=lambda values, order: values[..., 0] if order == 6 else values[..., ::-1],
     )  # fmt: skip
@@ -342,7 +357,9 @@ def test_a_camera_is_read_by_opencv_until_it_is_unplugged(monkeypatch):
     with video_frames("3", grey=True, tell=said.append) as video:
         assert (video.name, video.shape, video.encoding, video.live) == ("camera 3", (64, 64), "srgb", True)
         assert len(list(video)) <= 9
-    assert said == ["camera 3 gives no more frames: it was unplugged, or stopped"]
+    lossy, end = said
+    assert lossy.startswith("camera 3 compresses its frames, as Motion JPEG or H.264")
+    assert end == "camera 3 gives no more frames: it was unplugged, or stopped"
     with pytest.raises(VideoError, match="camera 0 cannot be opened"):
         video_frames(0)
 

@@ -41,6 +41,7 @@ USUAL_RATE = 25.0
 """Frames a second of sources that state neither times nor a rate, as numbered images."""
 
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
+_LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # codes of what cameras send
 _PATIENCE = 10.0  # seconds without a frame, after which a live source is taken to have ended
 _KEPT = 4  # frames of a live source that wait
 _FIRST = 6  # frames that the interval is first known by
@@ -477,14 +478,14 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
     if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
         source = int(source)
     if isinstance(source, int | np.integer):
-        return VideoFrames(_Camera(validation.integer("source", source, least=0, most=999), grey), say)
+        return VideoFrames(_Camera(validation.integer("source", source, least=0, most=999), grey, say), say)
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
         return VideoFrames(_Coded(source, _without_password(source), True, grey, say), say)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
-        return VideoFrames(_Images(path, grey), say)
+        return VideoFrames(_Images(path, grey, say), say)
     reading.size(path)  # a pipe is not waited for
     return VideoFrames(_Coded(fspath(path), validation.line(path), False, grey, say), say)
 
@@ -660,7 +661,7 @@ class _Camera:
 
     live, levels, grey, bits = True, 256, False, None
 
-    def __init__(self, number: int, grey: bool) -> None:
+    def __init__(self, number: int, grey: bool, tell: Tell) -> None:
         self._cv2 = optional.library("cv2", "cameras need", "video")
         self._cv2.utils.logging.setLogLevel(0)  # errors are told
         self.name, self._grey = f"camera {number}", grey
@@ -669,6 +670,11 @@ class _Camera:
             raise VideoError(f"{self.name} cannot be opened: there is none of this number, or it is in use")
         rate = self._capture.get(self._cv2.CAP_PROP_FPS)
         self.interval = 1.0 / rate if 0.0 < rate < 1e4 else 0.0
+        code = int(self._capture.get(self._cv2.CAP_PROP_FOURCC)) & 0xFFFFFFFF
+        if code.to_bytes(4, "little") in _LOSSY:
+            tell(
+                f"{self.name} compresses its frames, as Motion JPEG or H.264: fine texture may be lost with the noise"
+            )
 
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames, at the times when they arrive."""
@@ -690,10 +696,11 @@ class _Camera:
 class _Images:
     """Numbered images, whose numbers are their times."""
 
-    live, interval, bits = False, 1.0 / USUAL_RATE, None
+    live, interval = False, 1.0 / USUAL_RATE
 
-    def __init__(self, path: Path, grey: bool) -> None:
-        self.name, self._grey = validation.line(path), grey
+    def __init__(self, path: Path, grey: bool, tell: Tell) -> None:
+        self.name, self._grey, self._tell = validation.line(path), grey, tell
+        self._bytes = self._pixels = 0
         folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _numbered(path.name))
         suffixes = {suffix for one in registry.formats("photo") for suffix in one.suffixes}
         images = (one for one in folder.iterdir() if one.suffix.lower() in suffixes)
@@ -714,9 +721,25 @@ class _Images:
         return values.astype(np.float32) if values.dtype.kind == "f" else values
 
     def frames(self) -> Iterator[VideoFrame]:
-        """Yield all images."""
+        """Yield all images but those that cannot be read, of which the first is told."""
+        told = False
         for number, path in self._files:
-            yield VideoFrame(self._read(path), number * self.interval)
+            try:
+                values, size = self._read(path), path.stat().st_size
+            except (OSError, ValueError) as error:
+                if not told:
+                    told = True
+                    self._tell(f"{validation.line(path)} is left out: {_reason(error)}")
+                continue
+            if path.suffix.lower() in (".jpg", ".jpeg"):
+                self._bytes += size
+                self._pixels += values.shape[0] * values.shape[1]
+            yield VideoFrame(values, number * self.interval)
+
+    @property
+    def bits(self) -> float | None:
+        """Bits a pixel of JPEG files so far."""
+        return 8.0 * self._bytes / self._pixels if self._pixels else None
 
     def close(self) -> None:
         """Nothing is open."""

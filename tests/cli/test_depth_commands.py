@@ -45,8 +45,8 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     assert lines[1] == "112 x 112 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
     assert lines[2] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
     assert lines[3].startswith("depth known at ")
-    assert lines[4].endswith("(1 if only noise is left): registration and noise agree")
-    assert lines[5].startswith("not tested, for photos cannot tell: which of them is focused nearer")
+    assert lines[4].startswith("registration and noise agree (misfit ")
+    assert lines[5].startswith("not tested: the size of blur (f-number, focal length, pixel pitch), which of them")
     assert lines[6:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
     depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
     assert np.nanmedian(depth) == pytest.approx(1.5, abs=2e-3)
@@ -73,10 +73,10 @@ def test_json_has_all_facts(folder, call_lommel):
 def test_photos_that_do_not_fit_are_told(folder, call_lommel):
     tifffile.imwrite(folder / "moved.tif", np.roll(tifffile.imread(folder / "far.tif"), 2, axis=1))
     result = call_lommel("depth", "near.tif", "moved.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
-    assert "the photos do not fit: check registration, noise and lens" in result.stdout
+    assert "the images differ by more than noise (misfit " in result.stdout
     loud = ["--between", "1.2 m", "2 m", "--white", 1e4, "--read", 200]
     result = call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *loud, folder=folder)
-    assert "less than the noise stated: the photos were denoised, or --white and --read overstate it" in result.stdout
+    assert "they were denoised, or noise is overstated" in result.stdout
     flat = np.full((64, 64), 0.5, dtype=np.float32)
     draw = np.random.default_rng(0)
     for name in ("flat", "other"):

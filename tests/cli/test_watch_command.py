@@ -105,8 +105,8 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
     assert lines[3].endswith("ended: the end")
     assert lines[4] == "frames dropped: 0"
     assert lines[5].startswith("depth known at ")
-    assert lines[6].endswith("(1 if only noise is left): registration and noise agree")
-    assert lines[7].startswith("not tested, for frames cannot tell: which of them is focused nearer, focus distances")
+    assert lines[6].startswith("registration and noise agree (misfit ")
+    assert lines[7].startswith("not tested: the size of blur (f-number, focal length, pixel pitch), which of them")
     assert lines[8] == "colours: yellow at 1.2 m to violet at 2 m, even in 1 / distance; grey: not known"
     assert lines[9] == "--depth: levels of 100 um, 0 where not known"
     assert lines[10:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "deviation.mkv", "found.csv")]
@@ -217,7 +217,7 @@ def test_blocks_that_do_not_fit_are_not_known_and_counted(folder, call_lommel):
     result = call_lommel(*words, folder=folder)
     assert "not known for a misfit above 2 (--misfit): " in result.stdout
     assert "(--magnification lens)" in result.stdout
-    assert "the frames do not fit: check registration, noise and lens" in result.stdout
+    assert "the images differ by more than noise (misfit " in result.stdout
     known = [(values > 0).mean() for values in frames_of(folder / "d.mkv")[0]]
     table = rows(folder / "t.csv")
     assert [row["known"] for row in table] == pytest.approx(known, abs=1e-5)

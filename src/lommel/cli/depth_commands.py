@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.imaging.defocus_depth import DefocusDepth
+    from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.lensfiles.camera import Camera
     from lommel.optics.lens import Lens
 
-_LEAST_MISFIT, _MISFIT = 0.7, 2.0
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
@@ -134,6 +134,8 @@ def depth(
             **options,
         )
         seconds = time.perf_counter() - start
+        started("comparing the blur with that of other apertures")
+        found.verdict  # noqa: B018 (computed here, and kept)
         for path, values in zip(outputs, (found.depth, found.deviation), strict=False):
             write_depth(path, values)
         if sharp is not None:
@@ -172,19 +174,16 @@ def each_lens(
     return lenses
 
 
-def misfit_in_words(misfit: float, what: str) -> str:
-    """Return what a median misfit says of frames or photos."""
-    fits = "registration and noise agree"
-    if misfit > _MISFIT:
-        fits = f"the {what} do not fit: check registration, noise and lens"
-    elif misfit < _LEAST_MISFIT:
-        fits = f"less than the noise stated: the {what} were denoised, or --white and --read overstate it"
-    return f"misfit {misfit:.3g} (1 if only noise is left): {fits}"
-
-
-def untested(what: str) -> str:
-    """Return what frames or photos cannot tell."""
-    return f"not tested, for {what} cannot tell: which of them is focused nearer, focus distances, f-number, pixel"
+def verdict_facts(verdict: DefocusVerdict) -> Facts:
+    """Return what was tested of the lenses and the noise, for reports."""
+    told = math.isfinite(verdict.scale)
+    return {
+        "agrees": verdict.agrees,
+        "scale": verdict.scale if told else None,
+        "scale_deviation": verdict.deviation if told else None,
+        "tested": list(verdict.tested),
+        "untested": list(verdict.untested),
+    }
 
 
 def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
@@ -213,6 +212,7 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
         "depth": depth,
         "deviation": deviation,
         "misfit": left,
+        **verdict_facts(found.verdict),
     }
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -222,8 +222,8 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
         f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
         f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
         text,
-        misfit_in_words(left, "photos"),
-        untested("photos"),
+        *found.verdict.tested,
+        "not tested: " + ", ".join(found.verdict.untested),
     ]
     return Report(facts | rest, lines)
 

@@ -20,13 +20,14 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
-from lommel.cli.depth_commands import each_lens, misfit_in_words, untested
+from lommel.cli.depth_commands import each_lens, verdict_facts
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under, with_options
 from lommel.cli.output import Facts, Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
 from lommel.imaging import LiveDepth
+from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import videos
 from lommel.io.registry import suffixes
@@ -218,6 +219,7 @@ def watch(
             status.tell(lossy)
         if not tally.pairs:
             raise ValueError(f"no pair of frames came: {ended}")
+        verdict = DefocusVerdict(math.nan, math.nan, math.inf) if tally.failed == tally.pairs else live.verdict()
     read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
     height, width = pairs.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -242,7 +244,7 @@ def watch(
         read
         + setting
         + _counts(tally, pairs, ended)
-        + tally.found(misfit, magnification == "registered")
+        + tally.found(misfit, magnification == "registered", verdict)
         + outputs.report()
     )
     return Report(found.facts, found.parts, converged=pairs.lost is None)
@@ -324,11 +326,12 @@ class Tally:
             text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * deviation:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def found(self, limit: float, registered: bool) -> Report:
-        """Return the report of known share, depth and misfit over the pairs."""
+    def found(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
+        """Return the report of known share, depth and misfit over the pairs, and of the verdict of the last one."""
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
+        verdict = last._replace(misfit=misfit)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason told at the first"]
@@ -346,12 +349,12 @@ class Tally:
                 f"from frame to frame, edges of depth{also}"
             )
         if not math.isnan(misfit):
-            lines.append(misfit_in_words(misfit, "frames"))
+            lines += verdict.tested
         values = {"depth": depth, "deviation": deviation, "misfit": misfit}
         facts = {"known": share, "unfit": unfit} | {
             name: None if math.isnan(each) else each for name, each in values.items()
         }
-        return Report(facts, [*lines, untested("frames")])
+        return Report(facts | verdict_facts(verdict), [*lines, "not tested: " + ", ".join(verdict.untested)])
 
 
 def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:

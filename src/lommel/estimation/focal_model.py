@@ -28,6 +28,7 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.measures.transfer import otf
@@ -61,6 +62,14 @@ class Band:
         i, j = np.triu_indices(count)
         share = np.where(i == j, 1.0, 2.0) / count**2
         return cls(np.append(0.0, axis[i]), np.append(0.0, axis[j]), np.append(0.0, share))
+
+    def places(self) -> NDArray[np.intp]:
+        """Return which of the frequencies have the values at the middles of all intervals of the quadrant."""
+        count = round(math.sqrt(2.0 * len(self.fx) - 1.75) - 0.5)
+        whole = np.zeros((count, count), dtype=np.intp)
+        upper = np.triu_indices(count)
+        whole[upper] = whole.T[upper] = 1 + np.arange(len(upper[0]))
+        return whole
 
 
 def texture_power(f: Array, contrast: float) -> Array:

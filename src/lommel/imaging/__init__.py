@@ -4,6 +4,7 @@ from lommel.imaging.blur import BlurSlopes, DepthBlur
 from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
 from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
+from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.field_photograph import field_photograph
 from lommel.imaging.linear import LinearBlur
@@ -21,6 +22,7 @@ __all__ = [
     "RED_GREEN_BLUE",
     "BlurSlopes",
     "DefocusDepth",
+    "DefocusVerdict",
     "DepthBlur",
     "Exif",
     "FieldBlur",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,11 +17,13 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
-from lommel.core.engine import FocalScale
+from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
-from lommel.imaging.focal_engine import BLOCK, CONTRAST, MAGNIFICATIONS, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.defocus_verdict import DefocusVerdict, judged
+from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.focal_frames import Registration, relative_exposures
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.photos import write_depth
@@ -29,7 +32,6 @@ from lommel.show import estimates
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
 
 _MOST = 2001  # candidates
 _LEAST_OF_BLOCK = 2.0  # pixels, of windows that take blocks of four: smaller ones take blocks of two
@@ -67,11 +69,17 @@ class DefocusDepth:
     exposures: tuple[float, ...]
     encoding: str
     _sharpen: Callable[[Array], Values]
+    _judge: Callable[[], DefocusVerdict]
 
     @property
     def known(self) -> float:
         """Fraction of the pixels whose depth is known."""
         return float(np.isfinite(self.deviation).mean())
+
+    @cached_property
+    def verdict(self) -> DefocusVerdict:
+        """Whether registration, noise and lenses agree with the photographs; some seconds when it is first asked."""
+        return self._judge()
 
     @cached_property
     def sharp(self) -> Values:
@@ -223,12 +231,17 @@ def depth_from_defocus(
     images, valid = np.stack(electrons, axis=1).astype(np.float32), np.all(known, axis=0)
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
-    if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-        valid = _rescaled(images, valid, lenses)
-    exposed = _relative(images[..., valid], exposures)
-    mean = float(images[:, 0][..., valid].mean())
-    if not mean > 0.0:
-        raise ValueError(f"photographs must hold light on average, got {mean:.4g} electrons a pixel in the first")
+    registered = Registration(magnification, lenses, valid.shape, processors())
+    for channel in images if registered else ():
+        channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
+    valid = np.isfinite(images).all(axis=(0, 1)) & valid
+    means = images[..., valid].mean(axis=(0, 2), dtype=np.float64)
+    if not np.all(means > 0.0):
+        told = ", ".join(f"{each:.4g}" for each in means)
+        raise ValueError(f"photographs must hold light on average, got {told} electrons a pixel")
+    mean, exposed = float(means[0]), tuple((means / means[0]).tolist())
+    if exposures is not None:
+        exposed = relative_exposures(exposures, len(lenses))
     images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
     spectra = [
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
@@ -241,9 +254,8 @@ def depth_from_defocus(
     position, deviation, misfit = _search(engine, images, valid, progress)
     step = float(vergence[1] - vergence[0])
     with np.errstate(invalid="ignore", divide="ignore"):
-        depth = 1.0 / (vergence[0] + step * position.astype(np.float64))
+        depth, distances = 1.0 / (vergence[0] + step * position.astype(np.float64)), 1.0 / vergence
         sigma = np.where(np.isfinite(deviation), deviation * step * depth**2, np.inf)
-        distances = 1.0 / vergence
 
     def sharpen(filled: Array) -> Values:
         place = np.asarray((1.0 / filled - vergence[0]) / step, dtype=np.float32)
@@ -254,16 +266,12 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen)
+    judge = partial(judged, engine, images, valid, deviation, misfit)
+    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
 
 
-# Rows that are answered for at once, and of which photographs, with those beside them that they depend on. Both begin
-# at whole squares and blocks.
-_Band = tuple[slice, slice]
-
-
-def _bands(shape: tuple[int, int], reach: int) -> Iterator[_Band]:
-    """Yield the bands of photographs, from the top."""
+def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
+    """Yield the rows that are answered for at once, and those they depend on; whole squares and blocks."""
     for top in range(0, shape[0], _ROWS):
         bottom = min(top + _ROWS, shape[0])
         above = max(0, top - reach) // _WHOLE * _WHOLE
@@ -278,11 +286,11 @@ def _framed(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDA
     return planes, np.pad(valid.astype(np.uint8), more, constant_values=2)
 
 
-def _gains(count: int) -> NDArray[np.float32]:
-    """Return gains of images that are in electrons."""
-    gains = np.zeros((count, 6), dtype=np.float32)
+def _take(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -> None:
+    """Give a stream planes that are in electrons."""
+    gains = np.zeros((len(planes), 6), dtype=np.float32)
     gains[:, 0] = 1.0
-    return gains
+    stream.take(planes, gains, 0.0, math.inf, known)
 
 
 def _search(
@@ -294,7 +302,7 @@ def _search(
     for done, (inside, around) in enumerate(bands, 1):
         planes, known = _framed(images[:, :, around], valid[around])
         stream = engine.stream(known.shape)
-        stream.take(planes, _gains(len(planes)), 0.0, math.inf, known)
+        _take(stream, planes, known)
         made = np.empty((3, *known.shape), dtype=np.float32)
         stream.places(*made)
         first = inside.start - around.start
@@ -314,7 +322,7 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
         for channel, several in enumerate(images[:, :, around]):
             planes, known = _framed(several, valid[around])
             stream = engine.image_stream(known.shape, channel)
-            stream.take(planes, _gains(len(planes)), 0.0, math.inf, known)
+            _take(stream, planes, known)
             more = [(0, side - own) for side, own in zip(known.shape, place[around].shape, strict=True)]
             made = np.empty(known.shape, dtype=np.float32)
             stream.mix(np.pad(place[around], more, mode="edge"), 1, engine.factors(channel, None), made)
@@ -325,7 +333,7 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
 def _electrons(
     name: str, values: Values, encoding: str, noise: Noise, saturation: float | None
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the electrons of one photograph, channels first, and its known pixels; others are filled by these."""
+    """Return the electrons of one photograph, channels first, and its known pixels."""
     known = np.ones(values.shape, dtype=np.bool_)
     if values.dtype.kind == "f":
         known = np.isfinite(values)
@@ -335,41 +343,8 @@ def _electrons(
         with np.errstate(invalid="ignore"):
             known &= values < validation.real("saturation", saturation, above=0.0)
     pixels: NDArray[np.bool_] = np.asarray(known.reshape(*known.shape[:2], -1).all(axis=2))
-    if not pixels.all() and pixels.any():
-        from scipy.ndimage import distance_transform_edt
-
-        nearest = distance_transform_edt(~pixels, return_distances=False, return_indices=True)
-        values = values[tuple(nearest)]
-    elif not pixels.any():
-        return np.zeros((1, *pixels.shape)), pixels
-    light = to_light(name, values, encoding, np.float64)
-    return noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0)), pixels
-
-
-def _relative(images: Values, exposures: Sequence[float] | None) -> tuple[float, ...]:
-    """Return the light of each photograph over that of the first, as stated or as measured."""
-    if exposures is not None:
-        given = validation.real_array("exposures", exposures)
-        if given.shape != (images.shape[1],) or not np.all(given > 0.0):
-            raise ValueError(
-                f"exposures must be {images.shape[1]} numbers > 0, one for each photograph, "
-                f"got {validation.shown(exposures)}"
-            )
-        return tuple((given / given[0]).tolist())
-    sums = images.sum(axis=(0, 2))
-    if not np.all(sums > 0.0):
-        raise ValueError("photographs must hold light on average to compare their exposures; give exposures=")
-    return tuple((sums / sums[0]).tolist())
-
-
-def _rescaled(images: Values, valid: NDArray[np.bool_], lenses: Sequence[Lens]) -> NDArray[np.bool_]:
-    """Enlarge images about their middle to the sensor distance of the first, and return their known pixels."""
-    known, made = valid.copy(), np.empty(valid.shape, dtype=np.float32)
-    for k, lens in enumerate(lenses[1:], 1):
-        factor = lens.sensor_distance / lenses[0].sensor_distance
-        scale = FocalScale(valid.shape[0], valid.shape[1], factor, processors())
-        for channel in images[:, k] if factor != 1.0 else ():
-            scale(channel, math.inf, valid.view(np.uint8), made)
-            known &= np.isfinite(made)
-            channel[...] = np.where(np.isfinite(made), made, channel)
-    return known
+    light = to_light(name, np.where(known, values, values.dtype.type(0)), encoding, np.float64)
+    planes = noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0))
+    if pixels.any():
+        planes = np.stack([fill_missing(np.where(pixels, plane, np.nan), "nearest") for plane in planes])
+    return planes, pixels

@@ -20,9 +20,6 @@ from lommel.optics.lens import Lens
 BLOCK = 4
 """Pixels a side of the blocks that energies are summed over."""
 
-MAGNIFICATIONS = ("registered", "lens")
-"""How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
-
 CONTRAST = 0.2
 """Of the texture that filters are designed for: the rms over the mean of structures of 2 to 128 pixels."""
 
@@ -137,6 +134,18 @@ class FocalEngine:
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
         found = [np.abs(one.bias / one.deviation)[inner].max() for one in self.channels]
         return float(max(found)) * math.sqrt(self._pixels) / self.binning
+
+    @property
+    def of_least(self) -> float:
+        """How far the least of an energy is below that of the true depth, on average."""
+        return self.binning**2 / self._pixels
+
+    def averaged(self, blocks: Array) -> Array:
+        """Return the means of blocks, (rows, columns), over windows."""
+        from scipy.ndimage import correlate1d
+
+        along = np.append(self._weights[:0:-1], self._weights)
+        return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
 
     def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
         """Make tables of sharp images, and of other foci; by the filters of the depth if a stream is to be shared."""

@@ -10,9 +10,56 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.core.engine import FocalScale
 from lommel.estimation.noise import Noise
+from lommel.optics.lens import Lens
 
 Frame = NDArray[Any]
+
+MAGNIFICATIONS = ("registered", "lens")
+"""How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
+
+
+def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
+    """Return stated exposures over the first; TypeError or ValueError unless they are `count` numbers above 0."""
+    values = validation.real_array("exposures", given, least=1e-6, most=1e6)
+    if values.shape != (count,):
+        raise ValueError(f"exposures must be {count} numbers > 0, one for each lens, got {validation.shown(given)}")
+    return tuple((values / values[0]).tolist())
+
+
+class Registration:
+    """Frames at the scale of the first, about their middle.
+
+    Parameters
+    ----------
+    magnification : {"registered", "lens"}
+        How they differ.
+    lenses : sequence of Lens
+    size : (int, int)
+        Height and width, pixels.
+    threads : int
+    """
+
+    def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
+        self._scales: list[FocalScale | None] = [None] * len(lenses)
+        if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+            scales = [lens.sensor_distance / lenses[0].sensor_distance for lens in lenses]
+            self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in scales]
+        self._made = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
+
+    def __bool__(self) -> bool:
+        """Whether any frame is resampled."""
+        return any(self._scales)
+
+    def __call__(self, frames: list[Frame], full: float, known: NDArray[np.uint8] | None) -> list[Frame]:
+        """Return frames, in arrays that the next call overwrites; NaN is what depends on unknown pixels."""
+        made = list(frames)
+        for k, (scale, out) in enumerate(zip(self._scales, self._made, strict=True)):
+            if scale is not None and out is not None:
+                scale(frames[k], full, known, out)
+                made[k] = out
+        return made
 
 
 class FrameForm:

@@ -218,7 +218,7 @@ def _bound(model: FocalModel) -> Array:
     return np.asarray(1.0 / (step * np.sqrt(np.maximum(model.information(slope), 1e-300))))
 
 
-def _residual_filters(model: FocalModel) -> Array:
+def residual_filters(model: FocalModel) -> Array:
     """Return the filters of all pairs of frames, shape (c, pairs, frames, frequencies)."""
     h, noise, q = model.transfer, model.noise, model.signal()
     f = np.hypot(model.band.fx, model.band.fy)
@@ -277,7 +277,7 @@ def _tables(
     """Return the tables of a model, by polynomials of a degree."""
     band = model.band
     terms = taps.chebyshev(band.fx, band.fy, degree)
-    filters = _residual_filters(model)
+    filters = residual_filters(model)
     fitted, metric = _Fit(model, terms, 0.0, 1e-9).coefficients(filters)
     count, pairs, frames = filters.shape[:3]
     mixes, basis = _few(fitted.reshape(count * pairs, -1), metric, np.ones(count * pairs), left, 0.0)
@@ -380,10 +380,8 @@ class _Correlation:
     """
 
     def __init__(self, band: Band, overlap: Array) -> None:
-        count = round(math.sqrt(2.0 * len(band.fx) - 1.75) - 0.5)
-        self._places = np.zeros((count, count), dtype=np.intp)
-        upper = np.triu_indices(count)
-        self._places[upper] = self._places.T[upper] = 1 + np.arange(len(upper[0]))
+        self._places = band.places()
+        count = len(self._places)
         lags = np.arange(min(count, len(overlap)))
         self._cosines = np.cos(2.0 * math.pi * lags[:, None] * band.fx[self._places[:, -1]]) / count
         both = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]

@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.core.engine import FocalScale
 from lommel.estimation.focal_model import FocalLight
 from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
-from lommel.imaging.focal_engine import BLOCK, CONTRAST, MAGNIFICATIONS, FocalEngine, FocalTask, processors, ranged
-from lommel.imaging.focal_frames import FrameForm
+from lommel.imaging.defocus_verdict import DefocusVerdict, judged
+from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
+from lommel.imaging.focal_frames import FrameForm, Registration, relative_exposures
 from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens
 
@@ -66,7 +66,7 @@ class LiveDepthMap:
         low, high = np.percentile(self.depth[inner], [5.0, 95.0])
         return (
             f"<LiveDepthMap: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
-            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm, misfit {np.median(self.misfit[inner]):.2f}>"
+            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm, misfit {np.nanmedian(self.misfit[inner]):.2f}>"
         )
 
 
@@ -176,7 +176,7 @@ class LiveDepth:
         if isinstance(exposures, str):
             self._smooth = validation.choice("exposures", exposures, ("smooth",)) == "smooth"
         elif exposures is not None:
-            self._given = _exposures(exposures, len(lenses))
+            self._given = relative_exposures(exposures, len(lenses))
         width = validation.real("window", window, least=2.0, below=16.0 + 1e-9, unit="pixels")
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
@@ -192,11 +192,7 @@ class LiveDepth:
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
         self._depth, self._deviation, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
-        self._scales: list[FocalScale | None] = [None] * len(lenses)
-        if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-            scales = [lens.sensor_distance / lenses[0].sensor_distance for lens in lenses]
-            self._scales = [FocalScale(*form.size, scale, count) if scale != 1.0 else None for scale in scales]
-        self._scaled = [None if one is None else np.empty(form.size, dtype=np.float32) for one in self._scales]
+        self._registered = Registration(magnification, lenses, form.size, count)
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
         self._gains = np.zeros((len(lenses), 6), dtype=np.float32)
         self._lenses = tuple(lenses)
@@ -271,9 +267,19 @@ class LiveDepth:
         """Write the tables to a file for cameras without Python: ``lommel_live_new`` of the C interface reads it.
 
         The file holds the frames' noise, saturation and, where they were asked for, sharp images; the size of the
-        frames is stated there. ValueError for colour, exposures that are stated, several levels of light, or masks.
+        frames is stated there.
+
+        Parameters
+        ----------
+        path : path-like
+            Of the file, which is replaced.
+
+        Raises
+        ------
+        TypeError, ValueError
+            For colour, exposures that are stated, magnification, several levels of light, or masks.
         """
-        more = self._given is not None or self._smooth or self._form.masked or any(self._scales)
+        more = self._given is not None or self._smooth or self._form.masked or bool(self._registered)
         if len(self._levels) != 1 or self._form.channels != 1 or more:
             raise ValueError(
                 "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
@@ -281,17 +287,6 @@ class LiveDepth:
             )
         form, name = self._form, validation.path("path", path)
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
-
-    def _registered(
-        self, frames: list[NDArray[Any]], limit: float, known: NDArray[np.uint8] | None
-    ) -> list[NDArray[Any]]:
-        """Return frames at the scale of the first."""
-        made = list(frames)
-        for k, (scale, out) in enumerate(zip(self._scales, self._scaled, strict=True)):
-            if scale is not None and out is not None:
-                scale(frames[k], limit, known, out)
-                made[k] = out
-        return made
 
     def _added(self, frames: Sequence[NDArray[Any]]) -> list[NDArray[np.float32]]:
         """Return the sums of the channels."""
@@ -324,6 +319,32 @@ class LiveDepth:
             )
         return found, float(means[0])
 
+    def verdict(self) -> DefocusVerdict:
+        """Return whether registration, noise and lenses agree with the frames of the last call, in some seconds.
+
+        These must not have changed since. ValueError if there are no frames yet.
+        """
+        level, stored, full, mask = self._taken()
+        planes, limit = (stored, full) if self._planes is None else (self._added(stored), math.inf)
+        planes = self._registered(list(planes), limit, mask)
+        with np.errstate(invalid="ignore"):
+            valid = np.all([np.isfinite(plane) & (plane < limit) for plane in planes], axis=0)
+        if mask is not None:
+            valid &= mask > 0
+        down, across = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
+        y, x = down[:, None], across[None, :]
+        light = [
+            (plane - self._form.offset * self._form.channels)
+            * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
+            for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
+        ]
+        images = np.where(valid, light, 0.0)[None]
+        deviation, misfit = (
+            np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
+            for each in (self._deviation / self._depth**2, self._misfit)
+        )
+        return judged(level.engine, images, valid, np.where(np.isnan(deviation), np.inf, deviation), misfit)
+
     def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, which must not have changed since.
 
@@ -354,14 +375,22 @@ class LiveDepth:
         distance : float
             Distance in focus, metres. The first call with it makes a table.
         out : ndarray of float32, optional
-            As of :meth:`sharp`, which has errors, results and units, too.
+            As of :meth:`sharp`, which has results and units, too.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As of :meth:`sharp`, if `distance` is not above 0, or ``refocus=True`` was not asked for.
         """
         return self._mixed(validation.real("distance", distance, above=0.0, infinite=True, unit="metres"), out)
 
-    def _mixed(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
+    def _taken(self) -> _Taken:
         if self._last is None:
             raise ValueError("there are no frames yet: call this with frames first")
-        level, planes, limit, mask = self._last
+        return self._last
+
+    def _mixed(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
+        level, planes, limit, mask = self._taken()
         if level.pictures is None:
             raise ValueError("images must be asked for: LiveDepth(..., sharp=True), or refocus=True")
         if distance is not None and not self._refocus:
@@ -401,13 +430,6 @@ def _smooth_ratios(sums: Array, offset: float) -> Array:
         scaled = other / np.maximum(weight, 1.0)
         found.append(np.linalg.lstsq(terms * scaled[:, None], light[0] / np.maximum(weight, 1.0), rcond=1e-6)[0])
     return np.asarray(found)
-
-
-def _exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
-    values = validation.real_array("exposures", given, least=1e-6, most=1e6)
-    if values.shape != (count,):
-        raise ValueError(f"exposures must be {count}, one for each lens, got shape {values.shape}")
-    return tuple((values / values[0]).tolist())
 
 
 class _Level:

@@ -265,7 +265,7 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"window": 0.5}, "window must be >= 1"),
         ({"candidates": 8}, "candidates must be from 9"),
         ({"exposures": (1.0,)}, "exposures must be 2 numbers > 0"),
-        ({"exposures": (1.0, -1.0)}, "exposures must be 2 numbers > 0"),
+        ({"exposures": (1.0, -1.0)}, "exposures must be finite and >= 1e-06"),
         ({"magnification": "zoom"}, "magnification must be"),
         ({"saturation": -1.0}, "saturation must be > 0"),
         ({"progress": 3}, "progress must be callable"),

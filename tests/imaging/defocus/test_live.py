@@ -274,7 +274,7 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
         ({"shape": (32, 64)}, r"shape\[0\] must be from 64"),
         ({"shape": 64}, "shape must be height and width"),
         ({"noise": lm.Noise(read=np.ones((4, 4)))}, "noise.read must be a number"),
-        ({"exposures": (1.0,)}, "exposures must be 2, one for each lens"),
+        ({"exposures": (1.0,)}, "exposures must be 2 numbers > 0, one for each lens"),
         ({"light": 0.0}, "light must be finite and >= 1"),
         ({"window": 1.0}, "window must be >= 2"),
         ({"known": np.ones((4, 4), bool)}, r"known must be of bool and of shape \(128, 128\)"),

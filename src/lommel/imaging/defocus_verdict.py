@@ -1,0 +1,234 @@
+"""What frames that differ in focus tell of their lenses: registration, noise, and the scale of their blur.
+
+At each point frames give the radii of as many blurs, from which the lens makes one distance. What is left over is the
+difference of the radii, which focus distances, f-number, focal length and pixel pitch state: its scale is an unknown
+that all points share. It is where the misfit is least of the filters of :mod:`lommel.imaging.focal_tables`, without
+polynomials, for apertures of other sizes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array, Values
+from lommel.estimation.focal_model import FocalModel
+from lommel.imaging.focal_engine import FocalEngine
+from lommel.imaging.focal_tables import residual_filters
+
+_LEAST_MISFIT, _MISFIT = 0.7, 2.0
+_SURE = 2.5  # standard errors, by which a scale that is wrong differs from 1
+_DEVIATION = 0.1  # scales of a larger standard error are not told
+_LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
+# How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
+_OFF, _OFF_MISFIT = 0.0005, 0.1
+_STEP, _MOST = 0.08, 8  # of the logarithm of scales that are tried, and so many steps
+_SIDE, _TILES = 256, 4  # pixels, of what is looked at
+_MARGIN = 16  # pixels, beside the blur
+_CELL = 8  # blocks a side, that are taken to be independent of others
+_LEAST_CELLS = 8
+
+
+class DefocusVerdict(NamedTuple):
+    """Whether frames that differ in focus agree with their lenses and noise, as far as frames can tell.
+
+    Attributes
+    ----------
+    misfit : float
+        Median, over what is known, of the frames' difference over that of noise: 1 where registration and noise are
+        as stated; NaN where nothing is known.
+    scale : float
+        Difference of the blurs over that of the lenses, as by apertures so much larger; NaN where it is not told.
+    deviation : float
+        Standard error of the scale, 0.02 or more; inf where it is not told.
+    """
+
+    misfit: float
+    scale: float
+    deviation: float
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """What does not agree."""
+        found = []
+        if self.misfit > _MISFIT:
+            found.append(
+                f"the images differ by more than noise (misfit {self.misfit:.3g}): something moved, they are "
+                "not registered, or noise is understated"
+            )
+        elif self.misfit < _LEAST_MISFIT:
+            found.append(
+                f"the images differ by less than noise (misfit {self.misfit:.3g}): they were denoised, or noise is "
+                "overstated"
+            )
+        if abs(self.scale - 1.0) > _SURE * self.deviation:
+            found.append(
+                f"blurs differ by {self._of} of what the lenses state: f-number, focal length, pixel pitch or a "
+                "focus distance is wrong"
+            )
+        return tuple(found)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether nothing that was tested disagrees."""
+        return not self.faults and math.isfinite(self.misfit)
+
+    @property
+    def tested(self) -> tuple[str, ...]:
+        """What agrees, and the faults."""
+        agreed = []
+        if _LEAST_MISFIT <= self.misfit <= _MISFIT:
+            agreed.append(f"registration and noise agree (misfit {self.misfit:.3g}; 1 if only noise is left)")
+        if abs(self.scale - 1.0) <= _SURE * self.deviation:
+            agreed.append(f"blurs differ as the lenses state ({self._of} of it)")
+        return *agreed, *self.faults
+
+    @property
+    def untested(self) -> tuple[str, ...]:
+        """What these images do not tell."""
+        never = "which of them is focused nearer", "a shift of all focus distances"
+        scale = () if math.isfinite(self.scale) else ("the size of blur (f-number, focal length, pixel pitch)",)
+        return (*scale, *never)
+
+    @property
+    def _of(self) -> str:
+        return f"{self.scale:.2f} +- {self.deviation:.2f}"
+
+    def __str__(self) -> str:
+        return "; ".join(self.tested or ["nothing agrees, for no depth is known"]) + (
+            "; not tested: " + ", ".join(self.untested)
+        )
+
+
+def judged(
+    engine: FocalEngine, images: Values, valid: NDArray[np.bool_], deviation: Values, misfit: Values
+) -> DefocusVerdict:
+    """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of the first.
+
+    `valid` are the pixels that are known, `deviation` the standard errors found, infinite where depth is not known,
+    and `misfit` their misfits, all of shape (height, width).
+    """
+    known = np.isfinite(deviation)
+    if not known.any():
+        return DefocusVerdict(math.nan, math.nan, math.inf)
+    weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
+    scale, error = _scale(engine, images, valid, weight)
+    told = error < _DEVIATION
+    left = float(np.median(misfit[known]))
+    return DefocusVerdict(left, scale if told else math.nan, error if told else math.inf)
+
+
+def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> tuple[float, float]:
+    """Return the scale of the difference of blurs in the brightest channel, and its standard error; NaN and inf."""
+    brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
+    tiles = list(_tiles(images[brightest], valid, weight, engine))
+    tried: dict[int, Array] = {}
+
+    def misfits(k: int) -> Array:
+        if k not in tried:
+            filters = _Filters(engine, brightest, math.exp(_STEP * k))
+            tried[k] = np.stack([filters(tile) for tile in tiles])
+        return tried[k]
+
+    k = 0
+    while tiles and abs(k) < _MOST:
+        cells, shares = _cells(np.stack([misfits(k - 1), misfits(k), misfits(k + 1)]))
+        if len(shares) < _LEAST_CELLS:
+            break
+        weights = shares / np.maximum(cells.min(axis=0), 1.0) ** 2
+        weights /= weights.sum()
+        before, here, after = cells @ weights
+        if not here <= min(before, after):
+            k += 1 if after < before else -1
+            continue
+        bend = float(before - 2.0 * here + after)
+        place = 0.5 * float(before - after) / bend
+        slopes = weights * (0.5 * (cells[2] - cells[0]) + place * (cells[0] - 2.0 * cells[1] + cells[2]))
+        scatter = float((slopes**2).sum()) / bend**2
+        systematic = 2.0 * (_OFF + _OFF_MISFIT * abs(float(here) - 1.0)) / bend
+        scale = math.exp(_STEP * (k + place))
+        return scale, scale * math.hypot(_STEP * math.sqrt(scatter + systematic), _LEAST_DEVIATION)
+    return math.nan, math.inf
+
+
+def _cells(misfits: Array) -> tuple[Array, Array]:
+    """Return the mean misfit of cells by scale, (scales, cells), and the share of each that is known at all."""
+    whole = np.isfinite(misfits).all(axis=0)
+    scales, tiles, blocks = misfits.shape[:3]
+    parts = tiles, blocks // _CELL, _CELL, blocks // _CELL, _CELL
+    counts = whole.reshape(parts).sum(axis=(2, 4)).ravel()
+    sums = np.where(whole, misfits, 0.0).reshape(scales, *parts).sum(axis=(3, 5)).reshape(scales, -1)
+    some = counts >= 0.25 * _CELL**2
+    return sums[:, some] / counts[some], counts[some] / _CELL**2
+
+
+class _Tile(NamedTuple):
+    """A square of the frames: transforms by cosines, and the variance of blocks, NaN where these are not wanted."""
+
+    spectra: Array  # (frames, side, side), of squares of pixels
+    variance: Array  # (blocks, blocks)
+
+
+def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: FocalEngine) -> Iterator[_Tile]:
+    """Yield the squares that tell most."""
+    from scipy.fft import dctn
+    from scipy.ndimage import maximum_filter
+
+    block, binning = engine.task.block, engine.binning
+    side = min(_SIDE, *(each // (_CELL * block) * (_CELL * block) for each in valid.shape))
+    blocks, reach = side // block, 2 * (math.ceil(engine.blur) + _MARGIN) + 1
+    corners = [range(0, each - side + 1, side) if side else () for each in valid.shape]
+    squares = [(slice(top, top + side), slice(left, left + side)) for top in corners[0] for left in corners[1]]
+    squares.sort(key=lambda inside: -float(weight[inside].sum()))
+    for inside in squares[:_TILES]:
+        lost = maximum_filter(np.pad(~valid[inside], 1, constant_values=True), reach, mode="nearest")[1:-1, 1:-1]
+        wanted = ~lost & (weight[inside] > 0.0)
+        known = wanted.reshape(blocks, block, blocks, block).mean(axis=(1, 3)) > 0.5
+        if known.any():
+            shape = len(images), side // binning, binning, side // binning, binning
+            planes = images[(slice(None), *inside)].reshape(shape).sum(axis=(2, 4), dtype=np.float64)
+            light = planes.mean(axis=0).reshape(blocks, block // binning, blocks, -1).mean(axis=(1, 3))
+            variance = np.maximum(engine.averaged(light), 0.0) + (engine.light.read * binning) ** 2
+            yield _Tile(dctn(planes, axes=(1, 2), norm="ortho"), np.where(known, variance, np.nan))
+
+
+class _Filters:
+    """Filters of residuals, for apertures of another size."""
+
+    def __init__(self, engine: FocalEngine, channel: int, scale: float) -> None:
+        task, self._engine = engine.task, engine
+        model = FocalModel.of(
+            [lens.stopped(lens.f_number / scale) for lens in task.lenses],
+            task.vergence,
+            task.spectra[channel],
+            task.pixel,
+            engine.light,
+            transfer=task.transfer,
+            binning=engine.binning,
+        )
+        self._white = model.white
+        self._filters = residual_filters(model)[..., model.band.places()]
+
+    def __call__(self, tile: _Tile) -> Array:
+        """Return the misfit of blocks, NaN where not wanted and where it is least at an end of the range."""
+        from scipy.fft import idctn
+
+        blocks, side, count = len(tile.variance), tile.spectra.shape[1], self._filters.shape[-1]
+        at = np.clip(np.arange(side) * (count / side) - 0.5, 0.0, count - 1.0)
+        between = np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(count)))
+        energies, noise = np.empty((len(self._filters), blocks, blocks)), np.empty(len(self._filters))
+        for c, pairs in enumerate(self._filters):
+            filters = between @ pairs @ between.T
+            residuals = idctn((filters * tile.spectra).sum(axis=1), axes=(1, 2), norm="ortho")
+            energy = (residuals**2).sum(axis=0).reshape(blocks, side // blocks, blocks, -1).mean(axis=(1, 3))
+            noise[c] = (filters**2).mean(axis=(2, 3)).sum(axis=0) @ self._white
+            energies[c] = self._engine.averaged(energy) / tile.variance - noise[c]
+        best = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
+        inner = np.clip(best, 1, len(energies) - 2)
+        low, here, high = (np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in (-1, 0, 1))
+        least = here - (high - low) ** 2 / (8.0 * np.maximum(low - 2.0 * here + high, 1e-30))
+        return np.where(best == inner, 1.0 + (least + self._engine.of_least) / noise[inner], np.nan)

@@ -1,0 +1,85 @@
+"""What images that differ in focus tell of their lenses, in scenes that are rendered without this package."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+
+import lommel as lm
+from scenes import ThinLens, lommel_lens, plane, record, texture
+
+FOCI, PIXEL, LIGHT = (1.35, 1.8), 4e-6, 5000.0
+NOISE = lm.Noise(read=3.0, offset=100.0)
+
+
+@pytest.fixture(scope="module")
+def pair():
+    """A plane at 1.4 m beside one at 1.7 m, by a lens of f/2.8."""
+    lenses = [ThinLens(35e-3, 2.8, focus, 540e-9, PIXEL) for focus in FOCI]
+    halves = [record(plane(texture("leaves", 128, 3), lenses, at, LIGHT), seed=int(10 * at)) for at in (1.4, 1.7)]
+    return [np.concatenate(both, axis=1) for both in zip(*halves, strict=True)]
+
+
+def lenses(f_number=2.8, foci=FOCI):
+    return [lommel_lens(ThinLens(35e-3, f_number, focus, 540e-9, PIXEL)) for focus in foci]
+
+
+def live(pair, stated, **more):
+    made = lm.imaging.LiveDepth(
+        stated, PIXEL, between=(1.2, 2.0), noise=NOISE, shape=pair[0].shape, light=LIGHT, **more
+    )
+    made(*pair)
+    return made
+
+
+def test_lenses_as_they_are_agree_with_frames(pair):
+    found = live(pair, lenses()).verdict()
+    assert found.agrees
+    assert found.faults == ()
+    assert found.misfit == pytest.approx(1.0, abs=0.1)
+    assert abs(found.scale - 1.0) < 2.0 * found.deviation < 0.1
+    assert "blurs differ as the lenses state" in str(found)
+    assert "not tested: which of them is focused nearer" in str(found)
+
+
+@pytest.mark.parametrize(("f_number", "scale"), [(2.24, 0.8), (3.36, 1.2)])
+def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
+    found = live(pair, lenses(f_number)).verdict()
+    assert not found.agrees
+    assert abs(found.scale - scale) < 2.5 * found.deviation
+    assert "f-number, focal length, pixel pitch or a focus distance is wrong" in found.faults[-1]
+
+
+def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
+    found = live(pair, lenses(foci=FOCI[::-1])).verdict()
+    assert abs(found.scale - 1.0) < 2.5 * found.deviation
+    assert "which of them is focused nearer" in found.untested
+
+
+def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pair):
+    made = live([gaussian_filter(one.astype(np.float32), 1.0) for one in pair], lenses())
+    assert made.verdict().faults[0].startswith("the images differ by less than noise")
+    made(pair[0], np.roll(pair[1], 2, axis=0))
+    assert made.verdict().faults[0].startswith("the images differ by more than noise")
+    made(*(np.full_like(one, 5000) for one in pair))
+    nothing = made.verdict()
+    assert not nothing.agrees
+    assert math.isnan(nothing.scale)
+    assert "no depth is known" in str(nothing)
+
+
+def test_vignetting_masks_and_photographs_give_the_same(pair):
+    plain = live(pair, lenses()).verdict()
+    known = np.ones(pair[0].shape, dtype=bool)
+    known[4:8, 4:8] = False
+    masked = live(pair, lenses(), exposures="smooth", known=known).verdict()
+    assert masked.scale == pytest.approx(plain.scale, abs=0.03)
+    found = lm.imaging.depth_from_defocus(
+        [one.astype(np.float64) for one in pair], lenses(), PIXEL, encoding="linear",
+        noise=lm.Noise(white=1.0, read=3.0, offset=100.0), between=(1.2, 2.0),
+    )  # fmt: skip
+    assert found.verdict.scale == pytest.approx(plain.scale, abs=0.03)
+    assert found.verdict.agrees

@@ -17,6 +17,7 @@ import tempfile
 import zlib
 from pathlib import Path
 
+import zopfli.zlib
 from presets import presets  # beside this file
 
 from lommel.page.state import DIRECTED, FIELDS, WHITE, colour_weights
@@ -26,7 +27,7 @@ HERE = Path(__file__).resolve().parent
 # to the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
 FLAGS = [
     *("-target", "wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all"),
-    *("-std=c++17", "-O2", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions"),
+    *("-std=c++17", "-O2", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions", "-fno-rtti"),
     # A fifth of the download for a twentieth of the time: what counts is written with vectors, and inlined by hand.
     *("-fno-unroll-loops", "-fno-vectorize", "-fno-slp-vectorize", "-mllvm", "-inline-threshold=30"),
     *("-Wall", "-Wextra", "-Wno-psabi"),
@@ -51,8 +52,8 @@ def compiled() -> bytes:
 
 
 def packed(data: bytes) -> str:
-    """Return data deflated, as base64."""
-    return base64.b64encode(zlib.compress(data, 9)).decode("ascii")
+    """Return data deflated as far as it goes, as base64."""
+    return base64.b64encode(zopfli.zlib.compress(data)).decode("ascii")
 
 
 def read(name: str, made: dict[str, str]) -> str:

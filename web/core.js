@@ -14,10 +14,20 @@ export class Core {
       const text = new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, at, length).slice());
       throw new RangeError(text);
     };
+    // As "%.3g" of C: powers of two digits, from 3 on and below -4, without zeros at the end.
+    const shorten = (number, at, room) => {
+      const rounded = Number(number.toPrecision(3));
+      const whole = rounded && Math.abs(rounded) < 1e-4 ? rounded.toExponential(2) : rounded.toPrecision(3);
+      const text = (whole.includes(".") ? whole.replace(/^([^e]*?)\.?0+(?=e|$)/, "$1") : whole).replace(/e([+-])(\d)$/, "e$10$2");
+      const { written } = new TextEncoder().encodeInto(text, new Uint8Array(this.exports.memory.buffer, at, room - 1));
+      new Uint8Array(this.exports.memory.buffer)[at + written] = 0;
+      return written;
+    };
+    const given = { fail, shorten };
     const imports = {};
     for (const { module, name } of WebAssembly.Module.imports(this.module)) {
       imports[module] ??= {};
-      imports[module][name] = module === "lommel" && name === "fail" ? fail : () => 52; // ENOSYS: there is no system
+      imports[module][name] = (module === "lommel" && given[name]) || (() => 52); // ENOSYS: there is no system
     }
     this.exports = new WebAssembly.Instance(this.module, imports).exports;
     this.exports._initialize?.();

@@ -1,7 +1,9 @@
 // Interface of the live page: numbers in named blocks of memory, one light at a time, one thread.
 #include <algorithm>
+#include <cstdarg>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -17,12 +19,26 @@
 #include "light.hpp"
 #include "vanes.hpp"
 
+// In place of that which prints.
+[[noreturn]] void std::__libcpp_verbose_abort(const char*, ...) noexcept { __builtin_trap(); }
+
 #define EXPORT(name) __attribute__((export_name(#name)))
 
 // There are no exceptions in this library of C++. What is thrown goes to the host as a sentence; it leaves by an exception of
 // its own and makes a new instance, for nothing here is unwound. All that the core throws begins with a std::exception.
+// The host writes numbers, too: the one format of the core is "%.3g", and all that printf takes would be a fiftieth of the download.
 extern "C" {
 __attribute__((import_module("lommel"), import_name("fail"))) void lommel_fail(const char* text, std::size_t length);
+__attribute__((import_module("lommel"), import_name("shorten"))) int lommel_shorten(double number, char* text,
+                                                                                    std::size_t room);
+int snprintf(char* text, std::size_t room, const char* format, ...) {
+    va_list given;
+    va_start(given, format);
+    const int length = lommel_shorten(va_arg(given, double), text, room);
+    va_end(given);
+    return length;
+}
+void __cxa_pure_virtual() { __builtin_trap(); }
 void* __cxa_allocate_exception(std::size_t bytes) { return std::malloc(bytes); }
 void __cxa_free_exception(void* exception) { std::free(exception); }
 int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }

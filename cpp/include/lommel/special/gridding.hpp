@@ -139,18 +139,24 @@ class GriddingKernel {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
+#if defined(__wasm__)  // where long doubles are software, a fiftieth of the live page
+    using Number = double;
+    constexpr double roundings = 1e-11;  // of the sum over 16 taps; each has some 1e-13
+#else
     using Number = long double;
+    constexpr double roundings = 0.0;  // the last digits of double are not reached
+#endif
     constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
     static const ChebyshevToMonomials<all, Number> convert;
     out.assign(terms * stride, 0.0);
-    double worst = 0.0;
+    double worst = roundings;
     for (std::size_t i = 0; i < std::min(w, stride); ++i) {
         const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
         std::array<Number, all> values;
         std::array<double, all> powers;
         for (std::size_t j = 0; j < all; ++j) {
-            const Number z = 2.0L * (middle + 0.5L * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
-            values[j] = shape(1.0L - z * z) / static_cast<Number>(top_);
+            const Number z = Number(2) * (middle + Number(0.5) * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
+            values[j] = shape(Number(1) - z * z) / static_cast<Number>(top_);
         }
         const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
         for (std::size_t p = 0; p < terms; ++p) {

@@ -2,7 +2,8 @@
 
     python web/build.py --output src/lommel/page/lommel-live.js
 
-The same bytes come out of the same files, wherever they lie.
+The same bytes come out of the same files, wherever they lie; on other machines the tables of depth, which linear
+algebra makes, may differ in their last digits.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ import zlib
 from pathlib import Path
 
 import zopfli.zlib
-from presets import presets  # beside this file
+from depths import depths  # beside this file, as is the next
+from presets import presets
 
 from lommel.page.state import DIRECTED, FIELDS, WHITE, colour_weights
 
@@ -26,12 +28,14 @@ HERE = Path(__file__).resolve().parent
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
 # to the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
 FLAGS = [
-    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all"),
+    *("-target", "wasm32-wasi"),
     *("-std=c++17", "-O2", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions", "-fno-rtti"),
     # A fifth of the download for a twentieth of the time: what counts is written with vectors, and inlined by hand.
     *("-fno-unroll-loops", "-fno-vectorize", "-fno-slp-vectorize", "-mllvm", "-inline-threshold=30"),
     *("-Wall", "-Wextra", "-Wno-psabi"),
 ]
+LINKED = ["-mexec-model=reactor", "-Wl,--strip-all"]
+UNITS = {"live": [], "depth": ["-fvectorize", "-fslp-vectorize"]}  # and flags of their own
 BANNER = """\
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
@@ -45,9 +49,12 @@ def compiled() -> bytes:
     """Return the core as WebAssembly."""
     with tempfile.TemporaryDirectory() as folder:
         # From its own folder and by relative paths, so that no path is in the result.
-        zig = [sys.executable, "-m", "ziglang"]
-        command = [*zig, "c++", *FLAGS, "-Icpp/include", "cpp/wasm/live.cpp", "-o", f"{folder}/live.wasm"]
-        subprocess.run(command, cwd=HERE.parent, check=True)
+        zig = [sys.executable, "-m", "ziglang", "c++"]
+        objects = [f"{folder}/{name}.o" for name in UNITS]
+        for (name, own), made in zip(UNITS.items(), objects, strict=True):
+            command = [*zig, *FLAGS, *own, "-Icpp/include", "-c", f"cpp/wasm/{name}.cpp", "-o", made]
+            subprocess.run(command, cwd=HERE.parent, check=True)
+        subprocess.run([*zig, *FLAGS, *LINKED, *objects, "-o", f"{folder}/live.wasm"], cwd=HERE.parent, check=True)
         return Path(folder, "live.wasm").read_bytes()
 
 
@@ -116,7 +123,11 @@ def constants(**values: object) -> str:
 
 def module(entry: str) -> str:
     """Return the text of the module."""
-    made = {"packed.js": constants(wasmText=packed(compiled()))}
+    camera, tables = depths()
+    made = {
+        "packed.js": constants(wasmText=packed(compiled()), depthText=packed(tables)),
+        "camera.js": constants(CAMERA=camera),
+    }
     style = re.sub(r"/\*.*?\*/", "", (HERE / "live.css").read_text(encoding="utf-8"), flags=re.DOTALL)
     made["style.js"] = constants(styleText=bare(style))
     made["shipped.js"] = constants(SHIPPED=presets())

@@ -26,6 +26,7 @@ async function startedWorker(core) {
 }
 
 const SECOND = new Set(["measures", "curves", "blur"]); // computed beside the others
+const THIRD = new Set(["openDepth", "depth", "sharpen"]); // of a lesson alone, in a Worker of its own
 
 export class Client {
   constructor() {
@@ -38,6 +39,7 @@ export class Client {
   }
 
   async call(method, ...given) {
+    if (THIRD.has(method)) return (this.lanes[2] ??= new Lane()).call(method, ...given);
     const lane = this.lanes[SECOND.has(method) ? 1 : 0];
     const asked = JSON.stringify(given);
     if (method === "measures" && this.last?.asked === asked) {
@@ -52,7 +54,7 @@ export class Client {
 
   // What is being computed is given up: its promises are rejected with this message.
   stop(message = "the computation was stopped") {
-    for (const lane of this.lanes) if (lane.waiting.size) lane.renew({ message });
+    for (const lane of this.lanes.slice(0, 2)) if (lane.waiting.size) lane.renew({ message });
   }
 
   destroy() {

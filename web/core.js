@@ -1,6 +1,6 @@
 // The compiled core: called through named blocks of its memory, and made anew after a failure.
 
-const BLOCKS = ["terms", "edge", "lines", "values", "numbers", "points", "planes", "blurred", "weights", "colours"];
+const BLOCKS = ["terms", "edge", "lines", "values", "numbers", "points", "planes", "blurred", "weights", "colours", "tables", "first", "second", "found", "sharp"];
 
 export class Core {
   constructor(module) {

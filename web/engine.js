@@ -1,5 +1,6 @@
 // From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
 import { COLOURS, DIRECTED } from "./fields.js";
+import { Depths } from "./depths.js";
 import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
 import {
@@ -26,6 +27,19 @@ export class Engine {
   constructor(core) {
     this.core = core;
     this.seen = null; // of the last PSF: its question, and sums that measures take
+    this.depths = new Depths(core);
+  }
+
+  openDepth(...given) {
+    return this.depths.open(...given);
+  }
+
+  depth(...given) {
+    return this.depths.pair(...given);
+  }
+
+  sharpen(...given) {
+    return this.depths.sharpen(...given);
   }
 
   psf(given, quality = "settled") {

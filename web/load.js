@@ -3,7 +3,7 @@ import { Core } from "./core.js";
 import { wasmText } from "./packed.js";
 
 // base64 of what is deflated.
-async function unpacked(text) {
+export async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());

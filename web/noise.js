@@ -3,7 +3,7 @@
 import { crc32 } from "./checksum.js";
 
 // Uniform numbers between 0 and 1, both excluded: Marsaglia's xorshift128, Xorshift RNGs, J. Stat. Softw. 8(14), 2003.
-function generator(text) {
+export function generator(text) {
   const state = Uint32Array.from({ length: 4 }, (_, i) => crc32(new TextEncoder().encode(`${i} ${text}`)) | 1);
   return () => {
     const [x, w] = [state[0], state[3]];
@@ -14,7 +14,7 @@ function generator(text) {
   };
 }
 
-function normal(uniform) {
+export function normal(uniform) {
   return Math.sqrt(-2 * Math.log(uniform())) * Math.cos(2 * Math.PI * uniform());
 }
 

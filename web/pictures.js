@@ -99,7 +99,7 @@ function points() {
   return plane;
 }
 
-function scratch(width, height) {
+export function scratch(width, height) {
   const canvas = document.createElement("canvas");
   canvas.width = width;
   canvas.height = height;
@@ -109,7 +109,7 @@ function scratch(width, height) {
 // sRGB, IEC 61966-2-1, to linear light.
 const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 
-function linear(data, count) {
+export function linear(data, count) {
   const size = data.length / 4;
   const planes = new Float32Array(size * count);
   for (let plane = 0; plane < count; plane++)

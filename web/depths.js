@@ -15,7 +15,7 @@ const FAR = 1.92;
 const THINGS = [
   { name: "panel", bright: 0.75, half: [38, 70], distances: [1.62], at: () => [66, 136] },
   { name: "disk", bright: 1.3, half: [30, 30], round: true, distances: [1.33], at: (n) => [170 + Math.round(100 * swing(n, 300)), 62] },
-  { name: "card", bright: 1.4, half: [30, 26], distances: LEVELS, at: (n) => [212 + Math.round(50 * swing(n, 420)), 172], level: (n) => Math.round(4 - 4 * Math.cos((2 * Math.PI * n) / 360)) },
+  { name: "card", bright: 1.25, half: [30, 26], distances: LEVELS, at: (n) => [212 + Math.round(50 * swing(n, 420)), 172], level: (n) => Math.round(4 - 4 * Math.cos((2 * Math.PI * n) / 360)) },
 ];
 
 // The things in frame n, nearest first, after which there is the wall.
@@ -69,13 +69,13 @@ function summed(differences) {
 
 // Opaque rectangles of all sizes, of mean 1.
 function leaves(width, height) {
-  const plane = new Float32Array(width * height);
+  const plane = new Float32Array(width * height).fill(1);
   const uniform = generator("leaves");
-  for (let k = 0; k < 7000; k++) {
+  for (let k = 0; k < 16_000; k++) {
     const size = Math.min((2 * FINE) / Math.sqrt(uniform()), 40 * FINE);
     const [across, down] = [size * (0.4 + 1.2 * uniform()), size * (0.4 + 1.2 * uniform())];
     const [left, top] = [uniform() * (width + across) - across, uniform() * (height + down) - down];
-    const value = 0.6 + 0.8 * uniform();
+    const value = 0.4 + 1.2 * uniform();
     for (let y = Math.max(0, Math.ceil(top)); y < Math.min(height, top + down); y++)
       plane.fill(value, y * width + Math.max(0, Math.ceil(left)), y * width + Math.max(0, Math.min(width, Math.ceil(left + across))));
   }

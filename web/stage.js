@@ -78,12 +78,13 @@ export function rulerOf(state, field) {
   return [`${short(step)}${unitAfter(name)}`, step / (field * factor)];
 }
 
-// A label that follows the pointer or, by arrow keys, a cross: said(column, row) has the text for a pixel of the canvas.
-class Readout {
+// A label that follows the pointer or, by arrow keys, a cross: said(column, row) has the text for a pixel of the canvas, which has
+// cells(), of a square, or columns and rows.
+export class Readout {
   constructor(canvas, cells, said) {
     this.text = el("output", { class: "place", hidden: true });
     this.cross = el("i", { class: "cross", "aria-hidden": "true", hidden: true });
-    Object.assign(this, { canvas, cells, said, at: null });
+    Object.assign(this, { canvas, cells: () => [cells()].flat(), said, at: null });
     canvas.tabIndex = 0;
     canvas.dataset.lmSuppressShortcuts = "true";
     const frame = canvas.closest(".frame") ?? el("div", { class: "spot" });
@@ -101,9 +102,10 @@ class Readout {
 
   follow(event) {
     const box = this.canvas.getBoundingClientRect();
-    const share = (at, from, length) => Math.min(this.cells() - 1, Math.max(0, Math.floor(((at - from) / length) * this.cells())));
+    const share = (at, from, length, count) => Math.min(count - 1, Math.max(0, Math.floor(((at - from) / length) * count)));
     this.text.setAttribute("aria-live", "off");
-    this.put([share(event.clientX, box.left, box.width), share(event.clientY, box.top, box.height)]);
+    const [across, down = across] = this.cells();
+    this.put([share(event.clientX, box.left, box.width, across), share(event.clientY, box.top, box.height, down)]);
   }
 
   step(event) {
@@ -111,11 +113,11 @@ class Readout {
     if (event.key === "Escape") return this.put(null);
     if (!by) return;
     event.preventDefault();
-    const count = this.cells();
-    const length = event.shiftKey ? Math.ceil(count / 16) : 1;
-    const from = this.at ?? [Math.floor(count / 2), Math.floor(count / 2)].map((middle, k) => middle - by[k] * length);
+    const [across, down = across] = this.cells();
+    const length = event.shiftKey ? Math.ceil(across / 16) : 1;
+    const from = this.at ?? [across, down].map((count, k) => Math.floor(count / 2) - by[k] * length);
     this.text.setAttribute("aria-live", "polite");
-    this.put(from.map((at, k) => Math.min(count - 1, Math.max(0, at + by[k] * length))));
+    this.put(from.map((at, k) => Math.min([across, down][k] - 1, Math.max(0, at + by[k] * length))));
   }
 
   put(at) {
@@ -125,11 +127,11 @@ class Readout {
 
   // Anew, for what is drawn now.
   update() {
-    const count = this.cells();
-    const said = this.at && this.at.every((k) => k < count) ? this.said(...this.at) : "";
+    const [across, down = across] = this.cells();
+    const said = this.at && this.at[0] < across && this.at[1] < down ? this.said(...this.at) : "";
     this.text.hidden = this.cross.hidden = !said;
     if (!said) return;
-    const [x, y] = this.at.map((k) => (100 * (k + 0.5)) / count);
+    const [x, y] = this.at.map((at, k) => (100 * (at + 0.5)) / [across, down][k]);
     this.text.textContent = said;
     this.text.classList.toggle("below", y < 40); // away from the place itself
     this.cross.style.left = `${x}%`;

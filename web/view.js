@@ -4,6 +4,7 @@ import { acceptDrops, actions } from "./actions.js";
 import { Client } from "./client.js";
 import { Compare } from "./compare.js";
 import { Controls, Play } from "./controls.js";
+import { Depth } from "./depth.js";
 import { el } from "./dom.js";
 import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
@@ -99,7 +100,7 @@ export class View {
       stop: () => (this.stopped ? this.settle() : this.stop()),
       play: () => this.play.press(),
     };
-    this.lessons = new Lessons((name, state) => this.learn(name, state), level);
+    this.lessons = new Lessons((name, state) => this.learn(name, state), level, (shown) => this.showDepth(shown, level));
     const { lessons } = this;
     const parts = { controls: this.controls.node, lessons, presets: PRESETS, actions: does, only, level, docs };
     this.page = layout({ state: this.state, set, ...parts });
@@ -170,6 +171,7 @@ export class View {
     this.unfollow();
     this.compare.destroy();
     for (const plot of Object.values(this.page.plots)) plot.destroy();
+    this.depth?.destroy();
     this.client.destroy();
     this.host.remove();
   }
@@ -329,7 +331,7 @@ export class View {
     this.exact = exact;
     // A lens without aberration that is changed is any lens.
     const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name.replace(/^Changed from: /, "")}` : "";
-    page.name.textContent = exact ? exact.name : from || this.lessons.heading || UNNAMED;
+    page.name.textContent = this.depth ? this.lessons.heading : exact ? exact.name : from || this.lessons.heading || UNNAMED;
     page.name.title = page.name.textContent; // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
     page.preset.title = page.preset.selectedOptions[0].text;
@@ -383,7 +385,16 @@ export class View {
 
   checkLesson() {
     const read = Object.entries(this.page.plots).map(([key, { pointed }]) => [key, pointed]);
-    this.lessons.check(this.state, this.settled?.measures, Object.fromEntries(read));
+    this.lessons.check(this.state, this.settled?.measures, { ...Object.fromEntries(read), depth: this.depth?.read });
+  }
+
+  // Depth from pairs of pictures in place of all else, or no longer.
+  showDepth(shown, level) {
+    if (shown === Boolean(this.depth)) return;
+    this.page.node.toggleAttribute("data-depth", shown);
+    if (!shown) return (this.depth = this.depth.destroy());
+    this.depth = new Depth({ client: this.client, level, told: () => "busy" in this.host.dataset || this.checkLesson() });
+    this.page.side.after(this.depth.node);
   }
 
   // The state of a lesson, or none, which leaves what is there.

@@ -21,8 +21,9 @@ def axe() -> str:
 
 @pytest.mark.parametrize("width", [390, 1366])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_in_chromium(visit: Callable[..., Any], scheme: str, width: int) -> None:
-    page = visit("/live#coma=0.3&side=64", color_scheme=scheme, viewport={"width": width, "height": 768})
+@pytest.mark.parametrize("address", ["/live#coma=0.3&side=64", "/live?lesson=depth"])
+def test_axe_finds_nothing_in_chromium(visit: Callable[..., Any], address: str, scheme: str, width: int) -> None:
+    page = visit(address, color_scheme=scheme, viewport={"width": width, "height": 768})
     page.evaluate(axe())
     assert page.evaluate(FOUND) == []
 

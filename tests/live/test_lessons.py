@@ -292,8 +292,7 @@ def test_lessons_are_walked_through_by_keyboard_and_the_address_follows(visit: C
     page.keyboard.press("Enter")
     rest(page)
     assert page.get_by_label("Lessons").input_value() == "coma"
-    assert page.locator(".lesson [aria-live]").inner_text() == "6 of 6: Coma against astigmatism"
-    assert page.get_by_role("button", name="Next lesson").is_disabled()
+    assert page.locator(".lesson [aria-live]").inner_text() == "6 of 7: Coma against astigmatism"
     assert (state(page)["spherical"], state(page)["coma"]) == (0, 0.6)
     page.go_back()
     rest(page)

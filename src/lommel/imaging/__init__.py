@@ -11,6 +11,7 @@ from lommel.imaging.linear import LinearBlur
 from lommel.imaging.live import LiveDepth, LiveDepthMap
 from lommel.imaging.live_sharpen import LiveSharpen
 from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
 from lommel.imaging.restoration import Restoration, restore, restore_with
 from lommel.imaging.traced_blur import traced_blur
@@ -33,6 +34,7 @@ __all__ = [
     "LiveDepthMap",
     "LiveSharpen",
     "Occlusion",
+    "OnePass",
     "PhotoError",
     "Photograph",
     "Picture",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple, Protocol, Self
 
@@ -17,7 +17,8 @@ from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
 
-NOISE, STEPS, MISFIT = "noise", "steps", "misfit: depth, lens or noise do not fit"  # why a method stopped
+# Why a method stopped.
+NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"
 
 # Takes the number of a step, its discrepancy, and about how many seconds are left.
 Tell = Callable[[int, float, float], object]
@@ -26,12 +27,16 @@ TINY = 1e-30  # keeps what is divided by from 0: an observed 0 has then a ratio 
 
 
 class Solution(NamedTuple):
-    """The result of a method: light, number of steps, why it stopped, and the strength of the regularization."""
+    """The result of a method: light, number of steps, why it stopped, the strength of the regularization.
+
+    `alike` is the method that does the same to other parts of the photograph.
+    """
 
     light: Values
     steps: int
     stopped: str
     strength: float | None = None
+    alike: Method | None = None
 
 
 class Method(Protocol):
@@ -235,7 +240,8 @@ class RichardsonLucy:
             model = observed.model(guess)
             ratio = observed.ratio(model)
             if stopped := course.judge(observed.discrepancy(model, ratio)):
-                return Solution(guess, course.steps, stopped)
+                alike = replace(self, steps=course.steps, target=0.0) if course.steps else self
+                return Solution(guess, course.steps, stopped, alike=alike)
             ratio *= observed.weight
             found = observed.blur.adjoint(ratio)
             found *= per
@@ -344,9 +350,10 @@ class TotalVariation:
         walk = _Walk(observed, tell, self.steps)
         if self.strength is not None:
             found = walk.settle(self.strength, last=True)
-            return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, self.strength)
+            reason = NOISE if found <= 1.0 + observed.slack else STEPS
+            return Solution(walk.light, walk.taken, reason, self.strength, self)
         if observed.mean(observed.discrepancies_of(observed.flat)) <= 1.0 + observed.slack:
-            return Solution(observed.flat, 0, NOISE)
+            return Solution(observed.flat, 0, NOISE, alike=self)
         electrons = observed.white * float(np.mean(observed.counts, dtype=np.float64))
         first = 0.15 / math.sqrt(max(electrons, 1e-6))
         kept = walk.light
@@ -361,8 +368,9 @@ class TotalVariation:
         found, strength = search(settle, first, self.target, first / _WEAKEST)
         if found > 1.0 + observed.slack and strength <= first / _WEAKEST * 1.001:
             # Hardly smoothed it fits no better: what is left is no noise, and must not be drawn into the picture.
-            return Solution(kept, walk.taken, MISFIT, first)
-        return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, strength)
+            return Solution(kept, walk.taken, MISFIT, first, replace(self, strength=first))
+        reason = NOISE if found <= 1.0 + observed.slack else STEPS
+        return Solution(walk.light, walk.taken, reason, strength, replace(self, strength=strength))
 
 
 def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:

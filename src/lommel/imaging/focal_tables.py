@@ -33,8 +33,10 @@ from itertools import combinations
 from typing import NamedTuple, Self
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base.arrays import Array
+from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import Band, FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
 from lommel.optics.lens import Lens
 
@@ -455,3 +457,15 @@ class SharpTables:
         """Return the mean squared errors of Wiener's filters and of those made, (2, c)."""
         made = np.einsum("cr,rim,mf->cif", self.mixes(target), self.basis, self._terms, optimize=True)
         return np.stack([self._errors(target, self._filters(target)), self._errors(target, made)])
+
+    def stream(self, size: tuple[int, int], threads: int) -> FocalStream:
+        """Return what makes images of one frame of a height and width."""
+
+        def single(values: ArrayLike) -> NDArray[np.float32]:
+            return np.ascontiguousarray(values, dtype=np.float32)
+
+        none = single(np.zeros((1, 0, *self.basis.shape[1:])))
+        forms, statistics = single(np.zeros((0, 0))), single(np.zeros((5, 0)))
+        taps, basis, window = single(self.taps.values), single(self.basis), single([1.0])
+        numbers = (0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+        return FocalStream((*size, 1, 4, 1, 0, threads), taps, none, basis, window, forms, statistics, numbers)

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, FocalModel
 from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
@@ -88,17 +87,7 @@ class LiveSharpen:
         model = FocalModel.of([lens], self._vergence, spectrum, pitch, FocalLight(mean, form.read, (1.0,), CONTRAST))
         self._tables = tables = SharpTables(model, Taps.of(5), 12)
         self._factors = _single(tables.mixes(tables.pixel))
-        none = np.zeros((1, 0, *tables.basis.shape[1:]))
-        self._stream = FocalStream(
-            (*form.size, 1, BLOCK, 1, 0, count),
-            _single(tables.taps.values),
-            _single(none),
-            _single(tables.basis),
-            _single([1.0]),
-            _single(np.zeros((0, 0))),
-            _single(np.zeros((5, 0))),
-            (form.read**2, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0),
-        )
+        self._stream = tables.stream(form.size, count)
         self._gains = _single([[form.white, 0.0, 0.0, 0.0, 0.0, 0.0]])
 
     def __repr__(self) -> str:

@@ -24,6 +24,7 @@ from lommel.imaging.deconvolution import NOISE, STEPS, Method, Observed, Richard
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import (
     TILE,
     Pixels,
@@ -366,11 +367,7 @@ def _by_tiles(
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
     middle = min(tiles, key=from_middle)
     first = method.solve(observed(middle[1]), _silent)
-    alike = method
-    if first.steps and isinstance(method, RichardsonLucy):
-        alike = replace(method, steps=first.steps, target=0.0)
-    elif first.strength is not None and isinstance(method, TotalVariation):
-        alike = replace(method, strength=first.strength)
+    alike = first.alike or method
     known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
     after, before = np.zeros((2, *known.shape))
     for done, tile in enumerate(tiles, 1):
@@ -408,10 +405,10 @@ def _checked(method: object, progress: object) -> Method:
     validation.function("progress", progress, required=False)
     if method is None:
         return RichardsonLucy()
-    if not isinstance(method, RichardsonLucy | TotalVariation):
+    if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
         hint = "; write it with brackets" if isinstance(method, type) else ""
         raise TypeError(
-            f"method must be RichardsonLucy(...) or TotalVariation(...), got {validation.shown(method)}{hint}"
+            f"method must be RichardsonLucy(...), TotalVariation(...) or OnePass(...), got {validation.shown(method)}{hint}"
         )
     return method
 

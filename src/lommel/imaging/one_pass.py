@@ -1,0 +1,219 @@
+r"""Deblurring in one pass: Wiener's filter of each depth, for the texture and the noise that the photograph shows.
+
+With the transfer function h of optics and pixel at a depth, the pixel's own P, white noise of variance nu and a texture
+of power ``S(f) = c f^-s``, the pixel-averaged scene is estimated by ``P S h / (S h^2 + nu)``, polynomials of one small
+filter (:mod:`lommel.imaging.focal_tables`), mixed pixel by pixel by depth.
+
+Power, slope and noise are those of the photograph: the most likely ones for its power in rings of frequency, ``c f^-s
+<h^2> + nu`` with the mean of h^2 over all depths (Whittle 1953, doi:10.1007/BF02590998). More noise than stated is
+told from texture only where no depth transmits any, so only there may nu exceed 1.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.estimation.focal_model import LARGEST, FocalLight, FocalModel
+from lommel.imaging.blur import DepthBlur
+from lommel.imaging.deconvolution import ONE_PASS, Observed, Solution, Tell
+from lommel.imaging.focal_engine import processors
+from lommel.imaging.focal_tables import SharpTables, Taps
+from lommel.imaging.linear import LinearBlur
+from lommel.imaging.occlusion import Occlusion
+
+_STEP = 0.75  # radians of defocus from one table to the next
+_MOST_TABLES = 961
+_DEGREES, _ENOUGH = (12, 24, 48), 0.1  # of the polynomials, the first whose loss is so small in decibels
+_BLOCK, _BLOCKS = 256, 8  # pixels a side of the blocks whose spectra are averaged, and at most so many along an axis
+_RINGS, _LOWEST = 14, 3.0  # of frequencies, from so many periods a block on
+_SLOPES = (2.0, 1.0, 3.0, 0.0)  # the usual one first
+_MORE_LIKELY = 2.0  # in log-likelihood, for which another slope is taken
+_DARK, _MOST_NOISE = 3e-3, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
+_LEAST_SIDE, _WHOLE = 160, 16  # pixels a side of what is filtered at once, and of what sides are multiples of
+
+
+class Texture(NamedTuple):
+    """Power of the texture at one cycle a pixel over the variance that the noise should have, slope, and noise."""
+
+    power: float
+    slope: float
+    noise: float
+
+    def over_noise(self, f: Array) -> Array:
+        """Return the power over that of the noise, at frequencies in cycles per pixel."""
+        return np.asarray(self.power / self.noise * np.maximum(f, 1.0 / LARGEST) ** -self.slope)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OnePass:
+    """Wiener's filter of each depth, in one pass, for the texture and the noise that the photograph shows.
+
+    The filters are those of :class:`lommel.imaging.LiveSharpen`: polynomials of one small filter, mixed by depth,
+    which takes a small part of the time of the iterations. There is no occlusion. The result estimates the scene as
+    averaged by the pixels, with its mean. The pupil must be circular or annular.
+
+    Parameters
+    ----------
+    loss : float, default 0.5
+        Largest loss of the polynomials against the exact Wiener filter of any distance, decibels. Wider blur than
+        they reach is refused.
+    textures : tuple, optional
+        Power, slope and noise of each channel; by default measured.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of another type or out of range.
+    """
+
+    loss: float = 0.5
+    textures: tuple[Texture, ...] | None = None
+
+    def __post_init__(self) -> None:
+        validation.real("loss", self.loss, above=0.0, infinite=True)
+
+    def solve(self, observed: Observed, tell: Tell) -> Solution:
+        """Return the sharp light behind an observation; ValueError where the filters do not reach."""
+        blur = lens_blur(observed.blur)
+        if blur is None:
+            raise ValueError(
+                "method=OnePass() needs a lens with a circular or annular pupil and a depth map, got the blur "
+                f"{type(observed.blur).__name__}; RichardsonLucy() takes any"
+            )
+        vergence, places = _vergences(blur)
+        # Not cut off at 0, below which noise leads.
+        planes = (observed.counts - observed.added).reshape(*blur.shape, -1)
+        known = (observed.weight > 0.0).reshape(planes.shape)
+        light, used = np.empty(planes.shape, dtype=blur.dtype), []
+        for c in range(planes.shape[2]):
+            model = FocalModel.of([blur.lens], vergence, blur.spectra[c], blur.pixel, FocalLight(1.0, 0.0, (1.0,), 0.0))
+            filled = _filled(planes[..., c], known[..., c])
+            if self.textures is not None:
+                texture = self.textures[c]
+            else:
+                added = np.broadcast_to(observed.added, observed.counts.shape).reshape(planes.shape)[..., c]
+                variance = float(np.mean(filled) + np.mean(added)) / observed.white
+                texture = _measured(filled, model, places, variance)
+            used.append(texture)
+            power = texture.over_noise(np.hypot(model.band.fx, model.band.fy))
+            tables = self._tables(replace(model, texture=power))
+            light[..., c] = _filtered(tables, filled, places, blur.threads)
+        tell(1, math.nan, 0.0)
+        done = np.maximum(light, 0.0).reshape(observed.counts.shape)
+        return Solution(done, 1, ONE_PASS, alike=replace(self, textures=tuple(used)))
+
+    def _tables(self, model: FocalModel) -> SharpTables:
+        """Return filters of the lowest degree that comes near to Wiener's; ValueError if none does."""
+        for degree in _DEGREES:
+            tables = SharpTables(model, Taps.of(5), degree)
+            exact, made = tables.errors(tables.pixel)
+            losses = 10.0 * np.log10(made / np.maximum(exact, 1e-300))
+            if losses.max() <= _ENOUGH:
+                return tables
+        if losses.max() > self.loss:
+            worst = int(np.argmax(losses))
+            with np.errstate(divide="ignore"):
+                distance = 1.0 / model.vergence[worst]
+            raise ValueError(
+                f"method=OnePass() loses {losses[worst]:.2g} dB against Wiener's filter at {distance:.4g} m, where the "
+                f"blur is wider than its polynomials reach, more than loss={self.loss:g}; take RichardsonLucy()"
+            )
+        return tables
+
+
+def lens_blur(blur: LinearBlur) -> DepthBlur | None:
+    """Return the blur by lens and depth of an operator, if it is one."""
+    return blur if isinstance(blur, DepthBlur) else blur.blur if isinstance(blur, Occlusion) else None
+
+
+def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
+    """Return the 1 / distance of tables, and the place of each pixel between them."""
+    near, far = (float(each) for each in blur.lens.defocus([0.5, 1.0]))
+    slope = near - far  # a unit of vergence
+    low, high = float(blur.defocus.min()), float(blur.defocus.max())
+    count = min(max(2, math.ceil((high - low) / _STEP) + 1), _MOST_TABLES)
+    defocus = np.linspace(low, max(high, low + 1e-3), count)
+    # Rounding must not lead beyond infinity.
+    vergence = np.maximum(1.0 + (defocus - far) / slope, 0.0)
+    return vergence, np.asarray((blur.defocus - low) / (defocus[1] - low), dtype=np.float32)
+
+
+def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:
+    """Return a plane of which unknown pixels are as the nearest known one."""
+    if known.all():
+        return np.asarray(plane, dtype=np.float64)
+    from scipy.ndimage import distance_transform_edt
+
+    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    return np.asarray(plane[tuple(nearest)], dtype=np.float64)
+
+
+def _spectrum(plane: Array) -> tuple[Array, Array]:
+    """Return |f|, cycles per pixel, and the power of a plane, averaged over blocks with windows."""
+    sides = [min(side, _BLOCK) for side in plane.shape]
+    starts = [
+        np.unique(np.linspace(0, whole - side, min(-(-whole // side), _BLOCKS)).astype(int))
+        for whole, side in zip(plane.shape, sides, strict=True)
+    ]
+    window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
+    window /= math.sqrt(np.square(window).sum())
+    total = np.zeros((sides[0], sides[1] // 2 + 1))
+    for top in starts[0]:
+        for left in starts[1]:
+            part = plane[top : top + sides[0], left : left + sides[1]]
+            total += np.square(np.abs(np.fft.rfft2((part - part.mean()) * window)))
+    f = np.hypot(np.fft.fftfreq(sides[0])[:, None], np.fft.rfftfreq(sides[1]))
+    return f, total / (len(starts[0]) * len(starts[1]))
+
+
+def _measured(plane: Array, model: FocalModel, places: NDArray[np.float32], variance: float) -> Texture:
+    """Return texture and noise of a plane, whose pixels should have a variance; without frequencies none."""
+    f, power = _spectrum(plane)
+    edges = np.append(np.geomspace(_LOWEST / min(min(plane.shape), _BLOCK), 0.5, _RINGS), 0.75)
+    of, at = np.digitize(f, edges), np.hypot(model.band.fx, model.band.fy)
+    ring = np.digitize(at, edges)
+    rings = [k for k in range(1, len(edges)) if (of == k).sum() > 8 and (ring == k).any()]
+    count = np.array([float((of == k).sum()) for k in rings])
+    seen = np.array([power[of == k].mean() for k in rings]) / max(variance, 1e-300)
+    if len(rings) < 3 or not seen.max() > 0.0:
+        return Texture(0.0, _SLOPES[0], 1.0)
+    weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=len(model.vergence)).astype(float)
+    passed = weights / weights.sum() @ np.square(model.transfer[:, 0])
+    share = model.band.share
+
+    def ringed(values: Array) -> Array:
+        return np.array([(values * share)[ring == k].sum() / share[ring == k].sum() for k in rings])
+
+    least = min(1.0, float(seen.min()))
+    most = _MOST_NOISE if ringed(passed).min() < _DARK else 1.0
+    noise = np.geomspace(least, max(most, least * 1.0001), 40)[:, None, None]
+    best, found = math.inf, Texture(0.0, _SLOPES[0], 1.0)
+    for slope in _SLOPES:
+        shape = ringed(passed * np.maximum(at, 1.0 / LARGEST) ** -slope)
+        factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
+        whole = factors * shape + noise
+        unlike = (count * (np.log(whole) + seen / whole)).sum(axis=2)
+        a, b = np.unravel_index(np.argmin(unlike), unlike.shape)
+        if unlike[a, b] < best - _MORE_LIKELY:
+            best, found = float(unlike[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
+    return found
+
+
+def _filtered(tables: SharpTables, plane: Array, places: NDArray[np.float32], threads: int) -> Values:
+    """Return a plane filtered by depth."""
+    sides = [max(_LEAST_SIDE, -(-side // _WHOLE) * _WHOLE) for side in plane.shape]
+    more = [(0, side - own) for side, own in zip(sides, plane.shape, strict=True)]
+    stream = tables.stream((sides[0], sides[1]), threads or processors())
+    gains = np.array([[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]], dtype=np.float32)
+    stream.take([np.pad(plane.astype(np.float32), more, mode="symmetric")], gains, 0.0, math.inf, None)
+    made = np.empty(sides, dtype=np.float32)
+    factors = np.ascontiguousarray(tables.mixes(tables.pixel), dtype=np.float32)
+    stream.mix(np.pad(places, more, mode="edge"), 1, factors, made)
+    return made[: plane.shape[0], : plane.shape[1]]

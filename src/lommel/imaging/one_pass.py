@@ -31,11 +31,15 @@ from lommel.imaging.occlusion import Occlusion
 _STEP = 0.75  # radians of defocus from one table to the next
 _MOST_TABLES = 961
 _DEGREES, _ENOUGH = (12, 24, 48), 0.1  # of the polynomials, the first whose loss is so small in decibels
+_LEAST_ERROR = 0.01  # over the variance of a pixel: less than that is no loss
 _BLOCK, _BLOCKS = 256, 8  # pixels a side of the blocks whose spectra are averaged, and at most so many along an axis
 _RINGS, _LOWEST = 14, 3.0  # of frequencies, from so many periods a block on
 _SLOPES = (2.0, 1.0, 3.0, 0.0)  # the usual one first
 _MORE_LIKELY = 2.0  # in log-likelihood, for which another slope is taken
 _DARK, _MOST_NOISE = 3e-3, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
+_UNLIKE = 1.5  # tables between which depths are unlike
+_NEAR = 3.0  # pixels, rms, of what residuals are averaged over
+_AWAY = (2, 6, 16)  # pixels from which a filter takes in other depths
 _LEAST_SIDE, _WHOLE = 160, 16  # pixels a side of what is filtered at once, and of what sides are multiples of
 
 
@@ -61,7 +65,7 @@ class OnePass:
 
     Parameters
     ----------
-    loss : float, default 0.5
+    loss : float, default 1.0
         Largest loss of the polynomials against the exact Wiener filter of any distance, decibels. Wider blur than
         they reach is refused.
     textures : tuple, optional
@@ -73,7 +77,7 @@ class OnePass:
         If an argument is of another type or out of range.
     """
 
-    loss: float = 0.5
+    loss: float = 1.0
     textures: tuple[Texture, ...] | None = None
 
     def __post_init__(self) -> None:
@@ -88,6 +92,7 @@ class OnePass:
                 f"{type(observed.blur).__name__}; RichardsonLucy() takes any"
             )
         vergence, places = _vergences(blur)
+        beside = _beside(places, len(vergence))
         # Not cut off at 0, below which noise leads.
         planes = (observed.counts - observed.added).reshape(*blur.shape, -1)
         known = (observed.weight > 0.0).reshape(planes.shape)
@@ -103,10 +108,14 @@ class OnePass:
                 texture = _measured(filled, model, places, variance)
             used.append(texture)
             power = texture.over_noise(np.hypot(model.band.fx, model.band.fy))
-            tables = self._tables(replace(model, texture=power))
+            noise = model.noise + _strange(model.transfer[:, 0], power, beside)[:, None]
+            tables = self._tables(replace(model, texture=power, noise=noise))
             light[..., c] = _filtered(tables, filled, places, blur.threads)
-        tell(1, math.nan, 0.0)
         done = np.maximum(light, 0.0).reshape(observed.counts.shape)
+        near = _near_edges(places)
+        if near.any():
+            done = _believed(observed, done, near, [texture.noise for texture in used])
+        tell(1, math.nan, 0.0)
         return Solution(done, 1, ONE_PASS, alike=replace(self, textures=tuple(used)))
 
     def _tables(self, model: FocalModel) -> SharpTables:
@@ -114,7 +123,7 @@ class OnePass:
         for degree in _DEGREES:
             tables = SharpTables(model, Taps.of(5), degree)
             exact, made = tables.errors(tables.pixel)
-            losses = 10.0 * np.log10(made / np.maximum(exact, 1e-300))
+            losses = 10.0 * np.log10((made + _LEAST_ERROR) / (exact + _LEAST_ERROR))
             if losses.max() <= _ENOUGH:
                 return tables
         if losses.max() > self.loss:
@@ -143,6 +152,60 @@ def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
     # Rounding must not lead beyond infinity.
     vergence = np.maximum(1.0 + (defocus - far) / slope, 0.0)
     return vergence, np.asarray((blur.defocus - low) / (defocus[1] - low), dtype=np.float32)
+
+
+def _beside(places: NDArray[np.float32], count: int) -> Array:
+    """Return of pixels at each table the shares of those at others that are some pixels away."""
+    at = np.rint(places).astype(np.int64)
+    pairs = np.zeros((count, count))
+    for away in _AWAY:
+        for one, other in ((at[away:], at[:-away]), (at[:, away:], at[:, :-away])):
+            flat = np.bincount((one * count + other).ravel(), minlength=count**2)
+            pairs += flat.reshape(count, count)
+    pairs += pairs.T
+    # Tables between the depths of the photograph are as if any of them were beside them.
+    pairs[pairs.sum(axis=1) == 0.0] = np.bincount(at.ravel(), minlength=count)
+    return np.asarray(pairs / pairs.sum(axis=1, keepdims=True))
+
+
+def _strange(transfer: Array, power: Array, beside: Array) -> Array:
+    """Return the power of what filters take in from other depths, over that of the noise, (c, frequencies)."""
+    unlike = beside @ transfer**2 - 2.0 * transfer * (beside @ transfer) + transfer**2
+    return np.asarray(power * np.maximum(unlike, 0.0))
+
+
+def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return where filters take in light of other depths."""
+    from scipy.ndimage import maximum_filter, minimum_filter
+
+    side = 2 * _AWAY[-1] + 1
+    return np.asarray(maximum_filter(places, side) - minimum_filter(places, side) > _UNLIKE)
+
+
+def _believed(observed: Observed, light: Values, near: NDArray[np.bool_], noise: list[float]) -> Values:
+    """Return light mixed with the photograph near edges of depth, where that explains better what was recorded.
+
+    As much of the residual is mended as the noise of each channel does not explain.
+    """
+    from scipy.ndimage import gaussian_filter
+
+    shape = (*observed.blur.shape, -1)
+    photo = observed.image
+    model = observed.model(light)
+    scale = np.sqrt(observed.weight * observed.white / model)
+    off = (observed.counts - model) * scale
+    if observed.full is not None:
+        off = np.where(observed.full, np.maximum(off, 0.0), off)
+    change = (observed.model(photo) - model) * scale
+
+    def local(values: Values) -> Values:
+        return np.asarray(gaussian_filter(values.reshape(shape), (_NEAR, _NEAR, 0.0)))
+
+    own, along, across = local(off**2), local(off * change), local(change**2)
+    share = np.clip(along / np.maximum(across, 1e-30), 0.0, 1.0)
+    share *= near[..., None] * np.maximum(1.0 - np.asarray(noise) / np.maximum(own, 1e-30), 0.0)
+    share = share.reshape(light.shape)
+    return np.asarray(light + share * (photo - light), dtype=light.dtype)
 
 
 def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:

@@ -115,6 +115,8 @@ class FocalModel:
 
     `transfer` and `noise` have the shape (vergences, frames, frequencies); `texture`, (frequencies,), and `noise` are
     over the variance of a pixel of a frame of exposure 1, of which `white`, (frames,), is the part of electrons.
+    `folded` is the power that aliases of frames, as of `transfer`, and of the pixel-averaged scene share, and the last
+    index of frames stands for that scene: shape (vergences, frames + 1, frequencies).
     """
 
     vergence: Array
@@ -123,6 +125,7 @@ class FocalModel:
     transfer: Array
     noise: Array
     white: Array
+    folded: Array
 
     @classmethod
     def of(
@@ -152,17 +155,22 @@ class FocalModel:
 
         white = binned.relative()
         noise = np.broadcast_to(white[:, None], (len(vergence), len(lenses), fx.size)).copy()
+        folded = np.zeros((len(vergence), len(lenses) + 1, fx.size))
         for across in (-1.0, 0.0, 1.0):
             for down in (-1.0, 0.0, 1.0):
                 if across or down:
                     x, y = fx - across, fy - down
-                    noise += power(x, y) * transfers(x, y) ** 2
-        return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white)
+                    seen, pixel_alone, strength = transfers(x, y), np.sinc(x) * np.sinc(y), power(x, y)
+                    noise += strength * seen**2
+                    folded[:, :-1] += strength * pixel_alone * seen
+                    folded[:, -1] += strength * pixel_alone**2
+        return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white, folded)
 
     def at(self, index: int) -> Self:
         """Return the model of one vergence alone."""
         one = slice(index, index + 1)
-        return replace(self, vergence=self.vergence[one], transfer=self.transfer[one], noise=self.noise[one])
+        parts = {name: getattr(self, name)[one] for name in ("vergence", "transfer", "noise", "folded")}
+        return replace(self, **parts)
 
     def signal(self) -> Array:
         """Return ``h.h`` over the noise, (vergences, frequencies)."""

@@ -434,9 +434,14 @@ class SharpTables:
 
     def _filters(self, target: Array) -> Array:
         """Return Wiener's filters, (c, frames, frequencies)."""
-        model = self.model
-        scale = target * model.texture / (1.0 + model.texture * model.signal())
-        filters = scale[:, None] * model.transfer / model.noise
+        model, h = self.model, self.model.transfer
+        # What the image and the frames share, aliases of the sharp scene included, which are seen in frames in focus.
+        shared = (target * model.texture)[:, None] * h
+        if target is self.pixel:
+            shared = shared + model.folded[:, :-1]
+        over = shared / model.noise
+        gain = model.texture * (h * over).sum(axis=1) / (1.0 + model.texture * model.signal())
+        filters = over - gain[:, None] * h / model.noise
         # The mean is kept: shares of the frames by their noise.
         filters[:, :, 0] = (1.0 / model.white) / (1.0 / model.white).sum()
         return np.asarray(filters)
@@ -445,7 +450,10 @@ class SharpTables:
         """Return the mean squared error of images, over the variance of a pixel."""
         model = self.model
         left = target - np.einsum("cif,cif->cf", filters, model.transfer)
-        return np.asarray((model.texture * left**2 + (filters**2 * model.noise).sum(axis=1)) @ model.band.share)
+        power = model.texture * left**2 + (filters**2 * model.noise).sum(axis=1)
+        if target is self.pixel:
+            power += model.folded[:, -1] - 2.0 * (filters * model.folded[:, :-1]).sum(axis=1)
+        return np.asarray(power @ model.band.share)
 
     def mixes(self, target: Array) -> Array:
         """Return an image as sums of those of the basis, (c, rank)."""

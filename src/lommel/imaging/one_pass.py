@@ -12,15 +12,16 @@ told from texture only where no depth transmits any, so only there may nu exceed
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.estimation.focal_model import LARGEST, FocalLight, FocalModel
+from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.deconvolution import ONE_PASS, Observed, Solution, Tell
 from lommel.imaging.focal_engine import processors
@@ -34,9 +35,10 @@ _DEGREES, _ENOUGH = (12, 24, 48), 0.1  # of the polynomials, the first whose los
 _LEAST_ERROR = 0.01  # over the variance of a pixel: less than that is no loss
 _BLOCK, _BLOCKS = 256, 8  # pixels a side of the blocks whose spectra are averaged, and at most so many along an axis
 _RINGS, _LOWEST = 14, 3.0  # of frequencies, from so many periods a block on
+_BAND = 48  # frequencies along half an axis
 _SLOPES = (2.0, 1.0, 3.0, 0.0)  # the usual one first
-_MORE_LIKELY = 2.0  # in log-likelihood, for which another slope is taken
-_DARK, _MOST_NOISE = 3e-3, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
+_MORE_LIKELY = 5.0  # in log-likelihood, for which another slope is taken
+_DARK, _MOST_NOISE = 1e-2, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
 _UNLIKE = 1.5  # tables between which depths are unlike
 _NEAR = 3.0  # pixels, rms, of what residuals are averaged over
 _AWAY = (2, 6, 16)  # pixels from which a filter takes in other depths
@@ -52,7 +54,23 @@ class Texture(NamedTuple):
 
     def over_noise(self, f: Array) -> Array:
         """Return the power over that of the noise, at frequencies in cycles per pixel."""
-        return np.asarray(self.power / self.noise * np.maximum(f, 1.0 / LARGEST) ** -self.slope)
+        return np.asarray(self.power / self.noise * _falling(f, self.slope))
+
+
+class _Light(FocalLight):
+    """Light whose texture is given over the noise."""
+
+    def __init__(self, texture: Texture) -> None:
+        super().__init__(1.0, 0.0, (1.0,), 0.0)
+        object.__setattr__(self, "_texture", texture)
+
+    def binned(self, pixels: int) -> Self:
+        """Return itself: pixels are not binned."""
+        return self
+
+    def power(self, f: Array) -> Array:
+        """Return the power of the texture over the variance."""
+        return self._texture.over_noise(f)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -98,18 +116,20 @@ class OnePass:
         known = (observed.weight > 0.0).reshape(planes.shape)
         light, used = np.empty(planes.shape, dtype=blur.dtype), []
         for c in range(planes.shape[2]):
-            model = FocalModel.of([blur.lens], vergence, blur.spectra[c], blur.pixel, FocalLight(1.0, 0.0, (1.0,), 0.0))
+            spectrum = blur.spectra[c]
+            curve = transfer_curve(blur.lens, vergence, spectrum, blur.pixel)
             filled = _filled(planes[..., c], known[..., c])
             if self.textures is not None:
                 texture = self.textures[c]
             else:
                 added = np.broadcast_to(observed.added, observed.counts.shape).reshape(planes.shape)[..., c]
                 variance = float(np.mean(filled) + np.mean(added)) / observed.white
-                texture = _measured(filled, model, places, variance)
+                texture = _measured(filled, _Passed.of(curve, places, len(vergence)), variance)
             used.append(texture)
-            power = texture.over_noise(np.hypot(model.band.fx, model.band.fy))
-            noise = model.noise + _strange(model.transfer[:, 0], power, beside)[:, None]
-            tables = self._tables(replace(model, texture=power, noise=noise))
+            given = [blur.lens], vergence, spectrum, blur.pixel, _Light(texture)
+            model = FocalModel.of(*given, transfer=lambda *_, curve=curve: curve)
+            strange = _strange(model.transfer[:, 0], model.texture, beside)[:, None]
+            tables = self._tables(replace(model, noise=model.noise + strange))
             light[..., c] = _filtered(tables, filled, places, blur.threads)
         done = np.maximum(light, 0.0).reshape(observed.counts.shape)
         near = _near_edges(places)
@@ -236,30 +256,56 @@ def _spectrum(plane: Array) -> tuple[Array, Array]:
     return f, total / (len(starts[0]) * len(starts[1]))
 
 
-def _measured(plane: Array, model: FocalModel, places: NDArray[np.float32], variance: float) -> Texture:
+class _Passed(NamedTuple):
+    """Power that the lens passes, mean of all pixels, in images of the band and of its aliases, (9, frequencies)."""
+
+    band: Band
+    f: Array
+    power: Array
+
+    @classmethod
+    def of(cls, curve: Callable[[Array], Array], places: NDArray[np.float32], count: int) -> Self:
+        """Return that of a transfer function of each table."""
+        band = Band.of(_BAND)
+        weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=count) / places.size
+        fs, powers = [], []
+        for across in (0.0, -1.0, 1.0):
+            for down in (0.0, -1.0, 1.0):
+                x, y = band.fx - across, band.fy - down
+                fs.append(np.hypot(x, y))
+                powers.append(weights @ np.square(curve(fs[-1])) * np.square(np.sinc(x) * np.sinc(y)))
+        return cls(band, np.array(fs), np.array(powers))
+
+    def seen(self, slope: float) -> Array:
+        """Return the power of a photograph of a texture of a slope."""
+        return np.asarray((self.power * _falling(self.f, slope)).sum(axis=0))
+
+
+def _falling(f: Array, slope: float) -> Array:
+    return np.asarray(np.maximum(f, 1.0 / LARGEST) ** -slope)
+
+
+def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
     """Return texture and noise of a plane, whose pixels should have a variance; without frequencies none."""
     f, power = _spectrum(plane)
     edges = np.append(np.geomspace(_LOWEST / min(min(plane.shape), _BLOCK), 0.5, _RINGS), 0.75)
-    of, at = np.digitize(f, edges), np.hypot(model.band.fx, model.band.fy)
-    ring = np.digitize(at, edges)
+    of, ring = np.digitize(f, edges), np.digitize(passed.f[0], edges)
     rings = [k for k in range(1, len(edges)) if (of == k).sum() > 8 and (ring == k).any()]
     count = np.array([float((of == k).sum()) for k in rings])
     seen = np.array([power[of == k].mean() for k in rings]) / max(variance, 1e-300)
     if len(rings) < 3 or not seen.max() > 0.0:
         return Texture(0.0, _SLOPES[0], 1.0)
-    weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=len(model.vergence)).astype(float)
-    passed = weights / weights.sum() @ np.square(model.transfer[:, 0])
-    share = model.band.share
+    share = passed.band.share
 
     def ringed(values: Array) -> Array:
         return np.array([(values * share)[ring == k].sum() / share[ring == k].sum() for k in rings])
 
     least = min(1.0, float(seen.min()))
-    most = _MOST_NOISE if ringed(passed).min() < _DARK else 1.0
+    most = _MOST_NOISE if ringed(passed.power[0]).min() < _DARK else 1.0
     noise = np.geomspace(least, max(most, least * 1.0001), 40)[:, None, None]
     best, found = math.inf, Texture(0.0, _SLOPES[0], 1.0)
     for slope in _SLOPES:
-        shape = ringed(passed * np.maximum(at, 1.0 / LARGEST) ** -slope)
+        shape = ringed(passed.seen(slope))
         factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
         whole = factors * shape + noise
         unlike = (count * (np.log(whole) + seen / whole)).sum(axis=2)

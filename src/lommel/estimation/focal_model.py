@@ -115,8 +115,8 @@ class FocalModel:
 
     `transfer` and `noise` have the shape (vergences, frames, frequencies); `texture`, (frequencies,), and `noise` are
     over the variance of a pixel of a frame of exposure 1, of which `white`, (frames,), is the part of electrons.
-    `folded` is the power that aliases of frames, as of `transfer`, and of the pixel-averaged scene share, and the last
-    index of frames stands for that scene: shape (vergences, frames + 1, frequencies).
+    `folded` is the power that the aliases of a frame and of the pixel-averaged scene have in common; its last index of
+    frames stands for that scene itself: shape (vergences, frames + 1, frequencies).
     """
 
     vergence: Array

@@ -35,8 +35,8 @@ class Solution(NamedTuple):
     light: Values
     steps: int
     stopped: str
+    alike: Method
     strength: float | None = None
-    alike: Method | None = None
 
 
 class Method(Protocol):
@@ -241,7 +241,7 @@ class RichardsonLucy:
             ratio = observed.ratio(model)
             if stopped := course.judge(observed.discrepancy(model, ratio)):
                 alike = replace(self, steps=course.steps, target=0.0) if course.steps else self
-                return Solution(guess, course.steps, stopped, alike=alike)
+                return Solution(guess, course.steps, stopped, alike)
             ratio *= observed.weight
             found = observed.blur.adjoint(ratio)
             found *= per
@@ -351,9 +351,9 @@ class TotalVariation:
         if self.strength is not None:
             found = walk.settle(self.strength, last=True)
             reason = NOISE if found <= 1.0 + observed.slack else STEPS
-            return Solution(walk.light, walk.taken, reason, self.strength, self)
+            return Solution(walk.light, walk.taken, reason, self, self.strength)
         if observed.mean(observed.discrepancies_of(observed.flat)) <= 1.0 + observed.slack:
-            return Solution(observed.flat, 0, NOISE, alike=self)
+            return Solution(observed.flat, 0, NOISE, self)
         electrons = observed.white * float(np.mean(observed.counts, dtype=np.float64))
         first = 0.15 / math.sqrt(max(electrons, 1e-6))
         kept = walk.light
@@ -368,9 +368,9 @@ class TotalVariation:
         found, strength = search(settle, first, self.target, first / _WEAKEST)
         if found > 1.0 + observed.slack and strength <= first / _WEAKEST * 1.001:
             # Hardly smoothed it fits no better: what is left is no noise, and must not be drawn into the picture.
-            return Solution(kept, walk.taken, MISFIT, first, replace(self, strength=first))
+            return Solution(kept, walk.taken, MISFIT, replace(self, strength=first), first)
         reason = NOISE if found <= 1.0 + observed.slack else STEPS
-        return Solution(walk.light, walk.taken, reason, strength, replace(self, strength=strength))
+        return Solution(walk.light, walk.taken, reason, replace(self, strength=strength), strength)
 
 
 def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:

@@ -1,12 +1,12 @@
-r"""Deblurring in one pass: Wiener's filter of each depth, for the texture and the noise that the photograph shows.
+r"""Deblurring in one pass: the Wiener filter of each depth, for the texture and the noise of the photograph.
 
-With the transfer function h of optics and pixel at a depth, the pixel's own P, white noise of variance nu and a texture
-of power ``S(f) = c f^-s``, the pixel-averaged scene is estimated by ``P S h / (S h^2 + nu)``, polynomials of one small
-filter (:mod:`lommel.imaging.focal_tables`), mixed pixel by pixel by depth.
+With the transfer function h of optics and pixel at a depth, the pixel's own P, white noise of variance nu and a
+texture of power ``S(f) = c f^-s``, the pixel-averaged scene is estimated by ``P S h / (S h^2 + nu)``: polynomials of
+one small filter (:mod:`lommel.imaging.focal_tables`), mixed by depth for each pixel.
 
-Power, slope and noise are those of the photograph: the most likely ones for its power in rings of frequency, ``c f^-s
-<h^2> + nu`` with the mean of h^2 over all depths (Whittle 1953, doi:10.1007/BF02590998). More noise than stated is
-told from texture only where no depth transmits any, so only there may nu exceed 1.
+Power, slope and noise are the most likely ones for the photograph's power in rings of frequency,
+``c f^-s <h^2> + nu`` with the mean of h^2 over all depths (Whittle 1953, doi:10.1007/BF02590998). Only where no depth
+transmits texture can more noise than stated be distinguished from it, so only there may nu exceed 1.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ _BAND = 48  # frequencies along half an axis
 _SLOPES = (2.0, 1.0, 3.0, 0.0)  # the usual one first
 _MORE_LIKELY = 5.0  # in log-likelihood, for which another slope is taken
 _DARK, _MOST_NOISE = 1e-2, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
+_EDGES = 4.0  # power of texture at edges of depth over that elsewhere
 _UNLIKE = 1.5  # tables between which depths are unlike
 _NEAR = 3.0  # pixels, rms, of what residuals are averaged over
 _AWAY = (2, 6, 16)  # pixels from which a filter takes in other depths
@@ -57,12 +58,11 @@ class Texture(NamedTuple):
         return np.asarray(self.power / self.noise * _falling(f, self.slope))
 
 
+@dataclass(frozen=True)
 class _Light(FocalLight):
-    """Light whose texture is given over the noise."""
+    """Light of variance 1 a pixel, whose texture is given over the noise."""
 
-    def __init__(self, texture: Texture) -> None:
-        super().__init__(1.0, 0.0, (1.0,), 0.0)
-        object.__setattr__(self, "_texture", texture)
+    texture: Texture
 
     def binned(self, pixels: int) -> Self:
         """Return itself: pixels are not binned."""
@@ -70,7 +70,7 @@ class _Light(FocalLight):
 
     def power(self, f: Array) -> Array:
         """Return the power of the texture over the variance."""
-        return self._texture.over_noise(f)
+        return self.texture.over_noise(f)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -109,34 +109,18 @@ class OnePass:
                 "method=OnePass() needs a lens with a circular or annular pupil and a depth map, got the blur "
                 f"{type(observed.blur).__name__}; RichardsonLucy() takes any"
             )
-        vergence, places = _vergences(blur)
-        beside = _beside(places, len(vergence))
-        # Not cut off at 0, below which noise leads.
-        planes = (observed.counts - observed.added).reshape(*blur.shape, -1)
-        known = (observed.weight > 0.0).reshape(planes.shape)
-        light, used = np.empty(planes.shape, dtype=blur.dtype), []
-        for c in range(planes.shape[2]):
-            spectrum = blur.spectra[c]
-            curve = transfer_curve(blur.lens, vergence, spectrum, blur.pixel)
-            filled = _filled(planes[..., c], known[..., c])
-            if self.textures is not None:
-                texture = self.textures[c]
-            else:
-                added = np.broadcast_to(observed.added, observed.counts.shape).reshape(planes.shape)[..., c]
-                variance = float(np.mean(filled) + np.mean(added)) / observed.white
-                texture = _measured(filled, _Passed.of(curve, places, len(vergence)), variance)
-            used.append(texture)
-            given = [blur.lens], vergence, spectrum, blur.pixel, _Light(texture)
-            model = FocalModel.of(*given, transfer=lambda *_, curve=curve: curve)
-            strange = _strange(model.transfer[:, 0], model.texture, beside)[:, None]
-            tables = self._tables(replace(model, noise=model.noise + strange))
-            light[..., c] = _filtered(tables, filled, places, blur.threads)
+        scene = _Scene(observed, blur)
+        light = np.empty((*blur.shape, blur.channels), dtype=blur.dtype)
+        textures = self.textures or tuple(scene.texture(c) for c in range(blur.channels))
+        for c, texture in enumerate(textures):
+            tables = self._tables(scene.model(c, texture))
+            light[..., c] = _filtered(tables, scene.planes[c], scene.places, blur.threads)
         done = np.maximum(light, 0.0).reshape(observed.counts.shape)
-        near = _near_edges(places)
+        near = _near_edges(scene.places)
         if near.any():
-            done = _believed(observed, done, near, [texture.noise for texture in used])
+            done = _believed(observed, done, near, [texture.noise for texture in textures])
         tell(1, math.nan, 0.0)
-        return Solution(done, 1, ONE_PASS, alike=replace(self, textures=tuple(used)))
+        return Solution(done, 1, ONE_PASS, replace(self, textures=textures))
 
     def _tables(self, model: FocalModel) -> SharpTables:
         """Return filters of the lowest degree that comes near to Wiener's; ValueError if none does."""
@@ -151,10 +135,62 @@ class OnePass:
             with np.errstate(divide="ignore"):
                 distance = 1.0 / model.vergence[worst]
             raise ValueError(
-                f"method=OnePass() loses {losses[worst]:.2g} dB against Wiener's filter at {distance:.4g} m, where the "
-                f"blur is wider than its polynomials reach, more than loss={self.loss:g}; take RichardsonLucy()"
+                f"method=OnePass() loses {losses[worst]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, for "
+                "the blur is wider than its polynomials reach; take RichardsonLucy()"
             )
         return tables
+
+
+class _Scene:
+    """An observation through a lens: its channels, and the distances that tables are made for."""
+
+    def __init__(self, observed: Observed, blur: DepthBlur) -> None:
+        self._blur = blur
+        self.vergence, self.places = _vergences(blur)
+        shape = (*blur.shape, blur.channels)
+        known = (observed.weight > 0.0).reshape(shape)
+        added = np.broadcast_to(observed.added, observed.counts.shape).reshape(shape)
+        # Not cut off at 0, below which noise leads.
+        light = observed.counts.reshape(shape) - added
+        self.planes = [_filled(light[..., c], known[..., c]) for c in range(blur.channels)]
+        self._variances = [
+            float(np.mean(plane) + np.mean(added[..., c])) / observed.white for c, plane in enumerate(self.planes)
+        ]
+        self._beside = _beside(self.places, len(self.vergence))
+        curves = {
+            spectrum: transfer_curve(blur.lens, self.vergence, spectrum, blur.pixel) for spectrum in set(blur.spectra)
+        }
+        self._curves = [curves[spectrum] for spectrum in blur.spectra]
+
+    def texture(self, channel: int) -> Texture:
+        """Return the texture and the noise of a channel."""
+        return _measured(self.planes[channel], self._passed(channel), self._variances[channel])
+
+    def _passed(self, channel: int) -> _Passed:
+        return _Passed.of(self._curves[channel], self.places, len(self.vergence))
+
+    def model(self, channel: int, texture: Texture) -> FocalModel:
+        """Return the model of a channel, in which light of other depths is noise as well."""
+        blur, curve = self._blur, self._curves[channel]
+        given = [blur.lens], self.vergence, blur.spectra[channel], blur.pixel, _Light(1.0, 0.0, (1.0,), 0.0, texture)
+        model = FocalModel.of(*given, transfer=lambda *_: curve)
+        strange = _strange(model.transfer[:, 0], model.texture, self._beside)[:, None]
+        return replace(model, noise=model.noise + strange)
+
+    def target(self, channel: int) -> float:
+        """Return the discrepancy of Wiener's filter: the share of the power of a channel that it leaves as noise."""
+        texture, passed = self.texture(channel), self._passed(channel)
+        seen = texture.power * passed.seen(texture.slope)
+        return float((texture.noise**2 / (texture.noise + seen)) @ passed.band.share)
+
+
+def wiener_target(observed: Observed) -> float | None:
+    """Return the discrepancy that a result should have by the texture and the noise of a photograph, if by a lens."""
+    blur = lens_blur(observed.blur)
+    if blur is None:
+        return None
+    scene = _Scene(observed, blur)
+    return observed.mean(np.array([scene.target(c) for c in range(blur.channels)]))
 
 
 def lens_blur(blur: LinearBlur) -> DepthBlur | None:
@@ -191,7 +227,7 @@ def _beside(places: NDArray[np.float32], count: int) -> Array:
 def _strange(transfer: Array, power: Array, beside: Array) -> Array:
     """Return the power of what filters take in from other depths, over that of the noise, (c, frequencies)."""
     unlike = beside @ transfer**2 - 2.0 * transfer * (beside @ transfer) + transfer**2
-    return np.asarray(power * np.maximum(unlike, 0.0))
+    return np.asarray(_EDGES * power * np.maximum(unlike, 0.0))
 
 
 def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
@@ -288,7 +324,7 @@ def _falling(f: Array, slope: float) -> Array:
 def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
     """Return texture and noise of a plane, whose pixels should have a variance; without frequencies none."""
     f, power = _spectrum(plane)
-    edges = np.append(np.geomspace(_LOWEST / min(min(plane.shape), _BLOCK), 0.5, _RINGS), 0.75)
+    edges = np.append(np.geomspace(_LOWEST / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
     of, ring = np.digitize(f, edges), np.digitize(passed.f[0], edges)
     rings = [k for k in range(1, len(edges)) if (of == k).sum() > 8 and (ring == k).any()]
     count = np.array([float((of == k).sum()) for k in rings])

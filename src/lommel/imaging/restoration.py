@@ -38,6 +38,7 @@ from lommel.imaging.photograph import (
     stored,
     tiles_of,
 )
+from lommel.imaging.restoration_risk import judged, mixed, noise_aware
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 
@@ -66,8 +67,8 @@ class Restoration:
         Number of steps in all; each applies the blur and its transpose once.
     stopped : str
         Why it stopped: "noise" where the result agrees with the photograph within its noise, "steps" at the maximum
-        number of steps, "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a stack) do not
-        fit.
+        number of steps, "one pass", "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a
+        stack) do not fit.
     strength : float or None
         Weight of the total variation.
     unknown : float
@@ -77,6 +78,9 @@ class Restoration:
     background : float or ndarray
         Light of each voxel of a stack, or of each pixel of its planes, that is no part of the values; 0 for
         photographs.
+    photograph : float
+        Share of the photograph itself in the result, 0 to 1: 1 where the method's own would be farther from the
+        scene, because depth, lens or noise do not fit; between where blur is hardly larger than noise.
     """
 
     values: Pixels
@@ -90,6 +94,7 @@ class Restoration:
     unknown: float = 0.0
     clipped: float = 0.0
     background: float | Array = 0.0
+    photograph: float = 0.0
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
@@ -162,11 +167,13 @@ def restore_with(
     observed = Observed.of(blur, recorded, noise, limit)
     with shown(progress) as tell:
         before = observed.mean(observed.discrepancies_of(observed.image))
-        found = way.solve(observed, tell)
-    after = observed.discrepancies_of(found.light)
+        found = noise_aware(way, observed).solve(observed, tell)
+    share, stopped = judged(observed, found)
+    kept = mixed(observed, found.light, share)
+    after = observed.discrepancies_of(kept)
     return Restoration(
-        found.light, found.light, observed.mean(after), tuple(map(float, after)), before, found.steps, found.stopped,
-        found.strength, 1.0 - float(observed.known.sum()) / recorded.size,
+        kept, kept, observed.mean(after), tuple(map(float, after)), before, found.steps, stopped,
+        found.strength, 1.0 - float(observed.known.sum()) / recorded.size, photograph=share,
     )  # fmt: skip
 
 
@@ -366,33 +373,35 @@ def _by_tiles(
 
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
     middle = min(tiles, key=from_middle)
-    first = method.solve(observed(middle[1]), _silent)
-    alike = first.alike or method
+    central = observed(middle[1])
+    first = noise_aware(method, central).solve(central, _silent)
+    share, stopped = judged(central, first)
     known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
     after, before = np.zeros((2, *known.shape))
     for done, tile in enumerate(tiles, 1):
         place, around, within = tile
         seen = observed(around)
-        found = first if tile is middle else alike.solve(seen, _silent)
+        found = first if tile is middle else first.alike.solve(seen, _silent)
+        light = mixed(seen, found.light, share)
         # The discrepancies inside the tile, of the result and of the photograph itself.
         here = np.zeros((*seen.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
         here[within] = True
         full = None if seen.full is None else seen.full & here
         inside = replace(seen, weight=seen.weight * here, full=full)
         known += inside.known
-        for total, scene in ((after, found.light), (before, seen.image)):
+        for total, scene in ((after, light), (before, seen.image)):
             total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
-        values = np.ascontiguousarray(found.light[within])
-        out[place], share = stored(values, blur.encoding, out.dtype, blur.whole.threads)
-        clipped += share * values.size / out.size
+        values = np.ascontiguousarray(light[within])
+        out[place], cut = stored(values, blur.encoding, out.dtype, blur.whole.threads)
+        clipped += cut * values.size / out.size
         if progress is not None:
             progress(done, len(tiles))
     count = float(known.sum())
     discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
-    agrees = first.stopped != NOISE or discrepancy <= 1.0
+    agrees = stopped != NOISE or discrepancy <= 1.0
     return Restoration(
-        out, None, discrepancy, each, float(before.sum()) / count, first.steps, first.stopped if agrees else STEPS,
-        first.strength, 1.0 - count / out.size, clipped,
+        out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped if agrees else STEPS,
+        first.strength, 1.0 - count / out.size, clipped, photograph=share,
     )  # fmt: skip
 
 
@@ -408,7 +417,8 @@ def _checked(method: object, progress: object) -> Method:
     if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
         hint = "; write it with brackets" if isinstance(method, type) else ""
         raise TypeError(
-            f"method must be RichardsonLucy(...), TotalVariation(...) or OnePass(...), got {validation.shown(method)}{hint}"
+            "method must be RichardsonLucy(...), TotalVariation(...) or OnePass(...), got "
+            f"{validation.shown(method)}{hint}"
         )
     return method
 

@@ -115,8 +115,8 @@ class FocalModel:
 
     `transfer` and `noise` have the shape (vergences, frames, frequencies); `texture`, (frequencies,), and `noise` are
     over the variance of a pixel of a frame of exposure 1, of which `white`, (frames,), is the part of electrons.
-    `folded` is the power that the aliases of a frame and of the pixel-averaged scene have in common; its last index of
-    frames stands for that scene itself: shape (vergences, frames + 1, frequencies).
+    `folded` is the power that the aliases of a frame and of the pixel-averaged scene have in common; its last index
+    of frames stands for that scene itself: shape (vergences, frames + 1, frequencies).
     """
 
     vergence: Array
@@ -171,6 +171,24 @@ class FocalModel:
         one = slice(index, index + 1)
         parts = {name: getattr(self, name)[one] for name in ("vergence", "transfer", "noise", "folded")}
         return replace(self, **parts)
+
+    def uncertain(self, deviation: Array) -> Self:
+        """Return the model of frames of which depth is known within a standard error, in candidates, (vergences,).
+
+        Transfer functions are means over it, and how far they differ from these is noise.
+        """
+        places = np.arange(len(self.vergence))
+        away = (places - places[:, None]) / np.maximum(deviation, 1e-3)[:, None]
+        share = np.exp(-0.5 * away**2)
+        share /= share.sum(axis=1, keepdims=True)
+
+        def mean(values: Array) -> Array:
+            return np.asarray(np.einsum("cd,dif->cif", share, values, optimize=True))
+
+        transfer = mean(self.transfer)
+        spread = np.maximum(mean(self.transfer**2) - transfer**2, 0.0)
+        noise = mean(self.noise) + self.texture * spread
+        return replace(self, transfer=transfer, noise=noise, folded=mean(self.folded))
 
     def signal(self) -> Array:
         """Return ``h.h`` over the noise, (vergences, frequencies)."""

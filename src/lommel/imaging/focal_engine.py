@@ -159,6 +159,7 @@ class FocalEngine:
                 task.lenses, task.vergence, spectrum, task.pixel, self.light, transfer=task.transfer
             )
             targets = [self._target(task.lenses[0].focused(each), spectrum, model) for each in foci]
+            model = model.uncertain(tables.deviation * self.binning / math.sqrt(self._pixels))
             self.images.append(SharpTables(model, taps, degree, targets))
 
     def stream(self, shape: tuple[int, int], *, images: bool = False) -> FocalStream:

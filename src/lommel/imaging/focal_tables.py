@@ -28,7 +28,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import NamedTuple, Self
 
@@ -42,7 +42,10 @@ from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading and offsets
 _BLIND = 1e4  # power of a scene at frequency 0, over the noise, that filters are to withstand
-_SHARP_LOSS = 0.02  # of the squared error of Wiener's filter, likewise
+_SHARED_ALIASES = (
+    0.5  # of their power: textures fall off faster beyond the Nyquist frequency than within, or not at all
+)
+_SHARP_LOSS = 0.01  # of the squared error of Wiener's filter, likewise
 _BEYOND = 0.08  # of the range, by which candidates reach beyond either end of it
 _VALLEY = 61  # candidates that the depth of a valley is taken from
 _WORTH = 1.25  # standard errors may grow so much by squares of pixels, which take a quarter of the work
@@ -414,7 +417,7 @@ class SharpTables:
     """
 
     def __init__(self, model: FocalModel, taps: Taps, degree: int, foci: Sequence[Array] = ()) -> None:
-        self.model, self.taps = model, taps
+        self.model, self.taps = replace(model, folded=_SHARED_ALIASES * model.folded), taps
         band = model.band
         self._terms = taps.chebyshev(band.fx, band.fy, degree)
         self._fit = _Fit(model, self._terms, _MEAN, 1e-12)
@@ -422,7 +425,9 @@ class SharpTables:
         filters = [self._filters(target) for target in (self.pixel, *foci)]
         fitted, self._metric = self._fit.coefficients(np.stack(filters, axis=1))
         targets = zip((self.pixel, *foci), filters, strict=True)
-        weights = np.stack([1.0 / np.sqrt(self._errors(target, each)) for target, each in targets], axis=1)
+        weights = np.stack(
+            [1.0 / np.sqrt(np.maximum(self._errors(target, each), 1e-12)) for target, each in targets], axis=1
+        )
         rows = fitted.reshape(-1, fitted.shape[2])
         _, basis = _few(rows, self._metric, weights.ravel(), 0.0, math.sqrt(_SHARP_LOSS))
         self.basis = basis.reshape(-1, model.transfer.shape[1], degree + 1)

@@ -135,8 +135,8 @@ class OnePass:
             with np.errstate(divide="ignore"):
                 distance = 1.0 / model.vergence[worst]
             raise ValueError(
-                f"method=OnePass() loses {losses[worst]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, for "
-                "the blur is wider than its polynomials reach; take RichardsonLucy()"
+                f"method=OnePass() loses {losses[worst]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, "
+                "as the blur is wider than its polynomials reach; take RichardsonLucy()"
             )
         return tables
 
@@ -184,13 +184,20 @@ class _Scene:
         return float((texture.noise**2 / (texture.noise + seen)) @ passed.band.share)
 
 
-def wiener_target(observed: Observed) -> float | None:
-    """Return the discrepancy that a result should have by the texture and the noise of a photograph, if by a lens."""
+def wiener_target(observed: Observed) -> tuple[float, float] | None:
+    """Return the discrepancy that a result should have by texture and noise of a photograph by a lens, and the noise.
+
+    The noise is over what is stated. None where the blur is too wide for the transfer functions.
+    """
     blur = lens_blur(observed.blur)
     if blur is None:
         return None
-    scene = _Scene(observed, blur)
-    return observed.mean(np.array([scene.target(c) for c in range(blur.channels)]))
+    try:
+        scene = _Scene(observed, blur)
+    except ValueError:
+        return None
+    noise = [scene.texture(c).noise for c in range(blur.channels)]
+    return observed.mean(np.array([scene.target(c) for c in range(blur.channels)])), observed.mean(np.array(noise))
 
 
 def lens_blur(blur: LinearBlur) -> DepthBlur | None:

@@ -38,14 +38,15 @@ def noise_aware(method: Method, observed: Observed) -> Method:
     if isinstance(method, TotalVariation) and method.strength is not None:
         return method
     shown = wiener_target(observed)
-    return method if shown is None or shown <= method.target else replace(method, target=shown)
+    return method if shown is None or shown[0] <= method.target else replace(method, target=shown[0])
 
 
 def judged(observed: Observed, found: Solution) -> tuple[float, str]:
     """Return the share of the photograph, 0 to 1, that a result needs to be no worse, and why the method stopped."""
     after, before = (observed.mean(observed.discrepancies_of(each)) for each in (found.light, observed.image))
     # Steps of a given number need not have come to an end.
-    misfit = found.stopped != STEPS and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
+    ended = found.stopped != STEPS or not isinstance(found.alike, RichardsonLucy)
+    misfit = ended and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
     if misfit or _is_overdone(observed, found.light):
         return 1.0, MISFIT
     slight = before <= 1.0 or found.steps <= _FEW
@@ -77,7 +78,9 @@ def _counted(observed: Observed) -> NDArray[np.bool_]:
 def _nearest_share(observed: Observed, found: Solution) -> float:
     """Return the share of the photograph with which a result is predicted to come nearest to the scene."""
     known = _counted(observed)
-    sigma = np.sqrt(observed.counts / (np.where(known, observed.weight, 1.0) * observed.white))
+    shown = wiener_target(observed)
+    noise = min(shown[1], 1.0) if shown is not None else 1.0
+    sigma = np.sqrt(noise * observed.counts / (np.where(known, observed.weight, 1.0) * observed.white))
     signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
     moved = _TURN * sigma * signs * known
     other = found.alike.solve(

@@ -515,14 +515,17 @@ class FocalStream {
             if (held[0] != block) {
                 factor_row(block, before), held[0] = block;
             }
-            if (held[1] != next) {
+            if (side > 1 && held[1] != next) {
                 factor_row(next, after), held[1] = next;
             }
             float* const row = out + y * plan_.width;
             for (std::size_t k = 0; k < count; ++k) {
                 const float *const a = before + k * pitch, *const b = after + k * pitch;
-                float* const to = here + FocalRows::margin;
-                expand(a, b, part, across, side, plan_.width, to);
+                float* const between = here + FocalRows::margin;
+                if (side > 1) {
+                    expand(a, b, part, across, side, plan_.width, between);
+                }
+                const float* const to = side > 1 ? between : a;
                 const float* const image = images_.data() + (k * plan_.height + y) * row_;
                 for (std::size_t x = 0; x < plan_.width; ++x) {
                     row[x] = (k == 0 ? 0.0f : row[x]) + to[x] * image[x];

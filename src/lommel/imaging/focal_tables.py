@@ -42,9 +42,7 @@ from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading and offsets
 _BLIND = 1e4  # power of a scene at frequency 0, over the noise, that filters are to withstand
-_SHARED_ALIASES = (
-    0.5  # of their power: textures fall off faster beyond the Nyquist frequency than within, or not at all
-)
+_SHARED_ALIASES = 0.4  # of those of textures whose spectrum goes on beyond the Nyquist frequency; many fall off
 _SHARP_LOSS = 0.01  # of the squared error of Wiener's filter, likewise
 _BEYOND = 0.08  # of the range, by which candidates reach beyond either end of it
 _VALLEY = 61  # candidates that the depth of a valley is taken from

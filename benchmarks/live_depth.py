@@ -179,6 +179,87 @@ def models(setup: Setup) -> list[str]:
     return rows
 
 
+def wiener(electrons: Sequence[Array], lenses: Sequence[ThinLens], distance: float, light: float) -> Array:
+    """Return the exact Wiener filter of frames of a known distance, for the texture that the tables are made for."""
+    from lommel.estimation.focal_model import FocalLight, transfer_curve
+    from lommel.imaging.focal_engine import CONTRAST
+    from lommel.imaging.focal_tables import _SHARED_ALIASES
+
+    there = FocalLight(light, READ, (1.0,) * len(lenses), CONTRAST)
+    at = np.array([1.0 / distance])
+    curves = [transfer_curve(lommel_lens(lens), at, ((lens.wavelength, 1.0),), lens.pixel) for lens in lenses]
+    side = len(electrons[0])
+    fy, fx = np.meshgrid(np.fft.fftfreq(side), np.fft.fftfreq(side), indexing="ij")
+
+    def of(across: int, down: int) -> tuple[Array, Array, Array]:
+        x, y = fx - across, fy - down
+        pixel, f = np.sinc(x) * np.sinc(y), np.hypot(x, y)
+        return pixel, np.stack([curve(f)[0] for curve in curves]) * pixel, there.power(f)
+
+    pixel, h, power = of(0, 0)
+    noise, shared = np.ones_like(h), pixel * power * h
+    for across, down in [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1) if a or b]:
+        beyond, seen, strength = of(across, down)
+        noise += strength * seen**2
+        shared += _SHARED_ALIASES * strength * beyond * seen
+    over = shared / noise
+    filters = over - power * (h * over).sum(axis=0) / (1.0 + power * (h**2 / noise).sum(axis=0)) * h / noise
+    filters[:, 0, 0] = 1.0 / len(lenses)
+    return np.asarray(np.fft.ifft2((np.fft.fft2(electrons) * filters).sum(axis=0)).real)
+
+
+def sharp(name: str, setup: Setup, light: float) -> str:
+    """Return a row about sharp images of planes: by how many decibels they are better than others, least to most."""
+    lenses, white = setup.lenses(), 3.0 * light
+    pairs = live(setup, light=light, sharp=True)
+    options: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": (SIDE, SIDE), "light": light}
+    singles = [lm.imaging.LiveSharpen(lommel_lens(lens), setup.pixel, **options) for lens in lenses]
+    found = []
+    for kind in ("leaves", "pink"):
+        for distance in setup.planes:
+            scene = texture(kind, SIDE, 7)
+            truth = light * averaged(scene)
+
+            def quality(image: Array, truth: Array = truth) -> float:
+                return float(-10.0 * np.log10(np.mean(np.square(image - truth)[32:-32, 32:-32])))
+
+            frames = record(plane(scene, lenses, distance, light), seed=int(1000 * distance))
+            electrons = [frame - OFFSET for frame in frames]
+            pairs(*frames)
+            k = int(np.argmax([quality(each) for each in electrons]))
+            results = [
+                lm.imaging.restore(
+                    electrons[k] / white, np.full((SIDE, SIDE), distance), lommel_lens(lenses[k]), setup.pixel,
+                    encoding="linear", noise=lm.Noise(white=white, read=READ), method=method,
+                )
+                for method in (lm.imaging.RichardsonLucy(), lm.imaging.OnePass())
+            ]  # fmt: skip
+            iterated, once = (quality(white * np.asarray(one.light)) for one in results)
+            pair, single = quality(pairs.sharp()), quality(singles[k](frames[k], distance))
+            both, one = (quality(wiener(*each, distance, light)) for each in (
+                (electrons, lenses), (electrons[k : k + 1], lenses[k : k + 1])
+            ))  # fmt: skip
+            photo = quality(electrons[k])
+            found.append(
+                (pair - both, pair - iterated, single - one, single - iterated, once - iterated, iterated - photo)
+            )
+    cells = [f"{low:+.2f} to {high:+.2f}" for low, high in zip(np.min(found, 0), np.max(found, 0), strict=True)]
+    return f"| {name} | {light:g} | " + " | ".join(cells) + " |"
+
+
+def frames_of_known_depth(name: str, setup: Setup) -> str:
+    """Return a row about the time of sharp frames of 1000 x 1000, by maps of blocks and of pixels."""
+    near, far = (1.0 / each for each in setup.between)
+    depth = 1.0 / np.linspace(0.9 * near + 0.1 * far, 0.1 * near + 0.9 * far, 1_000_000).reshape(1000, 1000)
+    frame = np.random.default_rng(0).poisson(LIGHT, (1000, 1000)).astype(np.uint16)
+    out = np.empty((1000, 1000), np.float32)
+    options: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": (1000, 1000), "threads": 1}
+    sharpen = lm.imaging.LiveSharpen(lommel_lens(setup.lenses()[0]), setup.pixel, **options)
+    maps = (np.ascontiguousarray(depth[::4, ::4]), depth.astype(np.float32))
+    times = [fastest(lambda each=each: sharpen(frame, each, out)) for each in maps]  # type: ignore[misc]
+    return f"| {name} | " + " | ".join(f"{1e3 * each:.1f} ms, {1.0 / each:.0f}" for each in times) + " |"
+
+
 def fastest(run: Callable[[], object], turns: int = 25) -> float:
     """Return the least CPU time of a call, in seconds."""
     run()
@@ -226,8 +307,18 @@ def main(arguments: Sequence[str] | None = None) -> None:
     print("|---|---|---|---|---|---|---|---|")
     for name, distance in (("35 mm f/8", 1.5), ("8 mm f/2.8", 0.8), ("35 mm f/2.8", 1.5)):
         print(speed(name, SETUPS[name], distance, transform), flush=True)
+    print("\n| sharp frames of 1000 x 1000, frames/s | map of blocks | of pixels |\n|---|---|---|")
+    for name in ("35 mm f/8", "8 mm f/2.8", "35 mm f/2.8"):
+        print(frames_of_known_depth(name, SETUPS[name]), flush=True)
     if asked.speed:
         return
+    print(
+        "\n| sharp, dB | electrons | pair - Wiener | pair - restored | frame - Wiener | frame - restored | "
+        "OnePass - restored | restored - photograph |\n|---|---|---|---|---|---|---|---|"
+    )
+    for name in ("35 mm f/8", "8 mm f/2.8", "35 mm f/2.8"):
+        for light in (LIGHT, 0.1 * LIGHT):
+            print(sharp(name, SETUPS[name], light), flush=True)
     print(
         "\n| lens | texture | electrons | median z | sd of z | beyond 3 | scatter / bound |\n"
         "|---|---|---|---|---|---|---|"

@@ -129,7 +129,7 @@ def restore_with(
         matrix may be negative.
     noise : Noise
         Of the values of `light`.
-    method : RichardsonLucy or TotalVariation, optional
+    method : RichardsonLucy, TotalVariation or OnePass, optional
         By default ``RichardsonLucy()``.
     saturation : float, default infinity
         Value at which pixels saturate, which then are lower limits of the light.
@@ -217,7 +217,7 @@ def restore(
         Of the values of `photo`, and of the result.
     noise : Noise
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
-    method : RichardsonLucy or TotalVariation, optional
+    method : RichardsonLucy, TotalVariation or OnePass, optional
         By default ``RichardsonLucy()``.
     saturation : float, optional
         Linear value (1 is white) at which pixels saturate, which then are lower limits of the light. By default 1;

@@ -157,7 +157,7 @@ docs: build env page .venv/docs.stamp ## write the documentation to docs/_build/
 	echo "docs/_build/html/index.html"
 page_module := src/lommel/page/lommel-live.js
 page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js; fetches 200 MB the first time
-$(page_module): .venv/page.stamp $(shell find web cpp/include cpp/wasm src/lommel/page/state.py src/lommel/imaging/focal_*.py src/lommel/estimation/focal_model.py examples/lenses -type f) | build
+$(page_module): .venv/page.stamp $(shell find web cpp/include cpp/wasm examples/lenses -type f) $(wildcard src/lommel/page/state.py src/lommel/imaging/focal_*.py src/lommel/estimation/focal_model.py) | build
 	@.venv/bin/python web/build.py --output $@
 cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*pp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 lint: env ## check the style and the format

@@ -125,7 +125,10 @@ def test_notes_name_options(files):
     [
         (("lens.toml", "stack.ome.tif", "-o", "a.tif"), "the order is STACK LENS"),
         (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr, got a.png; --plot"),
-        (("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"), "must not replace the recording"),
+        (
+            ("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"),
+            "--output must be another file than STACK, got ./st",
+        ),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
         (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; say which with --time, from 0 to 1"),

@@ -15,7 +15,18 @@ from lommel.base import atomic
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_facts, noise_in_words, noise_of
-from lommel.cli.options import FILE, JSON, MICROMETRES, NANOMETRES, Option, command, documented, plot_option, under
+from lommel.cli.options import (
+    FILE,
+    JSON,
+    MICROMETRES,
+    NANOMETRES,
+    OUTPUT,
+    Option,
+    command,
+    documented,
+    plot_option,
+    under,
+)
 from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
@@ -56,7 +67,7 @@ _MOST = 20  # beads
     Option("--field", "degree", type=click.IntRange(0, 4), metavar="DEGREE",
            help="Aberrations over the image: fit each bead by itself, and polynomials of the position of this degree "
            "through the terms of all."),
-    Option("-o", "--output", type=FILE,
+    Option("-o", "--output", type=OUTPUT,
            help="Microscope file (.toml) with what was found, for all other commands; with --field a table of terms "
            "over the image (.csv)."),
     plot_option("Figure of planes, model, residuals and terms"),

@@ -21,6 +21,7 @@ from lommel.cli.options import (
     LENGTHS,
     MICROMETRES,
     NANOMETRES,
+    OUTPUT_PATH,
     Option,
     command,
     documented,
@@ -49,7 +50,7 @@ _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
 @command(
     click.Argument(["stack"], type=_STACK),
     LENS,
-    Option("-o", "--output", "outputs", type=_STACK, required=True, multiple=True,
+    Option("-o", "--output", "outputs", type=OUTPUT_PATH, required=True, multiple=True,
            help="Restored stack: .ome.tif or .ome.zarr; may be repeated."),
     plot_option("Figure of projections before and after, and of the residual"),
     *under(

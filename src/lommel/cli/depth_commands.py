@@ -13,7 +13,7 @@ import numpy as np
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
-from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import NOISE, finite, read_as
 from lommel.cli.progress import progress
@@ -40,9 +40,9 @@ _ROWS, _POINTS = 11, 121
     LENS,
     Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
            help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
-    Option("-o", "--output", "outputs", type=FILE, multiple=True,
+    Option("-o", "--output", "outputs", type=OUTPUT, multiple=True,
            help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
-    Option("--sharp", type=FILE, help=f"All-in-focus image: {suffixes('photo')}."),
+    Option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
     plot_option("Figure of depth map, standard deviation and all-in-focus image"),
     JSON,
     *under(

@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.units import parse_length
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import FILE, JSON, MICROMETRES, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
@@ -60,10 +60,11 @@ _LISTED = 12  # stars left out, that are printed one by one
            "that of all. By default that of the lens."),
     Option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
            help="Standard deviation of blur by seeing or jitter, where it is known; by default it is estimated."),
-    Option("-o", "--output", type=FILE, help="Table for `[field] file =` of the lens file: .csv."),
-    Option("--twin", type=FILE, help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
+    Option("-o", "--output", type=OUTPUT, help="Table for `[field] file =` of the lens file: .csv."),
+    Option("--twin", type=OUTPUT,
+           help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
     plot_option("Figure of the terms over the sensor, stars, models and residuals"),
-    Option("--spots", type=FILE, help="Figure of the image with the windows used and what was refused."),
+    Option("--spots", type=OUTPUT, help="Figure of the image with the windows used and what was refused."),
     JSON,
     *under(
         "Stars and crossings",

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from lommel.base import atomic
-from lommel.cli.options import FILE, Option, command
+from lommel.cli.options import FILE, OUTPUT, Option, command
 from lommel.lensfiles.lens_files import load_instrument
 from lommel.page import module
 from lommel.page.server import PageServer
@@ -19,7 +19,7 @@ from lommel.page.state import state_of
     click.Argument(["lens"], type=FILE, required=False),
     Option("--port", type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
     Option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
-    Option("--save", "saved", type=FILE, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
+    Option("--save", "saved", type=OUTPUT, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
 )
 def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | None) -> None:
     """Open an interactive page of the PSF in the browser.

@@ -15,7 +15,18 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, camera_map, microscope_of, noise_of
-from lommel.cli.options import FILE, JSON, MICROMETRES, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.options import (
+    FILE,
+    JSON,
+    MICROMETRES,
+    OUTPUT,
+    WINDOW,
+    Option,
+    command,
+    documented,
+    plot_option,
+    under,
+)
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
@@ -54,7 +65,7 @@ _CAMERA = under(
 @command(
     click.Argument(["movie"], type=FILE),
     LENS,
-    Option("-o", "--output", "outputs", type=FILE, required=True, multiple=True,
+    Option("-o", "--output", "outputs", type=OUTPUT, required=True, multiple=True,
            help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),
     plot_option("Picture of the molecules, coloured by z"),
     *_CAMERA,

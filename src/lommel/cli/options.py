@@ -8,7 +8,7 @@ import inspect
 import os
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -31,6 +31,16 @@ Value = TypeVar("Value")
 FILE = click.Path(dir_okay=False, path_type=Path)
 """Path of a file, which need not exist."""
 
+
+class _Written(click.Path):
+    """Path of a file that is written."""
+
+
+OUTPUT = _Written(dir_okay=False, path_type=Path)
+"""Path of a file that is written, and is none of those that are read."""
+
+OUTPUT_PATH = _Written(path_type=Path)
+"""Path of a file or a folder, likewise."""
 
 PATH = click.Path(path_type=Path)
 """Path of a file or a folder, which need not exist."""
@@ -139,6 +149,28 @@ class Command(click.Command):
                 formatter.write_dl(records)
 
 
+def _keep_what_is_read(params: Iterable[click.Parameter], given: dict[str, Any]) -> None:
+    """Raise ValueError if a file that is written is one that is read, or another that is written."""
+    taken: list[tuple[str, Path]] = []
+    for param in sorted(params, key=lambda one: isinstance(one.type, _Written)):
+        value = given.get(param.name or "")
+        for each in value if isinstance(value, tuple) else (value,):
+            if not isinstance(each, str | Path):
+                continue
+            path, name = Path(each), param.opts[-1] if param.opts[-1].startswith("-") else (param.name or "").upper()
+            for other, before in taken if isinstance(param.type, _Written) else ():
+                if _same(path, before):
+                    raise ValueError(f"{name} must be another file than {other}, got {each} for both")
+            taken.append((name, path))
+
+
+def _same(one: Path, other: Path) -> bool:
+    try:
+        return one.samefile(other)
+    except (OSError, ValueError):  # one does not exist, or is no path
+        return one == other
+
+
 def command(
     *params: click.Parameter, kind: type[Command] = Command
 ) -> Callable[[Callable[..., Report | None]], Command]:
@@ -156,6 +188,7 @@ def command(
             try:
                 if given.get("figure") is not None:  # before anything is computed
                     figure_format(given["figure"])
+                _keep_what_is_read(params, given)
                 report = function(**given)
                 if report is not None:
                     report.print(as_json=as_json)
@@ -213,7 +246,7 @@ JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON
 
 def plot_option(what: str, flag: str = "--plot") -> Option:
     """Return the option for a figure."""
-    return Option(flag, "figure", type=FILE, help=f"{what}: .png, .pdf or .svg.")
+    return Option(flag, "figure", type=OUTPUT, help=f"{what}: .png, .pdf or .svg.")
 
 
 _CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)

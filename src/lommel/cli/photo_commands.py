@@ -27,6 +27,8 @@ from lommel.cli.options import (
     LENGTHS,
     MICROMETRES,
     MILLIMETRES,
+    OUTPUT,
+    OUTPUT_PATH,
     PATH,
     Option,
     command,
@@ -131,7 +133,7 @@ _COMMON = [
     click.Argument(["photo"], type=PATH),
     click.Argument(["depth"], type=PATH),
     click.Argument(["lens"], type=FILE, required=False),
-    Option("-o", "--output", required=True, type=PATH, metavar="FILE",
+    Option("-o", "--output", required=True, type=OUTPUT_PATH, metavar="FILE",
            help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or "
            f"one animation or stack: {suffixes('frames')}."),
     _FOCUS,
@@ -323,7 +325,7 @@ _METHODS = ("richardson-lucy", "total-variation")
 
 @command(
     *_ARGUMENTS,
-    Option("-o", "--output", required=True, type=FILE, help=f"Restored photo: {suffixes('photo')}."),
+    Option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
     _FOCUS,
     *under(
         "Noise",

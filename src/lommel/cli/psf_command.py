@@ -30,7 +30,7 @@ from lommel.cli.instruments import (
     microscope_of,
 )
 from lommel.cli.lens_report import distinct, summarize_lens
-from lommel.cli.options import FILE, JSON, LENGTH, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.options import JSON, LENGTH, OUTPUT, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
@@ -68,7 +68,7 @@ class _Product(Generic[Made]):
 
 @command(
     LENS,
-    Option("-o", "--output", "outputs", multiple=True, type=FILE,
+    Option("-o", "--output", "outputs", multiple=True, type=OUTPUT,
            help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
            f"With --field: {suffixes('field')}. "
            f"With --colour: {suffixes('colours')}."),

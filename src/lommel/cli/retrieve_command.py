@@ -22,7 +22,7 @@ from lommel.cli.instruments import (
     microscope_of,
     noise_of,
 )
-from lommel.cli.options import FILE, JSON, Command, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, OUTPUT, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.phase_retrieval import label
@@ -79,7 +79,7 @@ def _is_number(word: str) -> bool:
            '"noll 5, noll 6", or as printed, "coma x, coma y".'),
     Option("--also", default="center",
            help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
-    Option("-o", "--output", type=FILE,
+    Option("-o", "--output", type=OUTPUT,
            help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     plot_option("Figure of images, model, residuals and terms"),
     Option("--unit", type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),

@@ -15,7 +15,7 @@ from lommel.base.arrays import Array
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import FILE, JSON, LENGTH, PATH, Option, command, under
+from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Option, command, under
 from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite, output_type
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
@@ -45,7 +45,7 @@ class Clip(NamedTuple):
 @command(
     click.Argument(["clip"], type=PATH),
     LENS,
-    Option("-o", "--output", required=True, type=FILE,
+    Option("-o", "--output", required=True, type=OUTPUT,
            help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
     Option("--at", type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
     Option("--depth", "map_", type=FILE, metavar="FILE",

@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import JSON, LENGTH, Option, command, documented
+from lommel.cli.options import JSON, LENGTH, OUTPUT_PATH, Option, command, documented
 from lommel.cli.output import Report
 from lommel.cli.progress import progress
 from lommel.psf import psf
@@ -23,7 +23,7 @@ from lommel.stacks.compute import psf_to
            help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
     Option("--count", type=click.IntRange(2, 10**9), required=True,
            help="Number of distances, equally spaced in defocus."),
-    Option("-o", "--output", type=click.Path(path_type=Path), required=True,
+    Option("-o", "--output", type=OUTPUT_PATH, required=True,
            help="Store to write: a .zarr folder or a .h5 file."),
     CAMERA,
     SQUARE_PIXEL,

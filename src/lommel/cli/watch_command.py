@@ -22,7 +22,7 @@ from lommel.base.encoding import from_light
 from lommel.base.units import format_length
 from lommel.cli.depth_commands import each_lens, verdict_facts
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, under, with_options
+from lommel.cli.options import JSON, LENGTH, OUTPUT, Option, command, documented, under, with_options
 from lommel.cli.output import Facts, Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
@@ -40,6 +40,7 @@ Map = NDArray[np.float32]
 
 _BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
 _COUNTED = 2**16  # pairs that medians are taken of: the last ones
+_LOSSY = 0.95  # of the bits that noise takes: compression that leaves less is told
 _SOON = 25  # pairs after which compression is told, as well as at the end
 _TOP = 65535  # levels of lossless depth
 _CURVE = 4096  # levels of linear light that are encoded beforehand
@@ -101,12 +102,12 @@ class Files:
     Option("--alternating", is_flag=True, help="The frames of one source are of one focus and the other in turn."),
     Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
            help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
-    Option("-o", "--output", type=FILE, help=f"Video of the depth in colours: {suffixes('video')}."),
+    Option("-o", "--output", type=OUTPUT, help=f"Video of the depth in colours: {suffixes('video')}."),
     Option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
-    Option("--depth", "depths", type=FILE, multiple=True,
+    Option("--depth", "depths", type=OUTPUT, multiple=True,
            help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of "
            "--depth-scale, 0 where it is not known; given a second time, its standard deviation."),
-    Option("--table", type=FILE, help="Table with a row for each pair: .csv."),
+    Option("--table", type=OUTPUT, help="Table with a row for each pair: .csv."),
     Option("--show/--no-show", default=None,
            help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
     JSON,
@@ -172,6 +173,8 @@ def watch(
     if len(sources) != (1 if alternating else 2):
         with_it = " and --alternating" if alternating else ""
         raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
+    if len(set(sources)) < len(sources):
+        raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
     instrument = radial_instrument(lens, camera, pixel)
     lenses = each_lens(instrument.lens, 2, foci, f_numbers, "frames")
     if lenses[0] == lenses[1]:
@@ -214,12 +217,13 @@ def watch(
                 status(tally.words(pairs.dropped))
             tally.stop = time.perf_counter()
         ended = "interrupted" if stop.asked else pairs.lost or ended
+        status.step("finishing")
         bits, lossy = _compressed(pairs, coding, tally.light)
         if lossy and tally.pairs < _SOON:
             status.tell(lossy)
         if not tally.pairs:
             raise ValueError(f"no pair of frames came: {ended}")
-        verdict = DefocusVerdict(math.nan, math.nan, math.inf) if tally.failed == tally.pairs else live.verdict()
+    verdict = DefocusVerdict(math.nan, math.nan, math.inf) if tally.failed == tally.pairs else live.verdict()
     read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
     height, width = pairs.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -289,7 +293,7 @@ def _compressed(pairs: videos.FramePairs, coding: Coding, light: float) -> tuple
     if bits is None or math.isnan(light):
         return {"bits": None, "noise_bits": None}, ""
     noise, sentence = coding.noise_bits(light), ""
-    if bits < noise:
+    if bits < _LOSSY * noise:
         sentence = (
             f"Compression leaves {bits:.2g} bits a pixel, and noise alone takes {noise:.2g}: fine texture is lost "
             "with it, and depth may be wrong by many standard errors. Record without compression, or with less."

@@ -139,15 +139,23 @@ class FocalModel:
         transfer: Transfer | None = None,
         binning: int = 1,
         count: int = 48,
+        scales: Sequence[float] = (),
     ) -> Self:
-        """Return the model of squares of `binning` pixels a side, of a pitch in metres."""
+        """Return the model of squares of `binning` pixels a side, of a pitch in metres.
+
+        Frames may have been resampled about their middle: `scales` are the pitches, in pixels, that they have since.
+        """
         band, binned = Band.of(count), light.binned(binning)
         fx, fy = band.fx, band.fy
-        curves = [(transfer or transfer_curve)(lens, vergence, spectrum, binning * pixel) for lens in lenses]
+        pitches = scales or (1.0,) * len(lenses)
+        curves = [
+            (transfer or transfer_curve)(lens, vergence, spectrum, binning * pixel * pitch)
+            for lens, pitch in zip(lenses, pitches, strict=True)
+        ]
 
         def transfers(x: Array, y: Array) -> Array:
-            each = np.stack([curve(np.hypot(x, y)) for curve in curves], axis=1)
-            return np.asarray(each * (np.sinc(x) * np.sinc(y)))
+            f, seen = np.hypot(x, y), zip(curves, pitches, strict=True)
+            return np.stack([curve(f) * (np.sinc(x / pitch) * np.sinc(y / pitch)) for curve, pitch in seen], axis=1)
 
         def power(x: Array, y: Array) -> Array:
             # Squares have the variance of as many pixels, and textures of the power that these have.

@@ -240,15 +240,13 @@ def depth_from_defocus(
         told = ", ".join(f"{each:.4g}" for each in means)
         raise ValueError(f"photographs must hold light on average, got {told} electrons a pixel")
     mean, exposed = float(means[0]), tuple((means / means[0]).tolist())
-    if exposures is not None:
-        exposed = relative_exposures(exposures, len(lenses))
+    exposed = exposed if exposures is None else relative_exposures(exposures, len(lenses))
     images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
-    spectra = [
-        ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
-        for channel in Settings(wavelengths=wavelengths).channels(first.shape, lenses[0].wavelength)
-    ]
+    channels = Settings(wavelengths=wavelengths).channels(first.shape, lenses[0].wavelength)
+    spectra = [((each, 1.0),) if isinstance(each, float) else tuple(each) for each in channels]
     block = BLOCK if width >= _LEAST_OF_BLOCK else BLOCK // 2
-    task = FocalTask(lenses, vergence, spectra, pitch, ends, width, block, block, processors(), transfer)
+    sizes = width, block, block, processors()
+    task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _LEAST_VARIANCE * mean)
     engine = FocalEngine(task, FocalLight(mean, read, exposed, CONTRAST))
     position, deviation, misfit = _search(engine, images, valid, progress)

@@ -16,12 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
-from lommel.estimation.focal_model import FocalModel
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
-_LEAST_MISFIT, _MISFIT = 0.7, 2.0
-_SURE = 2.5  # standard errors, by which a scale that is wrong differs from 1
+_LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0
+_LIKELY, _SURE = 1.5, 2.5  # standard errors, by which a scale that is in doubt, and wrong, differs from 1
 _DEVIATION = 0.1  # scales of a larger standard error are not told
 _LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
 # How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
@@ -58,14 +57,14 @@ class DefocusVerdict(NamedTuple):
         if self.misfit > _MISFIT:
             found.append(
                 f"the images differ by more than noise (misfit {self.misfit:.3g}): something moved, they are "
-                "not registered, or noise is understated"
+                "not registered, noise is understated, or the lens or its foci are wrong"
             )
         elif self.misfit < _LEAST_MISFIT:
             found.append(
                 f"the images differ by less than noise (misfit {self.misfit:.3g}): they were denoised, or noise is "
                 "overstated"
             )
-        if abs(self.scale - 1.0) > _SURE * self.deviation:
+        if self._off > _SURE:
             found.append(
                 f"blurs differ by {self._of} of what the lenses state: f-number, focal length, pixel pitch or a "
                 "focus distance is wrong"
@@ -74,25 +73,33 @@ class DefocusVerdict(NamedTuple):
 
     @property
     def agrees(self) -> bool:
-        """Whether nothing that was tested disagrees."""
-        return not self.faults and math.isfinite(self.misfit)
+        """Whether nothing that was tested disagrees or is in doubt."""
+        return self.misfit <= _GOOD_MISFIT and not self.faults and not self._off > _LIKELY
 
     @property
     def tested(self) -> tuple[str, ...]:
         """What agrees, and the faults."""
-        agreed = []
+        found = []
         if _LEAST_MISFIT <= self.misfit <= _MISFIT:
-            agreed.append(f"registration and noise agree (misfit {self.misfit:.3g}; 1 if only noise is left)")
-        if abs(self.scale - 1.0) <= _SURE * self.deviation:
-            agreed.append(f"blurs differ as the lenses state ({self._of} of it)")
-        return *agreed, *self.faults
+            agree = "agree" if self.misfit <= _GOOD_MISFIT else "are in doubt"
+            found.append(f"registration and noise {agree} (misfit {self.misfit:.3g}; 1 if only noise is left)")
+        if self._off <= _LIKELY:
+            found.append(f"blurs differ as the lenses state ({self._of} of it)")
+        elif self._off <= _SURE:
+            found.append(f"the size of blur is in doubt: blurs differ by {self._of} of what the lenses state")
+        return *found, *self.faults
 
     @property
     def untested(self) -> tuple[str, ...]:
         """What these images do not tell."""
-        never = "which of them is focused nearer", "a shift of all focus distances"
-        scale = () if math.isfinite(self.scale) else ("the size of blur (f-number, focal length, pixel pitch)",)
+        never = "which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"
+        scale = () if math.isfinite(self.scale) else ("the size of blur",)
         return (*scale, *never)
+
+    @property
+    def _off(self) -> float:
+        """How many standard errors the scale is off; NaN where it is not told."""
+        return abs(self.scale - 1.0) / self.deviation if math.isfinite(self.scale) else math.nan
 
     @property
     def _of(self) -> str:
@@ -134,7 +141,9 @@ def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight
             tried[k] = np.stack([filters(tile) for tile in tiles])
         return tried[k]
 
-    k = 0
+    # Far from the true scale there may be others that are better than their neighbours.
+    means = {k: _mean(misfits(k)) for k in range(-_MOST + 2, _MOST, 2)} if tiles else {0: math.inf}
+    k = min(means, key=lambda k: means[k])
     while tiles and abs(k) < _MOST:
         cells, shares = _cells(np.stack([misfits(k - 1), misfits(k), misfits(k + 1)]))
         if len(shares) < _LEAST_CELLS:
@@ -149,10 +158,18 @@ def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight
         place = 0.5 * float(before - after) / bend
         slopes = weights * (0.5 * (cells[2] - cells[0]) + place * (cells[0] - 2.0 * cells[1] + cells[2]))
         scatter = float((slopes**2).sum()) / bend**2
-        systematic = 2.0 * (_OFF + _OFF_MISFIT * abs(float(here) - 1.0)) / bend
+        unsure = _OFF + _OFF_MISFIT * abs(float(here) - 1.0)
+        if any(mean <= _mean(misfits(k)) + unsure for other, mean in means.items() if abs(other - k) > 2):
+            break
         scale = math.exp(_STEP * (k + place))
-        return scale, scale * math.hypot(_STEP * math.sqrt(scatter + systematic), _LEAST_DEVIATION)
+        return scale, scale * math.hypot(_STEP * math.sqrt(scatter + 2.0 * unsure / bend), _LEAST_DEVIATION)
     return math.nan, math.inf
+
+
+def _mean(misfits: Array) -> float:
+    """Return the mean misfit where it is known; infinity where that is hardly anywhere."""
+    known = np.isfinite(misfits)
+    return float(misfits[known].mean()) if known.mean() > 0.02 else math.inf
 
 
 def _cells(misfits: Array) -> tuple[Array, Array]:
@@ -200,16 +217,9 @@ class _Filters:
     """Filters of residuals, for apertures of another size."""
 
     def __init__(self, engine: FocalEngine, channel: int, scale: float) -> None:
-        task, self._engine = engine.task, engine
-        model = FocalModel.of(
-            [lens.stopped(lens.f_number / scale) for lens in task.lenses],
-            task.vergence,
-            task.spectra[channel],
-            task.pixel,
-            engine.light,
-            transfer=task.transfer,
-            binning=engine.binning,
-        )
+        self._engine = engine
+        lenses = [lens.stopped(lens.f_number / scale) for lens in engine.task.lenses]
+        model = engine.task.model(engine.light, channel, engine.binning, lenses)
         self._white = model.white
         self._filters = residual_filters(model)[..., model.band.places()]
 

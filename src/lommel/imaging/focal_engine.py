@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -46,6 +46,22 @@ class FocalTask(NamedTuple):
     fine: int
     threads: int
     transfer: Transfer = transfer_curve
+    scales: tuple[float, ...] = ()  # of frames that are resampled: their pitches since, in pixels
+
+    def model(
+        self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None
+    ) -> FocalModel:
+        """Return the model of a channel, in squares of pixels, of these lenses or others."""
+        return FocalModel.of(
+            lenses or self.lenses,
+            self.vergence,
+            self.spectra[channel],
+            self.pixel,
+            light,
+            transfer=self.transfer,
+            binning=binning,
+            scales=self.scales,
+        )
 
 
 def ranged(
@@ -89,10 +105,10 @@ class FocalEngine:
         self.task, self.light = task, light
         self._weights, self._pixels = block_weights(task.window, task.block)
         blocks = self._weights, task.block
-        first = focal_tables(task.lenses, task.vergence, task.spectra[0], task.pixel, light, blocks, task.transfer)
+        first = focal_tables(partial(task.model, light, 0), light, blocks)
         rest = [
-            focal_tables(task.lenses, task.vergence, one, task.pixel, light, blocks, task.transfer, like=first)
-            for one in task.spectra[1:]
+            focal_tables(partial(task.model, light, channel), light, blocks, like=first)
+            for channel in range(1, len(task.spectra))
         ]
         self.channels = [first, *rest]
         if self.rank > _MOST_RANK:
@@ -154,10 +170,8 @@ class FocalEngine:
         near, far = (1.0 / each for each in task.between)
         with np.errstate(divide="ignore"):
             foci = (1.0 / np.linspace(far, near, _FOCI if refocus else 0)).tolist()
-        for spectrum in task.spectra:
-            model = FocalModel.of(
-                task.lenses, task.vergence, spectrum, task.pixel, self.light, transfer=task.transfer
-            )
+        for channel, spectrum in enumerate(task.spectra):
+            model = task.model(self.light, channel)
             targets = [self._target(task.lenses[0].focused(each), spectrum, model) for each in foci]
             model = model.uncertain(tables.deviation * self.binning / math.sqrt(self._pixels))
             self.images.append(SharpTables(model, taps, degree, targets))

@@ -39,13 +39,18 @@ class Registration:
     size : (int, int)
         Height and width, pixels.
     threads : int
+
+    Attributes
+    ----------
+    scales : tuple of float
+        Pitch that each frame has since, in pixels.
     """
 
     def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
-        self._scales: list[FocalScale | None] = [None] * len(lenses)
+        self.scales = (1.0,) * len(lenses)
         if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-            scales = [lens.sensor_distance / lenses[0].sensor_distance for lens in lenses]
-            self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in scales]
+            self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)
+        self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in self.scales]
         self._made = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
 
     def __bool__(self) -> bool:

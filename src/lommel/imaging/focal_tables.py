@@ -27,7 +27,7 @@ the energy: kappa is then what the depth of the valley tells, for the texture th
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import NamedTuple, Self
@@ -37,7 +37,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.engine import FocalStream
-from lommel.estimation.focal_model import Band, FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
+from lommel.estimation.focal_model import Band, FocalLight, FocalModel
 from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading and offsets
@@ -178,20 +178,16 @@ def candidates(between: tuple[float, float], count: int, lenses: Sequence[Lens])
 
 
 def focal_tables(
-    lenses: Sequence[Lens],
-    vergence: Array,
-    spectrum: Spectrum,
-    pixel: float,
+    model_of: Callable[[int], FocalModel],
     light: FocalLight,
     blocks: tuple[Array, int],
-    transfer: Transfer = transfer_curve,
     *,
     like: FocalTables | None = None,
 ) -> FocalTables:
-    """Return the tables for candidates, and windows of weights of blocks, from the middle on, of some pixels a side.
+    """Return the tables for windows of weights of blocks, from the middle on, of some pixels a side.
 
-    By the largest squares of pixels that cost little precision, up to a block, and as few terms as will do; or by the
-    squares and polynomials of others.
+    `model_of` returns the model of squares of so many pixels a side. By the largest squares that cost little
+    precision, up to a block, and as few terms as will do; or by the squares and polynomials of others.
     """
     weights, block = blocks
 
@@ -199,11 +195,11 @@ def focal_tables(
         return _tables(model, taps, degree, left, binning, light, _overlap(weights, block // binning))
 
     if like is not None:
-        model = FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer, binning=like.binning)
-        return made_of(model, like.taps, like.degree, like.left, like.binning)
-    inner = slice(len(vergence) // 10, -(len(vergence) // 10))
+        return made_of(model_of(like.binning), like.taps, like.degree, like.left, like.binning)
     squares = [s for s in (1, 2, 4) if s <= block]
-    models = [FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer, binning=s) for s in squares]
+    models = [model_of(s) for s in squares]
+    tenth = len(models[0].vergence) // 10
+    inner = slice(tenth, -tenth)
     bounds = [_bound(model)[inner] * s for model, s in zip(models, squares, strict=True)]
     best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
     for taps, degree, left, median, most_over in _TRIED:

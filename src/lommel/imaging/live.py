@@ -25,6 +25,7 @@ from lommel.optics.lens import Lens
 _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons of a pixel that tables are made for
 _MOST = 241  # candidates
 _CELLS = 8  # parts of a frame a side, of which sums are taken
+_DARK = 0.05  # of the mean of the brightest frame: others are taken to be black
 _UNLIKE = 2.0  # exposures that differ by more are to be stated
 
 
@@ -136,8 +137,8 @@ class LiveDepth:
     is not known where another one costs hardly more, where its standard error exceeds a tenth of the range in 1 /
     distance, and where half of a window or more is within the blur of the border or of pixels that are not known.
 
-    Not tested, because no pair of frames can tell: which of them is focused nearer, a shift that both foci share, and
-    the scale of distances.
+    :meth:`verdict` tests registration, noise and the size of blur. No pair of frames can tell which of them is
+    focused nearer, nor a shift that both foci share.
 
     Examples
     --------
@@ -182,7 +183,9 @@ class LiveDepth:
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
         self._between, vergence = ranged(between, lenses, pitch, None, _MOST)
         sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
-        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count)
+        self._registered = Registration(magnification, lenses, form.size, count)
+        scales = self._registered.scales
+        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count, scales=scales)
         read = form.read * math.sqrt(form.channels)
         given = self._given or (1.0,) * len(lenses)
         self._levels = [
@@ -192,7 +195,6 @@ class LiveDepth:
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
         self._depth, self._deviation, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
-        self._registered = Registration(magnification, lenses, form.size, count)
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
         self._gains = np.zeros((len(lenses), 6), dtype=np.float32)
         self._lenses = tuple(lenses)
@@ -311,6 +313,12 @@ class LiveDepth:
         if self._given is not None:
             return self._given, float(means[0])
         found = tuple((means / means[0]).tolist())
+        dark = int(np.argmin(means))
+        if means[dark] < _DARK * means.max():
+            raise ValueError(
+                f"frames[{dark}] must hold light, got a mean of {means[dark]:.4g} electrons beside {means.max():.4g} "
+                "of another"
+            )
         if not 1.0 / _UNLIKE <= min(found) <= max(found) <= _UNLIKE:
             raise ValueError(
                 "exposures must be stated where frames differ by more than a factor of 2: their means are "

@@ -102,7 +102,7 @@ class OnePass:
         validation.real("loss", self.loss, above=0.0, infinite=True)
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the sharp light behind an observation; ValueError where the filters do not reach."""
+        """Return the sharp light behind the counts `observed`; `tell` gets one step. ValueError for other blurs."""
         blur = lens_blur(observed.blur)
         if blur is None:
             raise ValueError(

@@ -571,7 +571,9 @@ class _Coded:
         try:
             self._container: InputContainer = self._av.open(source, options=options, timeout=_PATIENCE)
         except (self._av.FFmpegError, ValueError) as error:
-            raise VideoError(f"{name} cannot be read as video: {_reason(error)}") from None
+            cut = source.lower().endswith((".mp4", ".mov", ".m4v")) and Path(source).is_file()
+            hint = "; a file of this kind that was cut off has lost its index: record to .mkv" if cut else ""
+            raise VideoError(f"{name} cannot be read as video: {_reason(error)}{hint}") from None
         try:
             self._open()
         except BaseException:

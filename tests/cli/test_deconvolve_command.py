@@ -127,7 +127,7 @@ def test_notes_name_options(files):
         (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr, got a.png; --plot"),
         (
             ("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"),
-            "--output must be another file than STACK, got ./st",
+            "--output must be another file than STACK, got stack",
         ),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),

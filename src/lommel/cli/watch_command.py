@@ -41,6 +41,7 @@ Map = NDArray[np.float32]
 _BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
 _COUNTED = 2**16  # pairs that medians are taken of: the last ones
 _LOSSY = 0.95  # of the bits that noise takes: compression that leaves less is told
+_JUMP = 6.0  # standard errors of a block, by which the median depth of two pairs does not differ by chance
 _SOON = 25  # pairs after which compression is told, as well as at the end
 _TOP = 65535  # levels of lossless depth
 _CURVE = 4096  # levels of linear light that are encoded beforehand
@@ -208,6 +209,8 @@ def watch(
                 seen, fault = _seen(live, coding, pair, first, sharp, misfit, not exposures)
                 if fault and not tally.failed:
                     status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
+                if alternating and not tally.jumped and (jump := tally.jump(seen)):
+                    status.tell(jump)
                 tally.add(seen, bool(fault))
                 if tally.pairs == _SOON and (lossy := _compressed(pairs, coding, tally.light)[1]):
                     status.tell(lossy)
@@ -312,6 +315,18 @@ class Tally:
     took: deque[float] = field(default_factory=lambda: deque(maxlen=_COUNTED))
     rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_COUNTED))
     light: float = math.nan
+    jumped: str = ""
+
+    def jump(self, seen: Seen) -> str:
+        """Return a sentence, kept as well, where most of the depth is suddenly another, as after a frame is lost."""
+        depth, deviation = seen.median[:2]
+        before = self.rows[-1][2] if self.rows else math.nan
+        if abs(depth - before) > _JUMP * deviation:
+            self.jumped = (
+                f"Depth jumps at {seen.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene did, "
+                "a frame was lost, and near and far are exchanged since."
+            )
+        return self.jumped
 
     def add(self, seen: Seen, failed: bool) -> None:
         """Count a pair."""
@@ -352,10 +367,12 @@ class Tally:
                 f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks: motion "
                 f"from frame to frame, edges of depth{also}"
             )
+        if self.jumped:
+            lines.append(self.jumped)
         if not math.isnan(misfit):
             lines += verdict.tested
         values = {"depth": depth, "deviation": deviation, "misfit": misfit}
-        facts = {"known": share, "unfit": unfit} | {
+        facts = {"known": share, "unfit": unfit, "jump": self.jumped or None} | {
             name: None if math.isnan(each) else each for name, each in values.items()
         }
         return Report(facts | verdict_facts(verdict), [*lines, "not tested: " + ", ".join(verdict.untested)])

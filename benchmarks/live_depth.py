@@ -51,7 +51,7 @@ class Setup(NamedTuple):
         return [ThinLens(self.focal_length, self.f_number, focus, 540e-9, self.pixel) for focus in self.foci]
 
 
-ALL = ("pink", "leaves", "soft", "text")
+ALL = ("pink", "leaves", "soft", "fine", "dots", "text")
 SETUPS = {
     "35 mm f/8": Setup(35e-3, 8.0, (1.35, 1.8), 4e-6, (1.2, 2.0), (1.25, 1.35, 1.45, 1.57, 1.7, 1.8, 1.92), ALL),
     "8 mm f/2.8": Setup(8e-3, 2.8, (0.5, 2.0), 3e-6, (0.3, 5.0), (0.35, 0.5, 0.6, 0.8, 1.1, 2.0, 3.5), ALL),

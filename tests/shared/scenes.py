@@ -66,15 +66,19 @@ def _transfer(lens: ThinLens, distance: float, side: int) -> np.ndarray:
 
 @lru_cache(maxsize=16)
 def texture(kind: str, side: int, seed: int = 0, contrast: float = 0.2) -> np.ndarray:
-    """A periodic texture of mean 1 on points: "pink" of spectrum 1/f^2, opaque "leaves", "soft", "text" (squares)."""
+    """A periodic texture of mean 1 on points.
+
+    "pink" of spectrum 1/f^2, opaque "leaves", "soft", "fine" noise of a third of a pixel, "dots" of 1 to 3 pixels,
+    and "text", squares of a pixel.
+    """
     draw, points = np.random.default_rng(seed), side * POINTS
-    if kind in ("pink", "soft"):
+    if kind in ("pink", "soft", "fine"):
         f = np.hypot(np.fft.fftfreq(points, 1.0 / POINTS)[:, None], np.fft.rfftfreq(points, 1.0 / POINTS))
         spectrum = scipy.fft.rfft2(draw.standard_normal((points, points)))
         shaped = (
             spectrum / np.maximum(f, 1.0 / 64.0)
             if kind == "pink"
-            else spectrum * np.exp(-2.0 * (1.2 * np.pi * f) ** 2)
+            else spectrum * np.exp(-2.0 * ((1.2 if kind == "soft" else 0.33) * np.pi * f) ** 2)
         )
         shaped[0, 0] = 0.0
         values = scipy.fft.irfft2(shaped, s=(points, points))
@@ -86,6 +90,15 @@ def texture(kind: str, side: int, seed: int = 0, contrast: float = 0.2) -> np.nd
             top, left = draw.integers(0, points, 2)
             rows, columns = (top + np.arange(height)) % points, (left + np.arange(width)) % points
             values[np.ix_(rows, columns)] = draw.random()
+    elif kind == "dots":
+        values = np.zeros((points, points))
+        for _ in range(side * side // 25):
+            radius, top, left = POINTS * draw.uniform(0.5, 1.5), *draw.integers(0, points, 2)
+            reach = int(radius) + 1
+            rows, columns = np.arange(top - reach, top + reach + 1), np.arange(left - reach, left + reach + 1)
+            inside = np.hypot(rows[:, None] - top, columns - left) < radius
+            place = np.ix_(rows % points, columns % points)
+            values[place] = np.maximum(values[place], inside)
     else:
         values = np.kron(draw.random((side, side)) < 0.35, np.ones((POINTS, POINTS))).astype(float)
     values = values - values.mean()

@@ -85,6 +85,14 @@ def test_colour_video_of_8_bits_is_sharpened_in_linear_light(folder, call_lommel
     assert off(green) < 0.9 * off(frames()[0].astype(float))
 
 
+@pytest.mark.parametrize(("crf", "told"), [("0", False), ("28", True)])
+def test_compression_that_leaves_less_than_noise_takes_is_told(crf, told, folder, call_lommel):
+    grey = [eight_bits(one) for one in frames()]
+    write_video(folder / "clip.mkv", grey, codec="libx264", stored="gray", crf=crf)
+    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", "-o", "o.mp4", folder=folder)
+    assert ("fine texture is lost with it" in result.stdout) is told
+
+
 def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     lm.imaging.write_photo(folder / "photo.tif", frames()[0] / 65535.0, encoding="linear", dtype=np.uint16)
     depth = np.full((SIDE // 4, SIDE // 4), AT)

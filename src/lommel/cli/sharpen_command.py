@@ -119,6 +119,7 @@ def sharpen(
                 if live is None:
                     live = _filters(one, instrument.side, distance, coding, light)
                     start, begun = time.perf_counter(), frame.time
+                    mean = float(coding.noise.electrons(float(np.nanmean(light))))
                 write(live(light, distance) / np.float32(coding.white), frame.time - begun)
                 count += 1
                 status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
@@ -154,7 +155,9 @@ def sharpen(
     if unknown:
         lines.append(f"depth not known at {100.0 * unknown:.2g} % of the map, taken from the nearest pixel")
     if video is not None:
-        facts |= {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
+        bits, lossy = coding.compressed(video.bits, mean)
+        lines += [lossy] if lossy else []
+        facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
         refused = f", of another size: {video.refused}" if video.refused else ""
         lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {ended}")
         lines.append(f"frames dropped: {video.dropped}{refused}")

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 Kept = TypeVar("Kept")
 
 _WHITE, _READ = 5000.0, 3.0  # electrons, of 8-bit video of which nothing is stated
+_LOSSY = 0.95  # of the bits that noise takes: compression that leaves less is told
 _LAST = 1e-5  # of white, less than half a step of 16 bits of sRGB there
 _DARK = 0.02  # of white: below it the noise of stored values is not fitted
 _BAND = 6.0  # rows, rms, in which the brightness of frames is compared
@@ -81,6 +82,19 @@ class Coding(NamedTuple):
         low, high = from_light(ends, self.encoding, np.float64)
         levels = 0.5 * (self.levels - 1) * float(high - low)
         return max(0.0, math.log2(max(levels, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
+
+    def compressed(self, bits: float | None, light: float) -> tuple[Facts, str]:
+        """Return bits a pixel of compressed video, with those of noise, and a sentence if they are too few for it."""
+        if bits is None or math.isnan(light):
+            return {"bits": None, "noise_bits": None}, ""
+        noise, sentence = self.noise_bits(light), ""
+        if bits < _LOSSY * noise:
+            sentence = (
+                f"Compression leaves {bits:.2g} bits a pixel, and noise alone takes {noise:.2g}: fine texture is "
+                "lost with it, and depth may be wrong by many standard errors. Record without compression, or with "
+                "less."
+            )
+        return {"bits": bits, "noise_bits": noise}, sentence
 
 
 def evened(first: Values, second: Values, coding: Coding) -> list[Values]:

@@ -23,7 +23,7 @@ from lommel.base.units import format_length
 from lommel.cli.depth_commands import each_lens, verdict_facts
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import JSON, LENGTH, OUTPUT, Option, command, documented, under, with_options
-from lommel.cli.output import Facts, Report, require_folder, written
+from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
 from lommel.imaging import LiveDepth
@@ -40,7 +40,6 @@ Map = NDArray[np.float32]
 
 _BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
 _COUNTED = 2**16  # pairs that medians are taken of: the last ones
-_LOSSY = 0.95  # of the bits that noise takes: compression that leaves less is told
 _JUMP = 6.0  # standard errors of a block, by which the median depth of two pairs does not differ by chance
 _SOON = 25  # pairs after which compression is told, as well as at the end
 _TOP = 65535  # levels of lossless depth
@@ -212,7 +211,7 @@ def watch(
                 if alternating and not tally.jumped and (jump := tally.jump(seen)):
                     status.tell(jump)
                 tally.add(seen, bool(fault))
-                if tally.pairs == _SOON and (lossy := _compressed(pairs, coding, tally.light)[1]):
+                if tally.pairs == _SOON and (lossy := coding.compressed(pairs.bits, tally.light)[1]):
                     status.tell(lossy)
                 if outputs(seen):
                     ended = "the window was closed"
@@ -221,7 +220,7 @@ def watch(
             tally.stop = time.perf_counter()
         ended = "interrupted" if stop.asked else pairs.lost or ended
         status.step("finishing")
-        bits, lossy = _compressed(pairs, coding, tally.light)
+        bits, lossy = coding.compressed(pairs.bits, tally.light)
         if lossy and tally.pairs < _SOON:
             status.tell(lossy)
         if not tally.pairs:
@@ -288,20 +287,6 @@ def _seen(
 
 def _median(values: Map) -> float:
     return float(np.median(values)) if values.size else math.nan
-
-
-def _compressed(pairs: videos.FramePairs, coding: Coding, light: float) -> tuple[Facts, str]:
-    """Return the bits a pixel of compressed video, with those of noise, and a sentence if they are too few for it."""
-    bits = pairs.bits
-    if bits is None or math.isnan(light):
-        return {"bits": None, "noise_bits": None}, ""
-    noise, sentence = coding.noise_bits(light), ""
-    if bits < _LOSSY * noise:
-        sentence = (
-            f"Compression leaves {bits:.2g} bits a pixel, and noise alone takes {noise:.2g}: fine texture is lost "
-            "with it, and depth may be wrong by many standard errors. Record without compression, or with less."
-        )
-    return {"bits": bits, "noise_bits": noise}, sentence
 
 
 @dataclass

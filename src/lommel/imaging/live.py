@@ -31,7 +31,7 @@ _UNLIKE = 2.0  # exposures that differ by more are to be stated
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LiveDepthMap:
-    """Depth of blocks of 4 x 4 pixels, in arrays that the next call of :class:`LiveDepth` overwrites.
+    """Depth of blocks of 4 x 4 pixels, in arrays that the next call overwrites.
 
     Attributes
     ----------

@@ -114,7 +114,7 @@ _Numbered: TypeAlias = tuple[int, VideoFrame]
 
 
 class VideoFrames:
-    """Frames of one source in the order of their times, of one size and type: an iterator of :class:`VideoFrame`.
+    """Frames of one source in the order of their times: an iterator of :class:`~lommel.io.VideoFrame`.
 
     Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
     older ones are dropped.
@@ -319,7 +319,7 @@ class _Waiting:
 
 
 class FramePairs:
-    """Pairs of frames of one moment: an iterator of :class:`FramePair`.
+    """Pairs of frames of one moment: an iterator of :class:`~lommel.io.FramePair`.
 
     Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
 

@@ -58,6 +58,21 @@ def ball(count):
     return x, y, up, share / share.sum()
 
 
+def test_dry_samples_are_fitted_and_the_index_of_air_is_known():
+    dry = lm.Objective(
+        NA=0.8, magnification=40, immersion=1.0, working_distance=1e-3, coverslip=lm.Layer(1.5, 170e-6), sample=1.0
+    )
+    true, z = waves(2), np.linspace(-2e-6, 2e-6, 5)
+    image, _ = recorded(2, true, dry, z=z, light=4e4)
+    found = lm.fit_beads(image, dry, **(GIVEN | {"z": z}), terms=TERMS)
+    assert found.converged
+    assert not {"sample", "immersion"} & set(found.coefficients)
+    errors = np.array([found.coefficients[term] for term in TERMS]) - true
+    assert np.sqrt(np.mean((errors / np.sqrt(np.diag(found.covariance))[: len(TERMS)]) ** 2)) < 2.0
+    with pytest.raises(ValueError, match=r"priors must be without 'sample', .* or is that of air"):
+        lm.fit_beads(image, dry, **(GIVEN | {"z": z}), terms=TERMS, priors={"sample": 0.01})
+
+
 @pytest.mark.parametrize("diameter", [0.1e-6, 0.25e-6])
 def test_images_are_those_of_plane_waves_summed_over_the_ball_and_the_pixel(diameter):
     coefficients, place = waves(1, 0.15), Place(0.3, -0.2, 0.15e-6, 0.5 * diameter)

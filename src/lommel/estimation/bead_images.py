@@ -86,6 +86,21 @@ class Setup:
             return illumination(self.objective.apodization).to_zernike().get(AMPLITUDES[name], 0.0)
         return float(getattr(self if name in _OWN else self.objective, name))
 
+    def beside(self, name: str) -> tuple[float, float]:
+        """Return values of a constant on either side, for differences, within what it may be."""
+        given, at, one = CONSTANTS[name], self.value(name), self.objective
+        h = given.step * (at if given.relative else 1.0)
+        low, high = at - h, at + h
+        if name == "diameter":
+            low = max(low, 0.25 * at)
+        elif name == "NA":  # which is below the indices
+            high = min(high, at + 0.5 * (min(one.immersion, one.design.immersion) - at))
+        elif name == "immersion":
+            low = max(low, 1.0, at - 0.5 * (at - one.NA))
+        elif name == "sample":
+            low = max(low, 1.0)
+        return low, high
+
     def having(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError where there is no such microscope."""
         if name in _OWN:
@@ -302,15 +317,7 @@ class BeadImages:
             up, down = place._replace(depth=place.depth + given.step), place._replace(depth=place.depth - h)
             pair = [self.values(setup, waves, at, stack) for at in (up, down)]
             return np.asarray((pair[0] - pair[1]) / (given.step + h))
-        at = setup.value(name)
-        h = given.step * (at if given.relative else 1.0)
-        low, high = at - h, at + h
-        if name == "diameter":
-            low = max(low, 0.25 * at)
-        elif name == "NA":  # which is below the indices
-            high = min(high, at + 0.5 * (min(setup.objective.immersion, setup.objective.design.immersion) - at))
-        elif name == "immersion":
-            low = max(low, at - 0.5 * (at - setup.objective.NA))
+        low, high = setup.beside(name)
         whole = name in ("diameter", "sample")  # which change the light along the height of the bead
         pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
         return np.asarray((pair[0] - pair[1]) / (high - low))

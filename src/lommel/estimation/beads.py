@@ -278,10 +278,9 @@ class BeadFit:
             if name in ("diameter", "blur", "step"):
                 jacobian.append(np.zeros((at.size, height, width)))
             elif isinstance(name, str):
-                given = CONSTANTS[name]
-                h = given.step * (setup.value(name) if given.relative else 1.0)
-                ends = [setup.having(name, setup.value(name) + side * h) for side in (1.0, -1.0)]
-                jacobian.append((values(ends[0]) - values(ends[1])) / (2.0 * h))
+                low, high = setup.beside(name)
+                ends = values(setup.having(name, low)), values(setup.having(name, high))
+                jacobian.append((ends[1] - ends[0]) / (high - low))
         rows = np.reshape(jacobian, (len(jacobian), -1)).astype(np.float64)
         square = np.einsum("ip,ij,jp->p", rows, self.covariance, rows)
         deviation: Array = np.sqrt(np.maximum(square, 0.0))
@@ -573,6 +572,7 @@ def _available(setup: Setup) -> list[str]:
         without |= {"immersion"}
     if setup.diameter == 0.0:
         without |= {"diameter"}
+    without |= {name for name in ("sample", "immersion") if getattr(one, name) == 1.0}  # air
     return [name for name in CONSTANTS if name not in without]
 
 
@@ -593,7 +593,9 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
         if name not in CONSTANTS:
             validation.choice("priors", name, tuple(CONSTANTS))
         if name not in known:
-            raise ValueError(f"priors must be without {name!r}, which this objective or bead does not have")
+            raise ValueError(
+                f"priors must be without {name!r}, which this objective or bead does not have, or is that of air"
+            )
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a deviation or (value, deviation), got {prior!r}")

@@ -149,6 +149,9 @@ class TracedBlur:
         array
             Of the shape of `distance`.
         """
+        for name, value in (("distance", distance), ("focus_distance", focus_distance), ("f_number", f_number)):
+            if value is not None and not hasattr(value, "dtype"):
+                _numbers(name, value)
         vergence, waves, _ = self._static.optics.at(focus_distance, f_number)
         return waves * (vergence + 1.0 / distance)
 
@@ -343,7 +346,7 @@ class TracedBlur:
         static, like = self._static, self.tables["middles"]
         ns, xp = static.namespace, static.namespace.xp
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
-            values = ns.put(np.asarray(values), getattr(like, "device", None) if ns.name != "jax" else None)
+            values = ns.put(_numbers(name, values), getattr(like, "device", None) if ns.name != "jax" else None)
             if name in _OPTICS or (name == "distance" and not values.shape):
                 return xp.astype(values, like.dtype)
         if not hasattr(values, "shape") or not xp.isdtype(values.dtype, "real floating"):
@@ -828,6 +831,8 @@ def _optics(
         if not lens.aberrations.flat or lens.obscuration or not lens.illumination.uniform:
             raise ValueError("f_numbers need a lens without aberrations, obscuration and apodization")
     found: list[tuple[Term, float]] = []
+    if not isinstance(terms, Mapping | None):
+        raise TypeError(f"zernike must map terms (n, m) to their largest coefficients, got {validation.shown(terms)}")
     for term, most in (terms or {}).items():
         try:
             n, m = int(term[0]), int(term[1])
@@ -840,6 +845,16 @@ def _optics(
         raise ValueError("zernike needs a lens without colour")
     most = validation.real("defocus", defocus, least=0.0)
     return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, waves, focus, stops, most, tuple(found))
+
+
+def _numbers(name: str, values: Any) -> NDArray[Any]:
+    """Return what is no array of a framework as one of numpy; TypeError or ValueError where it cannot be taken."""
+    made = np.asarray(values)
+    if made.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must hold real floats, got {validation.shown(values)}")
+    if name in ("focus_distance", "f_number") and not (made > 0.0).all():
+        raise ValueError(f"{name} must be above 0, got {validation.shown(values)}")
+    return made
 
 
 def _pair(name: str, values: Any, least: float) -> tuple[float, float]:

@@ -445,7 +445,7 @@ class _Sizes:
 
 def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes: list[str]) -> list[float]:
     if asked is not None:
-        each = list(np.atleast_1d(np.asarray(asked, float)))
+        each = np.atleast_1d(validation.real_array("wavelength", asked)).tolist()
         if len(each) not in (1, len(chosen)):
             raise ValueError(f"wavelength must be one, or one for each of {len(chosen)} channels, got {len(each)}")
         return [validation.wavelength(float(wave)) for wave in (each * len(chosen) if len(each) == 1 else each)]

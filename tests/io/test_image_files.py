@@ -79,3 +79,44 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
         read_images([tmp_path / "colour.png", tmp_path / "a.npy"])
     with pytest.raises(ValueError, match="paths must name a file"):
         read_images([])
+
+
+OME = """<?xml version="1.0" encoding="UTF-8"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">
+<Image ID="Image:0"><Pixels ID="Pixels:0" DimensionOrder="XYCZT" Type="uint16" SizeX="6" SizeY="5" SizeC="{c}"
+SizeZ="{z}" SizeT="1">{channels}{data}</Pixels></Image></OME>"""
+
+
+def ome(path, planes, ifds, c=1):
+    """Write planes, of which OME says where in the file each one is."""
+    channels = "".join(f'<Channel ID="Channel:0:{k}" SamplesPerPixel="1"/>' for k in range(c))
+    data = "".join(f'<TiffData IFD="{ifd}" FirstZ="{k}" PlaneCount="1"/>' for k, ifd in enumerate(ifds))
+    text = OME.format(c=c, z=len(planes) // c, channels=channels, data=data if c == 1 else "<TiffData/>")
+    tifffile.imwrite(path, planes, photometric="minisblack", description=text.encode(), metadata=None)
+
+
+def test_planes_are_in_the_order_that_ome_and_imagej_state(tmp_path):
+    planes = np.arange(4 * 5 * 6, dtype=np.uint16).reshape(4, 5, 6)
+    ome(tmp_path / "last.ome.tif", planes[::-1], [3, 2, 1, 0])
+    assert np.array_equal(read_images([tmp_path / "last.ome.tif"]), planes)
+    ome(tmp_path / "mixed.ome.tif", planes[[2, 0, 3, 1]], [1, 3, 0, 2])
+    assert np.array_equal(read_images([tmp_path / "mixed.ome.tif"]), planes)
+    # ImageJ keeps stacks above 4 GB behind one page, as this does.
+    tifffile.imwrite(tmp_path / "one.tif", planes, imagej=True, truncate=True, metadata={"axes": "ZYX"})
+    with tifffile.TiffFile(tmp_path / "one.tif") as file:
+        assert len(file.pages) == 1
+    assert np.array_equal(read_images([tmp_path / "one.tif"]), planes)
+
+
+def test_planes_of_several_channels_and_planes_that_are_not_there_are_refused(tmp_path):
+    planes = np.arange(4 * 5 * 6, dtype=np.uint16).reshape(4, 5, 6)
+    ome(tmp_path / "channels.ome.tif", planes, [], c=2)
+    with pytest.raises(PhotoError, match=r"it holds 2 x 2 x 5 x 6 values along ZCYX: save one stack of planes"):
+        read_images([tmp_path / "channels.ome.tif"])
+    tifffile.imwrite(tmp_path / "fewer.tif", planes[:3], imagej=True, metadata={"axes": "ZYX"})
+    data = (tmp_path / "fewer.tif").read_bytes()
+    (tmp_path / "more.tif").write_bytes(data.replace(b"images=3", b"images=9").replace(b"slices=3", b"slices=9"))
+    with pytest.raises(PhotoError, match="it states 9 planes, and holds 3"):
+        read_images([tmp_path / "more.tif"])
+    (tmp_path / "less.tif").write_bytes(data.replace(b"images=3", b"images=2").replace(b"slices=3", b"slices=2"))
+    with pytest.raises(PhotoError, match="it states 2 planes, and holds 3"):
+        read_images([tmp_path / "less.tif"])

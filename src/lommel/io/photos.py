@@ -477,12 +477,39 @@ def _tiff(data: bytes) -> Values:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
         if wrong := [page.axes for page in pages if page.axes not in ("YX", "SYX")]:
             raise ValueError(f"a page has the axes {wrong[0]}, which is no grey image")
+        if file.is_ome or file.is_imagej:
+            return _ordered(file, pages, len(data))
         # Three images written without metadata are planes of one page.
         images = [page.asarray().reshape(-1, *page.shape[-2:]) for page in pages]
     if len({image.shape[1:] for image in images}) > 1:
         raise ValueError("its pages are of several sizes")
     values = np.concatenate(images)
     return values.astype(values.dtype.newbyteorder("="), copy=False)
+
+
+def _ordered(file: Any, pages: Sequence[Any], size: int) -> Values:
+    """Return the planes of the first image of a file of OME or ImageJ, of a size, in the order that it states."""
+    series = file.series[0]
+    *lead, height, width = series.shape
+    count = math.prod(lead)
+    if not series.axes.endswith("YX") or sum(side > 1 for side in lead) > 1:
+        raise ValueError(
+            f"it holds {' x '.join(map(str, series.shape))} values along {series.axes}: save one stack of planes, of "
+            "one channel and time"
+        )
+    if len(series.pages) == 1 < count:  # ImageJ keeps large stacks behind one page
+        if count * height * width * series.dtype.itemsize > size:
+            raise ValueError(f"it states {count} planes, more than it holds")
+        values = series.asarray().reshape(-1, height, width)
+    else:
+        found = list(series.pages)
+        stated = (file.imagej_metadata or {}).get("images", len(found))
+        if stated > len(found) or (len(file.series) == 1 and len(found) < len(pages)):
+            raise ValueError(f"it states {stated} planes, and holds {len(pages)}")
+        if None in found:
+            raise ValueError(f"plane {found.index(None)} of those that it states is missing")
+        values = np.stack([page.asarray().reshape(height, width) for page in found])
+    return np.asarray(values.astype(values.dtype.newbyteorder("="), copy=False))
 
 
 def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False) -> Array:

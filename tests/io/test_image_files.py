@@ -120,3 +120,28 @@ def test_planes_of_several_channels_and_planes_that_are_not_there_are_refused(tm
     (tmp_path / "less.tif").write_bytes(data.replace(b"images=3", b"images=2").replace(b"slices=3", b"slices=2"))
     with pytest.raises(PhotoError, match="it states 2 planes, and holds 3"):
         read_images([tmp_path / "less.tif"])
+
+
+def test_fits_images_are_packed_and_one_of_several_is_named(tmp_path):
+    units = [fits.PrimaryHDU(), fits.ImageHDU(STACK[0], name="SCI"), fits.ImageHDU(STACK[1], name="ERR")]
+    fits.HDUList(units).writeto(tmp_path / "three.fits")
+    with pytest.raises(PhotoError, match=r"it holds 2 images, \[SCI\] of 3 x 4, \[ERR\] of 3 x 4: name one, as in f"):
+        read_images([tmp_path / "three.fits"])
+    assert np.array_equal(read_images([f"{tmp_path}/three.fits[err]"]), STACK[1:])
+    assert np.array_equal(read_images([tmp_path / "three.fits[SCI]"]), STACK[:1])
+    with pytest.raises(PhotoError, match="it holds 2 images"):
+        read_images([tmp_path / "three.fits[DQ]"])
+    fits.PrimaryHDU(STACK).writeto(tmp_path / "one.fits.gz")
+    assert np.array_equal(read_images([tmp_path / "one.fits.gz"]), STACK)
+
+
+def test_a_card_that_is_not_standard_does_no_harm_and_a_file_that_is_cut_off_is_refused(tmp_path):
+    fits.PrimaryHDU(STACK.astype(np.float32)).writeto(tmp_path / "a.fits")
+    data = bytearray((tmp_path / "a.fits").read_bytes())
+    at = data.index(b"END" + b" " * 77)
+    data[at : at + 160] = b"HISTOGRAM 'of 1992".ljust(80) + b"END".ljust(80)
+    (tmp_path / "odd.fits").write_bytes(data)
+    assert np.array_equal(read_images([tmp_path / "odd.fits"]), STACK)
+    (tmp_path / "cut.fits").write_bytes(data[:2900])
+    with pytest.raises(PhotoError, match="cannot be read as images"):
+        read_images([tmp_path / "cut.fits"])

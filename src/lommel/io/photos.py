@@ -308,14 +308,16 @@ def encoded(path: str | PathLike[str], values: Values, quality: int, profile: by
 def read_images(paths: Sequence[str | PathLike[str]]) -> Values:
     """Read grey images of one size and type, shape (n, height, width), from TIFF, NPY, FITS or 16-bit PNG files.
 
-    Each page of a TIFF is an image, and NPY and FITS may hold stacks; PhotoError for other contents.
+    Each page of a TIFF is an image, and NPY and FITS may hold stacks; ``file.fits[SCI]`` is one of several images of
+    a FITS file. PhotoError for other contents.
     """
     found: list[Values] = []
     for path in paths:
-        source = validation.path("paths", path)
+        file, part = fits_images.part_of(path)
+        source = validation.path("paths", file)
         data = reading.contents(source)
         with told(source, "images", data) as form:
-            values = form.read(data)
+            values = form.read(data) if part is None else _fits(data, part)
             if values.ndim == 2:
                 values = values[None]
             if values.dtype == bool:  # a mask
@@ -621,6 +623,10 @@ def _npy(data: bytes, _scale: float | None) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
+def _fits(data: bytes, part: str | None = None) -> Values:
+    return fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+
+
 def _raster(data: bytes, _scale: float | None) -> Values:
     return upright(registry.identify("photo", data), data)[0]
 
@@ -644,10 +650,11 @@ registry.register(
     _images((".png",), read=lambda data: _read_png(data)[0], starts=PNG, library="PIL.Image"),
     _images(
         fits_images.SUFFIXES,
-        read=lambda data: fits_images.read(data, reading.MAX_PIXELS)[0].values,
+        read=_fits,
         starts=(b"SIMPLE  =",),
         library="astropy",
     ),
+    _images(fits_images.PACKED, read=_fits, starts=(b"\x1f\x8b",), library="astropy"),
     _depth((".npy",), partial(atomic.contents, np.save), _npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),

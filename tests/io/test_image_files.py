@@ -32,6 +32,9 @@ def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
     tifffile.imwrite(tmp_path / "colour.tif", np.moveaxis(three, 0, 2), photometric="rgb")
     with pytest.raises(PhotoError, match="axes YXS"):
         read_images([tmp_path / "colour.tif"])
+    Image.fromarray(np.zeros((8, 9, 3), np.uint8)).save(tmp_path / "colour.png")
+    with pytest.raises(PhotoError, match="it has 3 channels: save what the sensor counted in grey"):
+        read_images([tmp_path / "colour.png"])
 
 
 @pytest.mark.parametrize("dtype", ["float32", ">f4", "int16", ">u2"])

@@ -631,6 +631,13 @@ def _raster(data: bytes, _scale: float | None) -> Values:
     return upright(registry.identify("photo", data), data)[0]
 
 
+def _grey(data: bytes) -> Values:
+    values: Values = _read_png(data)[0]
+    if values.ndim != 2:
+        raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
+    return values
+
+
 def _write_pfm(values: NDArray[np.float32]) -> bytes:
     height, width = values.shape
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
@@ -647,7 +654,7 @@ registry.register(
     ),
     _images((".npy",), read=lambda data: reading.npy(data, reading.MAX_PIXELS)[0], starts=(b"\x93NUMPY",)),
     _images((".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile"),
-    _images((".png",), read=lambda data: _read_png(data)[0], starts=PNG, library="PIL.Image"),
+    _images((".png",), read=_grey, starts=PNG, library="PIL.Image"),
     _images(
         fits_images.SUFFIXES,
         read=_fits,

@@ -192,7 +192,8 @@ Out<double, 3> field_errors(Out<double, 4> on_curves, Out<double, 3> moduli, In<
                             double error) {
     const std::size_t sets = series.size(), planes = on_curves.shape(1), parts = on_curves.shape(2),
                       curves = on_curves.shape(3);
-    require(moduli.size() * curves == on_curves.size() && shares.shape(1) == parts, "tables must be of the same parts");
+    require(checked_product({moduli.size(), curves}) == on_curves.size() && shares.shape(1) == parts,
+            "tables must be of the same parts");
     require(std::all_of(series.data(), series.data() + sets,
                         [&](std::int32_t s) { return s >= 0 && static_cast<std::size_t>(s) < on_curves.shape(0); }),
             "sets must be of series");

@@ -179,8 +179,9 @@ class Stream {
         const lommel::FocalPlan& plan = stream_->plan();
         require(out.shape(0) == plan.height && out.shape(1) == plan.width, "the image has the planned size");
         require(factors.shape(1) == plan.image_count && factors.shape(0) >= 2, "factors match the images");
-        require(side >= 1 && positions.shape(0) >= 1 && positions.shape(1) >= 1 && positions.shape(0) * side <= plan.height &&
-                    positions.shape(1) * side <= plan.width,
+        require(side >= 1 && positions.shape(0) >= 1 && positions.shape(1) >= 1 &&
+                    checked_product({positions.shape(0), side}) <= plan.height &&
+                    checked_product({positions.shape(1), side}) <= plan.width,
                 "positions match the image");
         released([&] {
             stream_->mix(positions.data(), positions.shape(0), positions.shape(1), side, factors.data(), factors.shape(0),

@@ -44,12 +44,17 @@ class Table {
                   largest_row,
                   least_column,
                   largest_column};
-        require(pieces > 0 && rows > 0 && per > 0 && columns > 0 && height > 0 && width > 0, "tables must not be empty");
-        require(coefficients_.shape(0) ==
-                    pieces * lommel::MoleculeTable::terms * rows * per * columns + lommel::MoleculeTable::beyond,
+        constexpr std::size_t most = std::size_t{1} << 20;
+        for (const std::size_t size : sizes) {
+            require(size > 0 && size <= most, "sizes of a table must be 1 to 2^20");
+        }
+        require(coefficients_.shape(0) >= lommel::MoleculeTable::beyond &&
+                    coefficients_.shape(0) - lommel::MoleculeTable::beyond ==
+                        checked_product({pieces, lommel::MoleculeTable::terms, rows, per, columns}),
                 "coefficients must match the sizes");
         require(taps > 0 && taps % 2 == 0 && taps <= lommel::MoleculeTable::most_taps && powers > 0, "an even number of taps");
-        require(low < high && least_row <= largest_row && least_column <= largest_column, "limits must rise");
+        require(low < high && std::isfinite(high - low) && least_row <= largest_row && least_column <= largest_column,
+                "limits must rise");
         const double half = 0.5 * static_cast<double>(taps), each = static_cast<double>(per);
         const auto covers = [&](double first, double least, double largest, std::size_t samples, std::size_t side) {
             const double start = std::floor(-each * largest - first) + 1.0 - half;

@@ -11,6 +11,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
@@ -59,13 +60,26 @@ auto released(const Work& work) {
     return work();
 }
 
+inline void require(bool condition, const char* message) {
+    if (!condition) {
+        throw std::invalid_argument(message);
+    }
+}
+
+// The product of sizes, of which files and callers may give any.
+template <std::size_t N>
+std::size_t checked_product(const std::size_t (&sizes)[N]) {
+    std::size_t product = 1;
+    for (const std::size_t size : sizes) {
+        require(size == 0 || product <= std::numeric_limits<std::size_t>::max() / size, "sizes must have a product below 2^64");
+        product *= size;
+    }
+    return product;
+}
+
 template <class T, std::size_t N>
 Out<T, N> new_array(const std::size_t (&shape)[N]) {
-    std::size_t size = 1;
-    for (const std::size_t extent : shape) {
-        size *= extent;
-    }
-    T* data = new T[size];
+    T* data = new T[checked_product(shape)];
     nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
     return Out<T, N>(data, N, shape, owner);
 }
@@ -102,12 +116,6 @@ template <class Define>
 void for_both(const Define& define) {
     define(0.0F);
     define(0.0);
-}
-
-inline void require(bool condition, const char* message) {
-    if (!condition) {
-        throw std::invalid_argument(message);
-    }
 }
 
 inline void require_image(std::size_t height, std::size_t width) {

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from cases import each
 from lommel import _core
+from lommel.base.checksums import sealed
 from lommel.localize import Table
 from objectives import OIL
 
@@ -300,6 +303,68 @@ def test_a_damaged_file_is_told(table, tmp_path):
         table.save(tmp_path / "table.h5")
     with pytest.raises(FileNotFoundError):
         Table.load(tmp_path / "none.npz")
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        # The product of the sizes is the number of coefficients modulo 2^64.
+        ("sizes", [2**61, 8000, 2, 8000, 11, 13], r"sizes\[0\] must be from 1 to"),
+        ("sizes", [2**20, 34, 2, 16, 11, 13], "sizes must be"),
+        ("sizes", [1, 34, 5, 16, 11, 13], r"sizes\[2\] must be from 2 to 4"),
+        ("sizes", "six", "sizes must be six"),
+        ("shape", [64, 64], "sizes must be"),
+        ("shape", [65, 13], "shape must be at most 64"),
+        ("reach", 16.0, "sizes must be"),
+        ("reach", "far", "reach must be a real number"),
+        ("z", [-5e-5, 5e-5], "numbers must be"),
+        ("z", 3, "z must be"),
+        ("pixel", -1.0, "pixel must be > 0"),
+        ("along", 5, "along must be one of"),
+        ("tol", "abc", "tol must be a real number"),
+        ("error_bound", -5.0, "error_bound must be > 0"),
+        ("error_bound", 0.2, "error_bound must be > 0 and <="),
+        ("slope_bounds", {"row": 1.0}, "slope_bounds must be of row, column and z"),
+        ("slope_bounds", {"row": 1.0, "column": 1.0, "z": -1.0}, r"slope_bounds\[z\] must be > 0"),
+    ],
+)
+def test_nothing_of_a_table_is_believed_because_its_checksum_is_right(name, value, message, table, tmp_path):
+    resealed(table, tmp_path / "table.npz", {name: value})
+    with pytest.raises(ValueError, match=f"is no table of lommel.localize: {message}"):
+        Table.load(tmp_path / "table.npz")
+
+
+@pytest.mark.parametrize("name", ["coefficients", "polynomials"])
+def test_coefficients_in_a_file_are_finite(name, table, tmp_path):
+    resealed(table, tmp_path / "table.npz", {}, name)
+    with pytest.raises(ValueError, match=f"{name} must be finite"):
+        Table.load(tmp_path / "table.npz")
+
+
+def resealed(table: Table, path: Path, change: dict[str, object], infinite: str = "") -> None:
+    """Write a table that was changed, with a checksum that is right."""
+    table.save(path)
+    with np.load(path) as found:
+        arrays = {name: found[name] for name in ("coefficients", "polynomials")}
+        told = json.loads(found["description"].tobytes())
+    assert change.keys() <= told.keys()
+    if infinite:
+        arrays[infinite].flat[7] = np.inf
+    del told["checksum"]
+    text = json.dumps(sealed(told | change, arrays))
+    np.savez(path, description=np.frombuffer(text.encode(), np.uint8), **arrays)
+
+
+def test_sizes_of_a_table_in_the_core_do_not_wrap_around(table):
+    numbers = table._numbers["numbers"]
+    few = np.zeros(_core.MoleculeTable.beyond, np.float32)
+    for sizes in ([2**61, 8000, 2, 8000, 11, 13], [2**20, 2**20, 2**20, 2**20, 11, 13], [0, 1, 1, 1, 1, 1]):
+        with pytest.raises(ValueError, match=r"sizes"):
+            _core.MoleculeTable(few, table._arrays["polynomials"], sizes, numbers)
+    with pytest.raises(ValueError, match="limits must rise"):
+        _core.MoleculeTable(
+            **table._arrays, sizes=table._numbers["sizes"], numbers=[*numbers[:3], np.inf, *numbers[4:]]
+        )
 
 
 BAD = [

@@ -117,6 +117,23 @@ class Table:
         tol: float = 1e-4,
         threads: int | None = None,
     ) -> None:
+        moved = validation.real("offset", offset, least=-1e-5, most=1e-5)
+        self._describe(pupil, shape, pixel, z, along, reach, tol)
+        self.pupil = replace(pupil, focus=pupil.focus + moved)
+        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        self._make(count)
+
+    def _describe(
+        self,
+        pupil: ObjectivePupil,
+        shape: int | tuple[int, int],
+        pixel: float,
+        z: tuple[float, float],
+        along: str,
+        reach: float,
+        tol: float,
+    ) -> None:
+        """Check and keep what a table is of, from a caller or a file."""
         if not isinstance(pupil, ObjectivePupil):
             raise TypeError(f"pupil must be one of an Objective (Objective.pupil), got {validation.shown(pupil)}")
         if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
@@ -124,8 +141,7 @@ class Table:
         side = validation.image_shape(shape)
         if max(side) > _MOST_SIDE:
             raise ValueError(f"shape must be at most {_MOST_SIDE} pixels a side, got {side}")
-        moved = validation.real("offset", offset, least=-1e-5, most=1e-5)
-        self.pupil, self.shape = replace(pupil, focus=pupil.focus + moved), side
+        self.pupil, self.shape = pupil, side
         self.pixel = validation.pixel(pixel, metric=True)
         self.along = validation.choice("along", along, ("z", "depth"))
         self.reach = validation.real("reach", reach, least=0.5, most=_MOST_REACH)
@@ -138,8 +154,6 @@ class Table:
         if self.along == "depth" and low < 0.0:
             raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
-        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._make(count)
 
     def _make(self, threads: int) -> None:
         waves, step = along_z.Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
@@ -193,10 +207,8 @@ class Table:
         threads: int,
     ) -> float:
         """Make the coefficients and their bounds; return the peak that these are relative to."""
-        half, margin = taps.taps.size // 2, len(taps.filter) - 1
-        first = [-math.ceil(per * (side // 2 + self.reach)) - half for side in self.shape]
-        last = [math.ceil(per * (side - 1 - side // 2 + self.reach)) + half for side in self.shape]
-        rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
+        margin = len(taps.filter) - 1
+        first, (rows, columns), wide = self._samples_needed(per, taps.taps.size)
         samples, error = self._samples(
             waves,
             planes.places,
@@ -212,9 +224,6 @@ class Table:
         # A value is the light of a pixel over all that is collected, as of lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
         # Neighbouring samples of a row in different phases, in rows of whole vectors.
-        wide = math.ceil(columns / per)
-        while wide * per % 16:
-            wide += 1
         padded = np.zeros((*series.shape[:2], rows, wide * per), np.float32)
         padded[..., :columns] = light * series
         if padded.nbytes > _MOST_BYTES:
@@ -222,20 +231,34 @@ class Table:
             raise ValueError(f"z must span less, or shape and reach be smaller: {large}")
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
-        middle = [side // 2 for side in self.shape]
-        places = [(m - self.reach, m + self.reach) for m in middle]
         polynomials = np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size])
         self._hold(
             {"coefficients": flat, "polynomials": polynomials},
-            {
-                "sizes": [len(planes.matrix), rows, per, wide, *self.shape],
-                "numbers": [float(first[0]), float(first[1]), *self.z, *places[0], *places[1]],
-            },
+            self._numbers_of(len(planes.matrix), per, taps.taps.size),
         )
         sizes = np.abs(series)
         largest = float(sizes.sum(axis=1).max())
         summed = float(np.einsum("k,pkyx->pyx", _OF_TERMS, sizes).max())
         return self._bound(waves, taps, planes, step, per, error, (largest, summed), light)
+
+    def _samples_needed(self, per: int, taps: int) -> tuple[list[int], list[int], int]:
+        """Return the first row and column, how many there are of each, and columns of each phase."""
+        first = [-math.ceil(per * (side // 2 + self.reach)) - taps // 2 for side in self.shape]
+        last = [math.ceil(per * (side - 1 - side // 2 + self.reach)) + taps // 2 for side in self.shape]
+        counts = [b - a + 1 for a, b in zip(first, last, strict=True)]
+        wide = math.ceil(counts[1] / per)
+        while wide * per % 16:
+            wide += 1
+        return first, counts, wide
+
+    def _numbers_of(self, pieces: int, per: int, taps: int) -> dict[str, list[Any]]:
+        """Return the sizes and numbers that the core is to be given."""
+        first, (rows, _), wide = self._samples_needed(per, taps)
+        places = [(side // 2 - self.reach, side // 2 + self.reach) for side in self.shape]
+        return {
+            "sizes": [pieces, rows, per, wide, *self.shape],
+            "numbers": [float(first[0]), float(first[1]), *self.z, *places[0], *places[1]],
+        }
 
     def _hold(self, arrays: dict[str, NDArray[Any]], numbers: dict[str, Any]) -> None:
         """Keep what the core reads, and what is saved."""
@@ -427,14 +450,38 @@ class Table:
             if told["kind"] != _KIND or told["checksum"] != checksum(told, arrays):
                 raise ValueError("it was changed, or holds something else")
             made = cls.__new__(cls)
-            for name in _TOLD:
-                setattr(made, name, told[name])
-            made.pupil = ObjectivePupil.from_dict(told["pupil"])
-            made.shape, made.z = tuple(told["shape"]), tuple(told["z"])
-            made._hold(arrays, {name: told[name] for name in ("sizes", "numbers")})
+            made._describe(ObjectivePupil.from_dict(told["pupil"]), *(told[name] for name in _DESCRIBED))
+            made._believe(told, arrays)
         except (KeyError, TypeError, ValueError, zipfile.BadZipFile) as failure:
             raise ValueError(f"{source} is no table of lommel.localize: {reading.reason(failure)}") from None
         return made
+
+    def _believe(self, told: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> None:
+        """Keep what a file says of bounds, sizes and coefficients, if it agrees with what the table is of.
+
+        Anybody can make the checksum of anything.
+        """
+        self.error_bound = validation.real("error_bound", told["error_bound"], above=0.0, most=self.tol)
+        slopes = told["slope_bounds"]
+        if not isinstance(slopes, dict) or set(slopes) != {"row", "column", self.along}:
+            raise ValueError(f"slope_bounds must be of row, column and {self.along}, got {validation.shown(slopes)}")
+        self.slope_bounds = {
+            name: validation.real(f"slope_bounds[{name}]", at, above=0.0) for name, at in slopes.items()
+        }
+        sizes, polynomials = told["sizes"], arrays["polynomials"]
+        if not isinstance(sizes, list) or len(sizes) != 6 or polynomials.ndim != 2:
+            raise ValueError(f"sizes must be six, and polynomials a table, got {validation.shown(sizes)}")
+        pieces = validation.integer("sizes[0]", sizes[0], least=1, most=_MOST_BYTES)
+        numbers = self._numbers_of(
+            pieces, validation.integer("sizes[2]", sizes[2], least=2, most=4), polynomials.shape[1]
+        )
+        for name, expected in numbers.items():
+            if told[name] != expected:
+                raise ValueError(f"{name} must be {expected}, got {validation.shown(told[name])}")
+        for name, values in arrays.items():
+            if values.dtype.kind != "f" or not np.isfinite(values).all():
+                raise ValueError(f"{name} must be finite numbers")
+        self._hold(arrays, numbers)
 
     def __repr__(self) -> str:
         low, high = (format_length(end, like=max(map(abs, self.z)), digits=3) for end in self.z)
@@ -443,7 +490,8 @@ class Table:
 
 
 _KIND = "lommel.localize.Table"
-_TOLD = ("shape", "pixel", "z", "along", "reach", "tol", "error_bound", "slope_bounds")
+_DESCRIBED = ("shape", "pixel", "z", "along", "reach", "tol")
+_TOLD = (*_DESCRIBED, "error_bound", "slope_bounds")
 
 
 def _along(values: Array, taps: Array, axis: int) -> Array:

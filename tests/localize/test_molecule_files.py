@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
+import re
 import stat
 from pathlib import Path
 
@@ -15,6 +17,7 @@ import yaml
 import lommel as lm
 from lommel.localize import Localizations, Recording, writer
 from lommel.localize.localizations import columns, joined
+from small_disk import small_disk
 
 PIXEL = 103e-9
 
@@ -135,6 +138,23 @@ def test_an_error_leaves_no_file_and_what_was_there(tmp_path):
         broken()
     assert csv.read_text() == "before"
     assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.hdf5"])
+@pytest.mark.parametrize("most", [0, 1000, 40_000, 90_000])
+def test_a_full_disk_is_told_with_the_name_of_the_file_and_leaves_none(name, most, tmp_path):
+    path = tmp_path / name
+    parts = [made(1000, first=first) for first in range(0, 3000, 1000)]
+
+    def write_all() -> None:
+        with writer(path) as write:
+            for part in parts:
+                write(part)
+
+    with small_disk(most), pytest.raises(OSError, match=re.escape(str(path))):
+        write_all()
+    gc.collect()  # where the HDF5 library ends the process if it could not write
+    assert not list(tmp_path.iterdir())
 
 
 def test_no_molecules_are_empty_tables(tmp_path):

@@ -166,6 +166,21 @@ def told_as(target: Path) -> Iterator[None]:
         raise type(error)(error.errno, error.strerror or str(error), str(target)) from None
 
 
+@contextmanager
+def opened(temporary: Path, target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
+    """Yield a new file under a temporary name; errors of opening and closing it are told with that of `target`."""
+    with told_as(target):
+        file = temporary.open(mode, **options)
+    try:
+        yield file
+    except BaseException:
+        with suppress(OSError):  # of what is left to write, where a write failed
+            file.close()
+        raise
+    with told_as(target):
+        file.close()
+
+
 def _settle(path: Path) -> None:
     """Have what a file, or a folder of names, holds on the disk."""
     try:

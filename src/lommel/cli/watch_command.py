@@ -419,7 +419,8 @@ class Outputs:
         self._table = None
         if files.table is not None:
             temporary = self._stack.enter_context(atomic.placed(files.table))
-            self._table = csv.writer(self._stack.enter_context(temporary.open("w", encoding="utf-8", newline="")))
+            file = atomic.opened(temporary, files.table, "w", encoding="utf-8", newline="")
+            self._table = csv.writer(self._stack.enter_context(file))
             self._table.writerow(_COLUMNS)
         self._window = Window("lommel watch", self._stack) if files.show else None
         return self
@@ -431,7 +432,9 @@ class Outputs:
         """Write what is made of a pair; return whether the window has been closed."""
         if self._table is not None:
             numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, seen.unfit, *seen.median)]
-            self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
+            assert self._files.table is not None
+            with atomic.told_as(self._files.table):
+                self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
         for writer, metres in zip(self._lossless, (seen.depth, seen.deviation), strict=False):
             writer(self._levels(metres), seen.time)
         if self._colours is None:

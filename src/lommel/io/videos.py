@@ -9,7 +9,7 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from fractions import Fraction
 from functools import partial
 from itertools import chain, islice, pairwise
@@ -796,13 +796,14 @@ class VideoWriter:
         frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(values), format="rgb24" if values.ndim == 3 else grey)
         self._last = frame.pts = max(round(1e3 * seconds), self._last + 1)
         frame.time_base = Fraction(1, 1000)
-        self._container.mux(self._stream.encode(frame))
+        with atomic.told_as(self._path):
+            self._container.mux(self._stream.encode(frame))
 
     def _open(self, values: Values) -> None:
         import av
 
         temporary = self._stack.enter_context(atomic.placed(self._path))
-        container = self._stack.enter_context(_made(temporary, self._form))
+        container = self._stack.enter_context(_made(temporary, self._path, self._form))
         container.metadata["comment"] = self._comment
         deep = values.dtype == np.uint16
         lossy = "libx264" if "libx264" in av.codecs_available else "mpeg4"
@@ -822,7 +823,8 @@ class VideoWriter:
     ) -> None:
         if kind is None and self._container is not None:
             try:
-                self._container.mux(self._stream.encode(None))
+                with atomic.told_as(self._path):
+                    self._container.mux(self._stream.encode(None))
             except BaseException as fault:
                 self._stack.__exit__(type(fault), fault, fault.__traceback__)
                 raise
@@ -830,11 +832,19 @@ class VideoWriter:
 
 
 @contextmanager
-def _made(path: Path, form: str) -> Iterator[OutputContainer]:
+def _made(temporary: Path, path: Path, form: str) -> Iterator[OutputContainer]:
     import av
 
-    with av.open(str(path), "w", format=form) as container:
+    with atomic.told_as(path):
+        container = av.open(str(temporary), "w", format=form)
+    try:
         yield container
+    except BaseException:
+        with suppress(OSError):  # of what is left to write, where a write failed
+            container.close()
+        raise
+    with atomic.told_as(path):
+        container.close()
 
 
 _video = partial(Format, "video", library="av")

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
+import shutil
+import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import atomic
+from lommel.base import atomic, sparse_hdf5
 from lommel.base.optional import library, version
 from lommel.io import registry
 from lommel.io.registry import Format
@@ -50,6 +52,8 @@ class Recording:
 
 Write: TypeAlias = Callable[[Rows, Recording], None]
 
+_TEXT = {"encoding": "utf-8", "newline": ""}
+
 _THUNDERSTORM = {
     "id": "%d",
     "frame": "%d",
@@ -71,7 +75,7 @@ _THUNDERSTORM = {
 def thunderstorm(path: Path) -> Iterator[Write]:
     """Yield what writes rows of ThunderSTORM's table: M. Ovesny et al., doi:10.1093/bioinformatics/btu202."""
     line, done = ",".join(_THUNDERSTORM.values()) + "\n", 0
-    with atomic.placed(path) as temporary, _to_write(path, temporary) as file:
+    with atomic.placed(path) as temporary, atomic.opened(temporary, path, "w", **_TEXT) as file:
         file.write(",".join(f'"{name}"' for name in _THUNDERSTORM) + "\n")
 
         def write(rows: Rows, _: Recording) -> None:
@@ -85,7 +89,8 @@ def thunderstorm(path: Path) -> Iterator[Write]:
                 *(1e9 * uncertainty, 1e9 * rows["z_deviation"], rows["discrepancy"]),
             ]
             done += rows.size
-            file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
+            with atomic.told_as(path):
+                file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
 
         yield write
 
@@ -102,30 +107,39 @@ _LOCS = np.dtype(
 @contextmanager
 def picasso(path: Path, beside: Path) -> Iterator[Write]:
     """Yield what writes the data set of Picasso and its .yaml: J. Schnitzbauer et al., doi:10.1038/nprot.2017.024."""
-    h5py, last = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z")
-    with atomic.placed(path) as temporary, atomic.placed(beside) as temporary_beside:
+    h5py, last, done = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z"), 0
+    with atomic.placed(path) as temporary, atomic.placed(beside) as temporary_beside, ExitStack() as stack:
+        target = stack.enter_context(atomic.opened(temporary, path))
         with atomic.told_as(path):
-            temporary.touch()  # HDF5 tells in its own way of folders that are not there
-        with _to_write(beside, temporary_beside) as about, h5py.File(temporary, "w") as file:
-            locs = file.create_dataset("locs", (0,), _LOCS, maxshape=(None,), chunks=(2**14,))
+            held = stack.enter_context(tempfile.TemporaryFile(dir=temporary.parent, buffering=0))
+        about = stack.enter_context(atomic.opened(temporary_beside, beside, "w", **_TEXT))
 
-            def write(rows: Rows, recording: Recording) -> None:
-                nonlocal last
-                last = recording
-                found = np.empty(rows.size, _LOCS)
-                found["frame"], found["photons"], found["bg"] = rows["frame"], rows["photons"], rows["background"]
-                found["log_likelihood"] = rows["log_likelihood"]
-                for name in ("x", "y"):
-                    found[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
-                    found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
-                    found[f"lp{name}"] = rows[f"{name}_deviation"] / recording.pixel
-                found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_deviation"]
-                first = locs.shape[0]
-                locs.resize((first + rows.size,))
-                locs[first:] = found
+        def write(rows: Rows, recording: Recording) -> None:
+            nonlocal last, done
+            last, done = recording, done + rows.size
+            found = np.empty(rows.size, _LOCS)
+            found["frame"], found["photons"], found["bg"] = rows["frame"], rows["photons"], rows["background"]
+            found["log_likelihood"] = rows["log_likelihood"]
+            for name in ("x", "y"):
+                found[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
+                found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
+                found[f"lp{name}"] = rows[f"{name}_deviation"] / recording.pixel
+            found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_deviation"]
+            with atomic.told_as(path):
+                held.write(found.data.cast("B") if found.size else b"")
 
-            yield write
-            about.write(_yaml(last))
+        yield write
+        # The HDF5 library writes to memory, without the rows: a full disk would end the process.
+        made = sparse_hdf5.Sparse()
+        with h5py.File(made, "w") as file:
+            offset = sparse_hdf5.hole(file, "locs", (done,), _LOCS).id.get_offset()
+        with atomic.told_as(path):
+            made.copy(target)
+            if done:
+                held.seek(0)
+                target.seek(offset)
+                shutil.copyfileobj(held, target)
+        about.write(_yaml(last))
 
 
 def _yaml(recording: Recording) -> str:
@@ -141,14 +155,6 @@ def _yaml(recording: Recording) -> str:
         "z": "depth" if recording.along == "depth" else "position of the stage",
     }
     return "".join(f"{name}: {json.dumps(value)}\n" for name, value in facts.items())
-
-
-@contextmanager
-def _to_write(path: Path, temporary: Path) -> Iterator[TextIO]:
-    with atomic.told_as(path):
-        file = temporary.open("w", encoding="utf-8", newline="")
-    with file:
-        yield file
 
 
 registry.register(

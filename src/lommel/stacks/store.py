@@ -10,7 +10,6 @@ that has taken the place of this one, and every checksum includes it, so that ch
 
 from __future__ import annotations
 
-import io
 import json
 import math
 import os
@@ -23,7 +22,7 @@ from typing import Any, ClassVar, Self, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, reading, validation
+from lommel.base import atomic, reading, sparse_hdf5, validation
 from lommel.base.checksums import checksum, crc32, sealed
 from lommel.base.optional import library
 from lommel.io import zarr_folders
@@ -318,18 +317,11 @@ class Hdf5Store(Store):
         most = _HEAD + len(json.dumps(sealed(said, {}))) + sum(len(name) + 30 for name in found) + 200
 
         # The HDF5 library writes to memory, without the arrays: a full disk would end the process.
-        made, offsets = _Sparse(), {}
-        wanted, parents = (h5py.h5p.create(of) for of in (h5py.h5p.DATASET_CREATE, h5py.h5p.LINK_CREATE))
-        wanted.set_layout(h5py.h5d.CONTIGUOUS)
-        wanted.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
-        wanted.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
-        parents.set_create_intermediate_group(True)
+        made, offsets = sparse_hdf5.Sparse(), {}
         with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
             file[KEY] = json.dumps(sealed(said, {}))
             for name, layout in found.items():
-                space, of = h5py.h5s.create_simple(layout.shape), h5py.h5t.py_create(np.dtype(layout.dtype))
-                h5py.h5d.create(file.id, name.encode(), of, space, dcpl=wanted, lcpl=parents)
-                data = file[name]
+                data = sparse_hdf5.hole(file, name, layout.shape, np.dtype(layout.dtype))
                 data.attrs.update(units(said, name))
                 if layout.dimensions == (name,):
                     data.make_scale(name)
@@ -343,10 +335,7 @@ class Hdf5Store(Store):
 
         def fill(place: Path) -> None:
             with place.open("wb") as file:
-                for start, piece in made.pieces:
-                    file.seek(start)
-                    file.write(piece)
-                file.truncate(made.size)
+                made.copy(file)
                 file.seek(0)
                 file.write(_MARK % (said[IDENTITY].encode(), len(text)) + text)
                 for name, layout in found.items():
@@ -406,46 +395,6 @@ class Hdf5Store(Store):
                 os.fsync(file.fileno())
         except FileNotFoundError:
             raise replaced(self.path) from None
-
-
-class _Sparse(io.RawIOBase):
-    """A sparse file in memory: what was written, piece by piece."""
-
-    def __init__(self) -> None:
-        self.pieces: list[tuple[int, bytes]] = []
-        self.size = self._at = 0
-
-    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
-        """Set the position, which may be beyond the end."""
-        self._at = offset + {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self.size}[whence]
-        return self._at
-
-    def tell(self) -> int:
-        """Return the position."""
-        return self._at
-
-    def truncate(self, size: int | None = None) -> int:
-        """Set the end."""
-        self.size = self._at if size is None else size
-        return self.size
-
-    def write(self, data: Any) -> int:
-        """Write at the position."""
-        self.pieces.append((self._at, bytes(data)))
-        self._at += len(self.pieces[-1][1])
-        self.size = max(self.size, self._at)
-        return len(self.pieces[-1][1])
-
-    def readinto(self, out: Any) -> int:
-        """Read from the position; zeros from holes."""
-        taken = memoryview(out).cast("B")[: max(0, self.size - self._at)]
-        taken[:] = bytes(len(taken))
-        for start, piece in self.pieces:
-            first, end = max(start, self._at), min(start + len(piece), self._at + len(taken))
-            if first < end:
-                taken[first - self._at : end - self._at] = piece[first - start : end - start]
-        self._at += len(taken)
-        return len(taken)
 
 
 _KINDS: dict[str, type[Store]] = {".zarr": ZarrStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}

@@ -421,3 +421,46 @@ def test_piston_terms_and_residual_add_up_to_the_map(obscuration):
     np.testing.assert_allclose(total, opd[clear], atol=1e-10)
     # The phase of the wavefront itself is 0 on the axis.
     assert float(fit.wavefront.phase(0.0)) == pytest.approx(0.0, abs=1e-12)
+
+
+def annulus(side: int = 64, hole: float = 0.6, outside: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+    """A map of 0.3 waves of coma and more over an annulus, and where it is measured."""
+    x, y = grid(side)
+    rho2 = x * x + y * y
+    return 0.3 * (3.0 * rho2 - 2.0) * x + 0.2 * x * y, (rho2 >= hole * hole) & (rho2 <= outside * outside)
+
+
+@pytest.mark.parametrize(
+    ("hole", "outside", "value"), [(0.6, 1.0, 0.0), (0.0, 0.9, 0.0), (0.2, 1.0, -99.0), (0.3, 0.6, 0.0)]
+)
+def test_areas_of_one_value_are_refused_since_files_have_them_where_nothing_was_measured(hole, outside, value):
+    values, there = annulus(hole=hole, outside=outside)
+    filled = np.where(there, values, value)
+    with pytest.raises(
+        ValueError, match=rf"opd is {value:g} at \d+ neighbouring pixels .*give mask=.*or obscuration="
+    ):
+        lm.fit_opd(filled, unit="waves", degree=3)
+    with pytest.raises(ValueError, match="neighbouring"):  # in any map of a stack, and of an OPDMap
+        lm.fit_opd(lm.OPDMap(np.stack([values, filled])), wavelength=1e-6, degree=3)
+    radius = 32 * outside
+    fit = lm.fit_opd(filled, unit="waves", degree=3, mask=filled != value, radius=radius)
+    np.testing.assert_allclose(fit.rms, 0.0, atol=1e-12)
+    lm.fit_opd(filled, unit="waves", degree=3, mask=np.ones_like(there))  # who says so may have it
+
+
+def test_an_obscuration_leaves_out_the_middle_that_has_one_value():
+    values, there = annulus()
+    fit = lm.fit_opd(np.where(there, values, 0.0), unit="waves", degree=3, obscuration=0.6)
+    np.testing.assert_allclose(fit.rms, 0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("levels", [4, 16, 250])
+@pytest.mark.parametrize("power", [2, 4, 8])
+def test_maps_in_coarse_steps_are_measurements(levels, power):
+    rho = np.hypot(*grid(80))
+    lm.fit_opd(np.rint(levels * rho**power), unit="waves")
+    lm.fit_opd(np.rint(levels * grid(80)[0]), unit="waves")
+
+
+def test_a_map_of_one_value_alone_is_flat():
+    assert lm.fit_opd(np.full((40, 40), 3.0), unit="waves").piston == pytest.approx(3.0)

@@ -25,6 +25,8 @@ MAX_GROWTH = 1e4
 MAX_ROUNDING = 1e7
 """Largest condition number at which terms can be orthogonalised on the samples."""
 
+# Pixels of one value that are taken as not measured: how many at least, over all, and over those of any other value.
+_LEAST_BLANK, _BLANK, _BLANK_OVER_OTHERS = 8, 0.002, 8
 _BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
 _RADIAL_NODES = 400
 
@@ -232,7 +234,8 @@ def fit_opd(
         Metres.
     mask : array_like of bool, shape (height, width) or that of `opd`, optional
         True where the measurement is valid; False for an obscuration or a vane. Masked values of a masked array are
-        ignored in either case.
+        ignored in either case. Without it a map is refused that has one value, such as 0, in whole areas, as files
+        have it where nothing was measured.
     degree : int, default 8
         All terms with n up to this are fitted, 1 to 20: (degree + 1) (degree + 2) / 2 of them.
     center : (float, float), optional
@@ -260,9 +263,9 @@ def fit_opd(
     Raises
     ------
     TypeError, ValueError
-        If the map is not finite inside the mask, the mask is empty, the samples are too few or do not determine the
-        terms, the residual exceeds `tol`, or without a `radius` the smallest circle around the samples is smaller
-        than the pupil by more than a pixel and 2 %.
+        If the map is not finite inside the mask, areas have one value without a `mask`, it is empty, the samples are
+        too few or do not determine the terms, the residual exceeds `tol`, or without a `radius` the smallest circle
+        around the samples is smaller than the pupil by more than a pixel and 2 %.
     """
     if isinstance(opd, OPDMap):
         if unit not in (None, "metres"):
@@ -288,6 +291,8 @@ def fit_opd(
     if not used.any(axis=(-2, -1)).all():
         of = "opd" if mask is None else "mask"
         raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
+    if mask is None:
+        _require_measured(maps.reshape(-1, height, width), used.reshape(-1, height, width))
     if radius is None:
         _require_filled(np.asarray(valid.any(axis=tuple(range(valid.ndim - 2)))))
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
@@ -508,6 +513,29 @@ def _require_filled(valid: NDArray[np.bool_]) -> None:
             f"the smaller side; they lie in a circle of radius={radius:.1f} about "
             f"center=({middle[0]:.1f}, {middle[1]:.1f}): give both if that is the pupil, or those of the pupil"
         )
+
+
+def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
+    """Raise ValueError if areas of a map have one value, as files have it where nothing was measured."""
+    # Neighbours that are alike: none where numbers are measured, and of stored steps about as many of each.
+    for opd, inside in zip(maps, used, strict=True):
+        alike = np.zeros_like(inside)
+        for one, next_ in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+            pairs = (opd[one] == opd[next_]) & inside[one] & inside[next_]
+            alike[one] |= pairs
+            alike[next_] |= pairs
+        values, counts = np.unique(opd[alike], return_counts=True)
+        if not values.size:
+            continue
+        k, total = int(counts.argmax()), int(inside.sum())
+        others = int(np.delete(counts, k).max(initial=0))
+        if max(_LEAST_BLANK, _BLANK * total, _BLANK_OVER_OTHERS * others) <= counts[k] and np.ptp(opd[inside]) > 0.0:
+            such = "such as opd != 0, or " if values[k] == 0.0 else ""
+            raise ValueError(
+                f"opd is {values[k]:g} at {counts[k]} neighbouring pixels inside the pupil ({counts[k] / total:.1%}), "
+                "as files have it where nothing was measured: give mask=, True where there is a measurement "
+                f"({such}True everywhere if these are), or obscuration= if they are the middle of an annular pupil"
+            )
 
 
 def _enclosing(points: Array) -> tuple[Array, float]:

@@ -257,6 +257,39 @@ def test_maps_of_several_wavelengths_differ_by_the_lateral_colour_of_the_chief_r
     assert abs(chief[0] - chief[1]) > 3e-7
 
 
+def imaged_at(triplet: Any, kind: str, height: float) -> Any:
+    """The triplet with a field up to an image height, millimetres."""
+    made = type(triplet)()
+    made.set_field_type(kind)
+    made.fields.fields.clear()
+    for y in (0.0, height):
+        made.fields.add(y=y)
+    return made
+
+
+@pytest.mark.parametrize("kind", ["real_image_height", "paraxial_image_height"])
+@pytest.mark.parametrize("height", [0.02, 12.4])
+def test_a_field_given_by_its_image_height_has_the_pupil_of_its_angle(kind, height, triplet):
+    # Theirs has the tilt of the wave where rays begin for angles alone: 1168 waves at 12.4 mm.
+    other = imaged_at(triplet, kind, height)
+    chief = other.ray_tracer.ray_generator.generate_rays(0.0, 1.0, 0.0, 0.0, 0.55)
+    angle = math.degrees(math.asin(float(np.ravel(chief.M)[0])))
+    found = adapter.pupil(other, (0.0, 1.0), wavelength=550e-9)
+    expected = adapter.pupil(triplet, (0.0, angle / 20.0), wavelength=550e-9)
+    assert found.f_number == pytest.approx(expected.f_number, rel=1e-9)
+    for term, c in (found.wavefront - expected.wavefront).edge_terms().items():
+        assert abs(float(c)) < 1e-6, term
+
+
+def test_phases_that_no_known_tilt_reconciles_with_the_rays_are_refused(triplet, monkeypatch):
+    exact = adapter._launched  # as of a field type to come
+    monkeypatch.setattr(adapter, "_launched", lambda *args: 1.01 * exact(*args))
+    with pytest.raises(
+        ValueError, match=r"optic must have phases .* \(0, 1\), of the type RealImageHeightField, differ"
+    ):
+        adapter.pupil(imaged_at(triplet, "real_image_height", 10.0), (0.0, 1.0))
+
+
 def test_distortion_needs_a_symmetric_lens(triplet):
     with pytest.raises(ValueError, match="fields must be left out with distortion"):
         adapter.field_map(triplet, fields=[(0.0, 0.0), (0.0, 1.0), (1.0, 0.0)], distortion=True)

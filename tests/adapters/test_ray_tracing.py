@@ -110,3 +110,20 @@ def test_the_rays_are_enough_to_see_that_the_degree_is_too_low():
         beyond = zernike.polynomial(n, m, rho, theta)
         rest = beyond - matrix @ np.linalg.lstsq(matrix, beyond, rcond=None)[0]
         assert np.sqrt(np.mean(rest**2)) > 0.5 * np.sqrt(np.mean(beyond**2)), (n, m)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.05, 1.0, -300.0])
+def test_a_tilt_that_rays_do_not_have_is_found(tilt):
+    x, y = tracing.sample_points(8)
+    sine = 0.5 / N
+    phase = 2.0 * (x * x + y * y) + 3.0 * (x * x + y * y) * y
+    # Rays meet the sensor at minus the slope of the phase by their direction cosines, which are -sine times x and y.
+    missed = [
+        WAVELENGTH / (2.0 * math.pi * sine) * slope
+        for slope in (4.0 * x + 6.0 * x * y, 4.0 * y + 3.0 * x * x + 9.0 * y * y)
+    ]
+    traced = tracing.TracedField(x, y, phase + tilt * y, -sine * x, -sine * y, (0.0, 0.0))
+    found = tracing.tilt_off_rays(traced, missed, WAVELENGTH)
+    assert found == pytest.approx(abs(tilt) if abs(tilt) > 0.5 else 0.0, rel=1e-6)
+    traced.phase[3] = np.nan  # of a ray that is blocked, which is told elsewhere
+    assert tracing.tilt_off_rays(traced, missed, WAVELENGTH) == 0.0

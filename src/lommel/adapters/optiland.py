@@ -18,6 +18,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -267,7 +268,12 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
         if exits is not None:
             parts = np.concatenate([np.asarray(part, dtype=np.complex128) for part in exits], axis=1)
             electric = parts / np.sqrt(np.abs(towards[2]))[:, None]
-        return ray_tracing.TracedField(
+        rays = lens.trace_generic(hx, hy, x, y, micrometres)
+        missed = [
+            1e-3 * (np.array(of, dtype=np.float64) - float(at[0]))
+            for of, at in ((rays.x, chief.x), (rays.y, chief.y))
+        ]
+        traced = ray_tracing.TracedField(
             x,
             y,
             # Rays that are blocked come with the path 0 and no light.
@@ -278,4 +284,33 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
             electric,
         )
 
+        def off(made: ray_tracing.TracedField) -> float:
+            return ray_tracing.tilt_off_rays(made, missed, 1e-6 * micrometres)
+
+        if not off(traced):
+            return traced
+        # Paths begin in a plane across the axis; for angles alone optiland takes that from a tilted wave.
+        traced = replace(traced, phase=traced.phase + _launched(lens, (hx, hy), x, y, micrometres))
+        if rest := off(traced):
+            kind = type(lens.fields.field_definition).__name__
+            raise ValueError(
+                f"optic must have phases that agree with its rays; those of the field ({hx:g}, {hy:g}), of the type "
+                f"{kind}, differ by a tilt of {rest:.3g} radians over the radius of the pupil"
+            )
+        return traced
+
     return trace, 1e-6 * float(micrometres)
+
+
+def _launched(lens: Any, field: tuple[float, float], x: Array, y: Array, micrometres: float) -> Array:
+    """Return the phase of a wave from infinity where its rays begin, less that of the chief ray; else 0."""
+    if not lens.object_surface.is_infinite:
+        return np.zeros(x.size)
+    # The chief ray is the last.
+    rays = lens.ray_tracer.ray_generator.generate_rays(*field, np.append(x, 0.0), np.append(y, 0.0), micrometres)
+    place, direction = (
+        np.stack([np.asarray(getattr(rays, name), dtype=np.float64) for name in names]) for names in ("xyz", "LMN")
+    )
+    path: Array = np.sum(direction[:, :-1] * (place[:, :-1] - place[:, -1:]), axis=0)
+    index = float(np.ravel(lens.surfaces.n(micrometres))[0])
+    return 2.0 * math.pi / (1e-3 * micrometres) * index * path

@@ -32,6 +32,8 @@ from lommel.special.legendre import gauss_legendre
 MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
 
+# Fits of phase and rays differ by up to 1e-4 of the steepest slope in five lenses, fields of their edges included.
+_TILT, _TILT_OF_SLOPES = 0.1, 0.01
 _DARK = 1e-9  # amplitude of a component of the electric field that is left out
 _ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
 
@@ -75,6 +77,29 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
     turn = math.copysign(1.0, slopes[0])
     terms = _terms(traced.phase, turn * traced.x, -turn * traced.y, degree, tol)
     return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
+
+
+def tilt_off_rays(traced: TracedField, missed: Sequence[Array], wavelength: float) -> float:
+    """Return the slope of the phase (radians over the radius of the pupil) that places of the rays do not have.
+
+    `missed` is where the rays meet the sensor, from where the chief ray does, metres: along each of them the phase
+    changes by -2 pi / wavelength times that and the change of its direction. 0 if the difference is that of fits.
+    """
+    if not np.isfinite(traced.phase).all():
+        return 0.0  # which is told later
+    degree = min(12, math.isqrt(traced.x.size) // 2)
+    fitted = np.linalg.pinv(_zernike(traced.x, traced.y, degree)[1])
+    step = 1e-4
+    largest, mean = 0.0, []
+    for dx, dy in ((step, 0.0), (0.0, step)):
+        ends = (_zernike(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
+        slope = (next(ends) - next(ends)) / (2.0 * step) @ fitted
+        directions = slope @ traced.direction_x, slope @ traced.direction_y
+        by_rays = sum(-2.0 * math.pi / wavelength * a * b for a, b in zip(missed, directions, strict=True))
+        largest = max(largest, float(np.abs(by_rays).max()))
+        mean.append(float((slope @ traced.phase - by_rays).mean()))
+    off = math.hypot(*mean)
+    return off if off > _TILT + _TILT_OF_SLOPES * largest else 0.0
 
 
 def _slopes(traced: TracedField) -> list[float]:

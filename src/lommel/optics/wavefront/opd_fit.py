@@ -532,8 +532,8 @@ def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
         if max(_LEAST_BLANK, _BLANK * total, _BLANK_OVER_OTHERS * others) <= counts[k] and np.ptp(opd[inside]) > 0.0:
             such = "such as opd != 0, or " if values[k] == 0.0 else ""
             raise ValueError(
-                f"opd is {values[k]:g} at {counts[k]} neighbouring pixels inside the pupil ({counts[k] / total:.1%}), "
-                "as files have it where nothing was measured: give mask=, True where there is a measurement "
+                f"opd is {values[k]:g} at {counts[k]} neighbouring pixels of the pupil ({counts[k] / total:.1%}), as "
+                "files have it where nothing was measured: give mask=, True where there is a measurement "
                 f"({such}True everywhere if these are), or obscuration= if they are the middle of an annular pupil"
             )
 

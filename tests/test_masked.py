@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import imaging
+from lommel import imaging, microscopy
+from lommel.estimation.phase_retrieval import recorded
+from lommel.localize.point_sources import planes_of
 
 PUPIL = lm.Pupil(lm.Wavefront(1.0))
 PSF = lm.psf(PUPIL, 5, 0.5)
@@ -14,6 +18,25 @@ LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=
 PAIR = np.ma.masked_array([0.3, 0.4], mask=[False, True])
 SQUARE = np.ma.masked_array(np.full((24, 24), 0.5), mask=np.eye(24, dtype=bool))
 PLAIN = np.full((24, 24), 0.5)
+STACK = np.random.default_rng(0).poisson(120, (5, 24, 24)).astype(float)
+HIDDEN = np.zeros(STACK.shape, dtype=bool)
+HIDDEN[2, 10, 10] = True
+
+
+class Container:
+    """Data with a mask beside, as of astropy.nddata and photutils, which arrays made of it do not have."""
+
+    def __init__(self, data: np.ndarray, mask: np.ndarray) -> None:
+        self.data, self.mask, self.shape, self.dtype = data, mask, data.shape, data.dtype
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> np.ndarray:
+        return np.array(self.data, dtype=dtype)
+
+    def __getitem__(self, at: object) -> np.ndarray:
+        return self.data[at]
+
+
+KINDS = [np.ma.masked_array, Container]
 
 
 @pytest.fixture
@@ -40,6 +63,78 @@ def test_the_mask_of_a_map_and_the_mask_beside_it_both_count(interferogram):
     assert both.wavefront == told.wavefront
     with pytest.raises(TypeError, match="mask must not be masked"):
         lm.fit_opd(values, unit="waves", mask=np.ma.masked_array(~hole, mask=hole))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_masks_of_containers_count_one_by_one_and_in_lists(kind, interferogram):
+    values, hole = interferogram
+    told = lm.fit_opd(np.stack([values, values.T]), unit="waves", mask=np.stack([~hole, ~hole]))
+    both = kind(values, hole), kind(values.T, hole)
+    assert lm.fit_opd(list(both), unit="waves").wavefront == told.wavefront
+    assert lm.fit_opd(both[0], unit="waves").wavefront == lm.fit_opd(values, unit="waves", mask=~hole).wavefront
+    assert np.isnan(lm.OPDMap(both[0]).values[hole]).all()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_masks_of_containers_leave_pixels_out_of_images(kind):
+    spoilt = np.where(HIDDEN, 6e4, STACK)
+    told = recorded(STACK, HIDDEN, None)
+    for given in (kind(spoilt, HIDDEN), [kind(*each) for each in zip(spoilt, HIDDEN, strict=True)]):
+        for found, right in zip(recorded(given, None, None), told, strict=True):
+            np.testing.assert_array_equal(found, right)
+        planes, left, _ = planes_of(given, "planes", (5, 5), None)
+        np.testing.assert_array_equal(left, HIDDEN)
+        assert type(planes) is np.ndarray
+    # Only one of several is masked; masks that are flags of bits; none at all.
+    mixed = [STACK[0], STACK[1], kind(spoilt[2], HIDDEN[2]), STACK[3], STACK[4]]
+    np.testing.assert_array_equal(recorded(mixed, None, None)[1], told[1])
+    flags = Container(spoilt, 16 * HIDDEN.astype(np.int16))
+    np.testing.assert_array_equal(recorded(flags, None, None)[1], told[1])
+    assert recorded(kind(STACK, np.zeros(STACK.shape, dtype=bool)), None, None)[1].all()
+
+
+def test_a_mask_that_is_none_or_a_method_is_no_mask():
+    pandas = pytest.importorskip("pandas")
+    np.testing.assert_array_equal(lm.Wavefront(pandas.Series([1.0, 2.0])).defocus, [1.0, 2.0])
+
+
+def test_masked_images_of_two_shapes_are_told():
+    masked = Container(STACK[0], HIDDEN[2])
+    with pytest.raises(ValueError, match=r"images must have one shape"):
+        recorded([masked, STACK[1][:20]], None, None)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("stack", microscopy.estimate_noise),
+        ("stack", microscopy.open_recording),
+        ("image", lambda given: traced()(given, 2.0)),
+        ("distance", lambda given: traced()(np.full(STACK.shape, 0.5), given)),
+        ("values", lm.Mask),
+    ],
+)
+def test_doors_that_cannot_leave_out_what_is_masked_refuse_it(name, call, kind):
+    with pytest.raises(TypeError, match=rf"^{name} must not be masked; fill it"):
+        call(kind(STACK, HIDDEN))
+
+
+def test_masks_that_are_known_plane_by_plane_are_refused_there():
+    class Lazy(Container):  # as of dask
+        def __getitem__(self, at: object) -> np.ndarray:
+            return np.ma.masked_array(self.data[at], HIDDEN[at])
+
+    lazy = Lazy(STACK, None)
+    with pytest.raises(TypeError, match="stack must not be masked"):
+        microscopy.open_recording(lazy).stack(0)[2]
+    with pytest.raises(TypeError, match="stack must not be masked"):
+        microscopy.estimate_noise(lazy)
+
+
+@functools.cache
+def traced() -> imaging.TracedBlur:
+    return imaging.traced_blur(LENS, [1.0, 3.0], 2e-5, largest=64)
 
 
 def test_a_masked_array_that_masks_nothing_is_an_array():
@@ -74,7 +169,6 @@ def test_a_masked_array_that_masks_nothing_is_an_array():
         ("values", lambda: lm.mse(SQUARE, PLAIN)),
         ("reference", lambda: lm.peak_error(PLAIN, SQUARE)),
         ("phase", lambda: lm.fit_radial(SQUARE[0], PLAIN[0])),
-        ("opd", lambda: lm.fit_opd([SQUARE, SQUARE], unit="waves")),
         ("x", lambda: lm.FieldMap.scattered(PAIR, PLAIN[0, :2], lm.Wavefront([1.0, 2.0]))),
         ("image", lambda: imaging.depth_of_field(SQUARE, PLAIN, LENS, 8e-6, encoding="linear")),
         ("depth", lambda: imaging.depth_of_field(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),

@@ -7,7 +7,6 @@ import numbers
 import operator
 import os
 import reprlib
-import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, cast
 
@@ -168,21 +167,54 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 def array(name: str, value: ArrayLike) -> NDArray[Any]:
     """Return `value` as an array; TypeError where something of it is masked, for arrays do not keep that."""
-    if _masked(value):
-        raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
+    refuse_masked(name, value)
     try:
         return np.asarray(value)
     except (ValueError, TypeError, OverflowError):  # a ragged sequence, or what is no array at all
         return np.asarray(None)
 
 
-def _masked(value: object) -> bool:
-    # NumPy imports what masked arrays are when somebody asks for them, without which there are none.
-    known = sys.modules.get("numpy.ma")
-    kind = getattr(known, "MaskedArray", ())
+def refuse_masked(name: str, value: object) -> None:
+    """Refuse a container with a mask that is not empty, as of NumPy or astropy, with a TypeError."""
+    if _masked(value):
+        raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
+
+
+def parted(name: str, value: object) -> tuple[NDArray[Any], NDArray[np.bool_] | None]:
+    """Return the numbers of a container, or of several in a list, and their mask: True where not to be used, or None.
+
+    TypeError if it holds something else, ValueError if masked containers in a list have several shapes.
+    """
+    if not _masked(value):
+        return number_array(name, cast(ArrayLike, value)), None
     if isinstance(value, list | tuple):
-        return any(_masked(part) for part in value if isinstance(part, (list, tuple, kind)))
-    return isinstance(value, kind) and bool(known.is_masked(value))  # type: ignore[union-attr]
+        parts = [parted(f"{name}[{k}]", one) for k, one in enumerate(value)]
+        if len(shapes := {data.shape for data, _ in parts}) > 1:
+            raise ValueError(f"{name} must have one shape, got {', '.join(map(str, sorted(shapes)))}")
+        hidden = [np.zeros(data.shape, dtype=bool) if mask is None else mask for data, mask in parts]
+        return np.stack([data for data, _ in parts]), np.stack(hidden)
+    held = value if isinstance(value, np.ndarray) else getattr(value, "data", value)
+    numbers = number_array(name, np.array(held, subok=False))
+    return numbers, np.broadcast_to(np.asarray(getattr(value, "mask", False)) != 0, numbers.shape)
+
+
+_NUMBERS = (float, int, np.ndarray, np.float64, str)  # which have no mask, and are many
+
+
+def _masked(value: object) -> bool:
+    if type(value) in _NUMBERS:
+        return False
+    if isinstance(value, list | tuple):
+        return any(_masked(part) for part in value if type(part) not in _NUMBERS)
+    if type(value).__module__.partition(".")[0] == "lommel":  # with apertures, and maps whose mask is what is known
+        return False
+    mask = getattr(value, "mask", None)
+    if mask is None or callable(mask):  # a method of pandas
+        return False
+    kept = np.asarray(mask)
+    return bool(kept.dtype.kind in "biu" and kept.any()) or (
+        kept.dtype.names is not None and bool(np.ma.is_masked(value))  # of records
+    )
 
 
 def number_array(name: str, value: ArrayLike) -> NDArray[Any]:

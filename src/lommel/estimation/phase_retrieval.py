@@ -414,16 +414,15 @@ def recorded(images: Any, mask: ArrayLike | None, saturation: float | None) -> t
     shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
     if len(shapes) > 1:
         raise ValueError(f"images must have one shape (height, width), got {', '.join(map(str, sorted(shapes)))}")
-    if any(isinstance(part, np.ma.MaskedArray) for part in (images if shapes else ())):
-        images = np.ma.stack([np.ma.asarray(part) for part in images])
-    hidden = np.ma.getmaskarray(images) if isinstance(images, np.ma.MaskedArray) else np.zeros((), dtype=bool)
-    raw = validation.number_array("images", np.ma.getdata(images) if hidden.shape else images)
+    raw, hidden = validation.parted("images", images)
     if raw.ndim == 2:
         raw = raw[None]
     if raw.ndim != 3 or raw.size == 0:
         raise ValueError(f"images must have one shape (height, width), one or several, got shape {raw.shape}")
     values = np.array(raw, dtype=np.float64)
-    valid = np.isfinite(values) & ~hidden
+    valid = np.isfinite(values)
+    if hidden is not None:
+        valid &= ~hidden
     if raw.dtype.kind in "iu":
         valid &= raw < np.iinfo(raw.dtype).max
     if saturation is not None:

@@ -117,6 +117,7 @@ class FrameForm:
         """Return a frame as the core takes it."""
         if not isinstance(frame, np.ndarray):
             raise TypeError(f"{name} must be an ndarray, got {validation.shown(frame)}")
+        validation.refuse_masked(name, frame)
         if frame.shape != self.shape:
             raise ValueError(f"{name} must have the shape {self.shape}, got {frame.shape}")
         if frame.dtype in (np.uint8, np.uint16, np.float32):
@@ -143,7 +144,7 @@ class FrameForm:
         return np.asarray(np.logical_and.reduce(masks)).view(np.uint8)
 
     def _mask(self, given: ArrayLike) -> NDArray[np.uint8]:
-        mask = np.asarray(given)
+        mask = validation.array("known", given)
         if mask.shape != self.size or mask.dtype != np.bool_:
             raise ValueError(f"known must be of bool and of shape {self.size}, got {mask.dtype} of {mask.shape}")
         return np.ascontiguousarray(mask).view(np.uint8)

@@ -345,6 +345,8 @@ class TracedBlur:
         """Return values as an array of the framework, of the type of the tables."""
         static, like = self._static, self.tables["middles"]
         ns, xp = static.namespace, static.namespace.xp
+        if ns.name == "numpy" or isinstance(values, _OF_NUMPY):
+            validation.refuse_masked(name, values)
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
             values = ns.put(_numbers(name, values), getattr(like, "device", None) if ns.name != "jax" else None)
             if name in _OPTICS or (name == "distance" and not values.shape):

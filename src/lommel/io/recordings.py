@@ -77,7 +77,7 @@ class _Held:
     def plane(self, channel: int, plane: int) -> Values:
         """Return one plane."""
         at: tuple[int, ...] = (channel, plane)[2 - (len(self._values.shape) - 2) :]
-        return np.asarray(self._values[at])
+        return validation.array("stack", self._values[at])  # of dask, masked or not is known now
 
 
 class _Pages:
@@ -231,6 +231,7 @@ def open_recording(
         validation.integer("time", time, least=0, most=validation.MAX_VALUES)
     if not isinstance(path, str | PathLike):
         values = path if hasattr(path, "shape") and hasattr(path, "dtype") else validation.array("stack", path)
+        validation.refuse_masked("stack", values)
         return _of_array(values, axes)
     where = validation.path("path", path)
     if where.is_dir():

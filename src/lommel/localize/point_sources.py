@@ -249,8 +249,7 @@ def planes_of(
 
     ValueError if an image is smaller than a window, or all of it is left out.
     """
-    hidden = np.ma.getmaskarray(images) if isinstance(images, np.ma.MaskedArray) else None
-    stored = validation.number_array("images", np.ma.getdata(images) if hidden is not None else images)
+    stored, hidden = validation.parted("images", images)
     planes = stored[None] if stored.ndim == 2 else stored
     rows, columns = box
     if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:

@@ -107,6 +107,7 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
     """Return local means, squares of the noise there, and which share of the squares are independent ones."""
     from scipy.ndimage import convolve1d, uniform_filter
 
+    validation.refuse_masked("stack", stack)
     shape = np.shape(stack)
     if len(shape) != 3:
         raise ValueError(f"stack must have the shape (planes, height, width), got {shape}")
@@ -115,7 +116,9 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
     axes = (0, 1, 2) if beside else (1, 2)
     found: list[Array] = []
     for place in np.unique(places):
-        planes = np.array([stack[int(k)] for k in range(place - beside, place + beside + 1)], np.float64)
+        planes = np.array(
+            [validation.array("stack", stack[int(k)]) for k in range(place - beside, place + beside + 1)], float
+        )
         top = np.nanmax(planes)
         if (planes == top).sum() >= _SATURATED:
             planes[planes == top] = np.nan

@@ -71,10 +71,10 @@ class OPDMap:
     wavelength: float | None = None
 
     def __post_init__(self) -> None:
-        given: ArrayLike = self.values
-        if isinstance(given, np.ma.MaskedArray):
-            given = np.ma.filled(given.astype(np.float64), np.nan)
+        given, hidden = validation.parted("values", self.values)
         values = _real_maps("values", given)
+        if hidden is not None:
+            values[hidden] = np.nan
         if np.isinf(values).any() or np.isnan(values).all():
             raise ValueError(
                 "values must be finite, or NaN where there is no measurement, and somewhere there must be one"
@@ -489,16 +489,16 @@ def _finish(
 
 def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.bool_]]:
     """Return maps, and where they count: in the mask or else where not NaN, less what a masked array hides."""
-    hidden = np.ma.getmaskarray(opd) if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd) else None
-    maps = _real_maps("opd", opd if hidden is None else np.asarray(np.ma.getdata(opd)))
+    given, hidden = validation.parted("opd", opd)
+    maps = _real_maps("opd", given)
     if mask is None:
         return maps, ~np.isnan(maps) if hidden is None else ~hidden
-    given = validation.array("mask", mask)
-    if given.dtype != np.bool_:
-        raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
-    if given.shape not in (maps.shape[-2:], maps.shape):
-        raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {given.shape}")
-    return maps, np.broadcast_to(given, maps.shape) & (True if hidden is None else ~hidden)
+    stated = validation.array("mask", mask)
+    if stated.dtype != np.bool_:
+        raise TypeError(f"mask must hold booleans, got an array of {stated.dtype}")
+    if stated.shape not in (maps.shape[-2:], maps.shape):
+        raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {stated.shape}")
+    return maps, np.broadcast_to(stated, maps.shape) & (True if hidden is None else ~hidden)
 
 
 def _require_filled(valid: NDArray[np.bool_]) -> None:

@@ -14,6 +14,7 @@ import mmap
 import re
 import stat
 import struct
+import threading
 import warnings
 import zlib
 from collections.abc import Callable, Iterator
@@ -314,6 +315,39 @@ def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
     return found, errors
 
 
+def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return the values of a page of a file on the disk, of the shape and type of the first.
+
+    ValueError if it has others, or would take more memory than they do. Pages of a file share its handle: one thread
+    at a time may read them.
+    """
+    kind, handle = page.keyframe, page.parent.filehandle
+    count, size = math.prod(shape), math.prod(shape) * dtype.itemsize
+    if kind.size != count or np.dtype(kind.dtype).newbyteorder("=") != dtype.newbyteorder("="):
+        sides = " x ".join(map(str, kind.shape))
+        raise ValueError(f"it has {sides} values of {kind.dtype}, not {' x '.join(map(str, shape))} of {dtype}")
+    if kind.compression not in _COMPRESSIONS:
+        raise ValueError(f"its compression is of the kind {int(kind.compression)}, another than that of the first")
+    part = math.prod(page.chunks) * dtype.itemsize
+    if part > max(4 * size, 2**20 * dtype.itemsize):
+        raise ValueError(f"it has parts of {part} bytes for {size}")
+    if kind.compression == 1 and sum(page.databytecounts) < size:
+        raise ValueError(f"its {size} bytes are {sum(page.databytecounts)} in the file")
+    closed = handle.closed  # one of several files, of which few can be open
+    if closed:
+        handle.open()
+    try:
+        for place, held in zip(page.dataoffsets, page.databytecounts, strict=True):
+            if kind.compression in DEFLATE:
+                handle.seek(place)
+                if not inflates_within(handle.read(held), max(size, part)):
+                    raise ValueError(f"a part of it inflates to more than {size} bytes")
+        return np.asarray(page.asarray()).reshape(shape)
+    finally:
+        if closed:
+            handle.close()
+
+
 def is_raw(data: bytes) -> bool:
     """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
     first = next(_tiff_pages(data), {})
@@ -457,11 +491,11 @@ def hdf5_values(found: Any, size: int) -> NDArray[np.generic]:
 
 @contextmanager
 def quietly() -> Iterator[list[str]]:
-    """Keep to itself what tifffile logs of damaged files, which an error tells; yield the list of its errors."""
-    log, errors = logging.getLogger("tifffile"), list[str]()
+    """Keep to itself what tifffile logs of damaged files, which an error tells; yield the errors of this thread."""
+    log, errors, own = logging.getLogger("tifffile"), list[str](), threading.get_ident()
 
     def nothing(record: logging.LogRecord) -> bool:
-        if record.levelno >= logging.ERROR:
+        if record.levelno >= logging.ERROR and record.thread == own:
             errors.append(record.getMessage())
         return False
 

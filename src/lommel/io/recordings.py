@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import operator
 import re
+import threading
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
@@ -45,7 +47,7 @@ class Source(Protocol):
 
 
 class _Channel:
-    """One channel as a stack; ``[plane]`` and ``[plane, rows, columns]`` read it."""
+    """One channel as a stack; ``[planes]`` and ``[planes, rows, columns]`` read it."""
 
     def __init__(self, source: Source, channel: int) -> None:
         self._source, self._channel = source, channel
@@ -56,13 +58,20 @@ class _Channel:
 
     def __getitem__(self, at: Any) -> Values:
         plane, *part = at if isinstance(at, tuple) else (at,)
-        found = self._source.plane(self._channel, plane)
+        if isinstance(plane, slice):
+            numbers = range(*plane.indices(len(self)))
+            whole = np.empty((len(numbers), *self.shape[1:]), self.dtype)[:, *part]
+            for k, number in enumerate(numbers):
+                whole[k] = self[number, *part]
+            return whole
+        number = operator.index(plane)
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"plane must be from 0 to {len(self) - 1}, got {number}")
+        found = self._source.plane(self._channel, number % len(self))
         return found[tuple(part)] if part else found
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
-        out = np.empty(self.shape, self.dtype)
-        for plane in range(len(self)):
-            out[plane] = self[plane]
+        out = self[:]
         return out if dtype is None else out.astype(dtype)
 
 
@@ -87,21 +96,23 @@ class _Pages:
         self._path, self._pages, self._places = path, pages, places
         self.shape = (*places.shape, *shape)
         self.dtype = np.dtype(dtype)
+        self._lock = threading.Lock()  # pages share a handle
 
     def plane(self, channel: int, plane: int) -> Values:
         """Return one plane."""
         number = int(self._places[channel, plane])
-        page = self._pages[number]
-        if page is None:
-            raise RecordingError(f"{line(self._path)}: page {number} is missing; the file is cut off")
         try:
-            with reading.quietly():
-                found = np.asarray(page.asarray())
+            with reading.quietly(), self._lock:
+                page = self._pages[number]
+                if page is None:
+                    raise ValueError(
+                        "it is missing: the file is cut off, or others of its OME-TIFF are not beside it"
+                    )
+                return reading.tiff_values(page, self.shape[2:], self.dtype)
         except OSError:
             raise
         except Exception as error:  # of tifffile's decoders among others
             raise RecordingError(f"{line(self._path)}: page {number}: {reading.reason(error)}") from None
-        return found.reshape(self.shape[2:])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -503,9 +514,14 @@ class _Chunked:
         self.shape = (sides.get("C", 1), sides.get("Z", 1), sides["Y"], sides["X"])
         self.dtype = np.dtype(array.dtype)
         self._block: tuple[int, int, Values] | None = None
+        self._lock = threading.Lock()
 
     def plane(self, channel: int, plane: int) -> Values:
         """Return one plane."""
+        with self._lock:  # each chunk is read once
+            return self._read(channel, plane)
+
+    def _read(self, channel: int, plane: int) -> Values:
         deep = self._array.chunks[self._order.index("Z")] if "Z" in self._order else 1
         first = plane - plane % deep
         block = self._block
@@ -517,7 +533,7 @@ class _Chunked:
                 at[self._order.index("Z")] = slice(first, min(first + deep, self.shape[1]))
             values = np.asarray(self._array[tuple(at)]).reshape(-1, *self.shape[2:])
             self._block = block = channel, first, values
-        return np.asarray(block[2][plane - first])
+        return np.array(block[2][plane - first])
 
 
 def save_stack(path: Path, values: Values, recording: Recording, description: str = "") -> None:

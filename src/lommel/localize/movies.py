@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import threading
 from collections.abc import Iterator
 from os import PathLike
 from pathlib import Path
@@ -45,6 +46,7 @@ class Movie:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._file: Any = None
+        self._lock = threading.Lock()  # pages share a handle
         try:
             self._open()
         except BaseException:
@@ -161,28 +163,13 @@ class Movie:
         if (page := self._series.pages[k]) is None:
             self._refuse(f"frame {k} is missing; are all files of this OME-TIFF in one folder?")
         try:
-            with reading.quietly():
-                self._check(page)
-                found: Values = page.asarray().reshape(self.shape[1:])
+            with reading.quietly(), self._lock:
+                found: Values = reading.tiff_values(page, self.shape[1:], self.dtype)
         except OSError:
             raise
         except Exception as error:  # of tifffile, zlib and others
             self._refuse(f"frame {k} cannot be read: {reading.reason(error)}", error)
         return found
-
-    def _check(self, page: Any) -> None:
-        """Refuse a page that takes more memory than a frame."""
-        size = math.prod(self.shape[1:]) * self.dtype.itemsize
-        if page.keyframe.compression == 1 and sum(page.databytecounts) < size:
-            raise ValueError(f"its {size} bytes are {sum(page.databytecounts)} in the file")
-        if page.keyframe.compression in reading.DEFLATE:
-            handle = page.parent.filehandle
-            for place, count in zip(page.dataoffsets, page.databytecounts, strict=True):
-                handle.seek(place)
-                if not reading.inflates_within(
-                    handle.read(count), max(size, math.prod(page.chunks) * self.dtype.itemsize)
-                ):
-                    raise ValueError(f"a part of it inflates to more than {size} bytes")
 
     def _refuse(self, why: str, error: BaseException | None = None) -> NoReturn:
         raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error

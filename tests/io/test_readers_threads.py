@@ -1,0 +1,120 @@
+"""One recording and one movie, read by 16 threads at once: each gets the planes that it asked for."""
+
+from __future__ import annotations
+
+import logging
+import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import tifffile
+
+from lommel.base import reading
+from lommel.io.recordings import open_recording, save_stack
+from lommel.localize import open_movie
+
+STACK = np.random.default_rng(0).integers(0, 60000, (24, 64, 64)).astype(np.uint16)
+
+
+def tiff(path, **options):
+    tifffile.imwrite(path, STACK, ome=True, metadata={"axes": "ZYX"}, photometric="minisblack", **options)
+
+
+def frames(path, **options):
+    with tifffile.TiffWriter(path) as file:
+        for frame in STACK:
+            file.write(frame, contiguous=False, metadata=None, **options)
+
+
+def several(path):
+    """Half of the planes in another file."""
+    tifffile.imwrite(path, STACK, ome=True, metadata={"axes": "ZYX"}, photometric="minisblack")
+    text = tifffile.tiffcomment(path)
+    parts = "".join(
+        f'<TiffData FirstZ="{12 * k}" IFD="0" PlaneCount="12"><UUID FileName="{name}">urn:uuid:{k}</UUID></TiffData>'
+        for k, name in enumerate((path.name, "other.tif"))
+    )
+    start, end = text.index("<TiffData"), text.index("</Pixels>")
+    whole = (text[:start] + parts + text[end:]).replace("<OME ", '<OME UUID="urn:uuid:0" ', 1)
+    root = whole.index("UUID=", whole.index("UUID=") + 1)
+    if root < whole.index("<Image"):  # tifffile wrote its own
+        whole = whole[:root] + whole[whole.index('"', root + 6) + 1 :]
+    tifffile.imwrite(path, STACK[:12], photometric="minisblack", description=whole, metadata=None)
+    tifffile.imwrite(path.with_name("other.tif"), STACK[12:], photometric="minisblack", metadata=None)
+
+
+def folder(path):
+    with open_recording(STACK) as first:
+        save_stack(path, STACK[np.newaxis].astype(np.float32), first)
+
+
+RECORDINGS = {
+    "plain.ome.tif": tiff,
+    "deflated.ome.tif": lambda path: tiff(path, compression="zlib"),
+    "tiles.ome.tif": lambda path: tiff(path, compression="zlib", tile=(32, 32)),
+    "several.ome.tif": several,
+    "chunks.ome.zarr": folder,
+}
+MOVIES = {
+    "plain.tif": frames,
+    "deflated.tif": lambda path: frames(path, compression="zlib"),
+    "mapped.tif": lambda path: tifffile.imwrite(path, STACK, photometric="minisblack"),
+}
+
+
+@pytest.fixture
+def often():
+    """Threads that change places as often as may be."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    yield
+    sys.setswitchinterval(before)
+
+
+def wrong(read):
+    """Return how many of many reads by 16 threads are not what is stored."""
+    start = threading.Barrier(16)
+
+    def some(k):
+        start.wait()
+        return sum(not np.array_equal(read(j % 24), STACK[j % 24]) for j in range(7 * k, 7 * k + 40))
+
+    with ThreadPoolExecutor(16) as pool:
+        return sum(pool.map(some, range(16)))
+
+
+@pytest.mark.parametrize("name", RECORDINGS)
+def test_a_recording_that_16_threads_read_has_no_wrong_plane(name, tmp_path, often):
+    RECORDINGS[name](tmp_path / name)
+    with open_recording(tmp_path / name) as found:
+        stack = found.stack()
+        assert wrong(lambda k: stack[k]) == 0
+
+
+@pytest.mark.parametrize("name", MOVIES)
+def test_a_movie_that_16_threads_read_has_no_wrong_frame(name, tmp_path, often):
+    MOVIES[name](tmp_path / name)
+    with open_movie(tmp_path / name) as found:
+        assert wrong(lambda k: found.frames(k, k + 1)[0]) == 0
+
+
+def test_what_is_wrong_with_a_file_is_not_told_of_another_in_another_thread():
+    log = logging.getLogger("tifffile")
+    with ThreadPoolExecutor(1) as pool, reading.quietly() as errors:
+        pool.submit(log.error, "of another file").result()
+        log.error("of this file")
+    assert errors == ["of this file"]
+
+
+def test_a_part_of_a_stack_is_read_as_that_of_an_array(tmp_path):
+    tiff(tmp_path / "a.ome.tif")
+    with open_recording(tmp_path / "a.ome.tif") as found:
+        stack = found.stack()
+        for at in (slice(2, 9, 3), (slice(None, None, -5), slice(3, 7), 2), (-1, slice(0, 5)), np.int64(3)):
+            np.testing.assert_array_equal(stack[at], STACK[at])
+        assert sum(1 for _ in stack) == 24
+        for beyond in (24, -25):
+            with pytest.raises(IndexError, match="plane must be from 0 to 23"):
+                stack[beyond]

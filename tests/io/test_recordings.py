@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 import tifffile
 import zarr
 
+from lommel import example_files, load_microscope, localize, microscopy
+from lommel.io import recordings
 from lommel.io.recordings import RecordingError, open_recording, save_stack
 
 STACK = np.arange(2 * 5 * 8 * 9, dtype=np.uint16).reshape(2, 5, 8, 9)
@@ -122,10 +125,118 @@ def test_files_that_are_no_stacks_are_refused(tmp_path):
         save_stack(tmp_path / "a.png", STACK, made)
 
 
-def test_a_size_that_cannot_be_is_left_out_and_told(tmp_path):
+def test_a_size_that_cannot_be_is_told(tmp_path):
     with open_recording(write(tmp_path / "huge.ome.tif", STACK[0], "ZYX", PhysicalSizeZ=500.0)) as found:
         assert found.step is None
-        assert "planes apart 0.5 m, which cannot be; it was left out" in " ".join(found.notes)
+        assert found.unusable == {"step": "0.5 m"}
+        assert "planes apart by 0.5 m, which cannot be used." in " ".join(found.notes)
+
+
+# UnitsLength of the OME schema (2016-06) in metres, by hand.
+LENGTHS = {
+    "Mm": 1e6, "km": 1e3, "hm": 1e2, "dam": 1e1, "m": 1.0, "dm": 1e-1, "cm": 1e-2, "mm": 1e-3, "µm": 1e-6, "nm": 1e-9,
+    "pm": 1e-12, "fm": 1e-15, "am": 1e-18, "zm": 1e-21, "ym": 1e-24, "Å": 1e-10, "thou": 25.4e-6, "li": 2.1166667e-3,
+    "in": 25.4e-3, "ft": 0.3048, "yd": 0.9144, "mi": 1609.344, "pt": 3.5277778e-4, "Ym": 1e24, "Zm": 1e21, "Em": 1e18,
+    "Pm": 1e15, "Tm": 1e12, "Gm": 1e9, "ua": 1.495978707e11, "ly": 9.4607304725808e15, "pc": 3.0856776e16,
+}  # fmt: skip
+
+
+def test_all_units_of_the_ome_schema_are_known():
+    for unit, metres in LENGTHS.items():
+        assert recordings._length(repr(3e-7 / metres), unit, "µm") == pytest.approx(3e-7), unit
+    for unit in ("micrometer", "Micron", "\\u00B5m", "decimeter", "nanometres", "foot", "angstrom"):
+        assert isinstance(recordings._length(0.5, unit), float), unit
+
+
+def test_a_step_in_decimetres_is_that(tmp_path):
+    path = write(tmp_path / "dm.ome.tif", STACK[0], "ZYX", PhysicalSizeZ=3e-6, PhysicalSizeZUnit="dm")
+    with open_recording(path) as found:
+        assert found.step == pytest.approx(3e-7)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "words"),
+    [(0.3, "reference frame", "0.3 reference frame"), (0, "µm", "0 µm"), (0.3, "pixel", "0.3 pixel"),
+     ("nan", "µm", "nan µm"), ("x", "µm", "x µm")],
+)  # fmt: skip
+def test_a_length_that_is_stated_but_unusable_is_not_replaced_by_another(value, unit, words, tmp_path):
+    path = write(tmp_path / "a.ome.tif", STACK, "CZYX", PhysicalSizeZ=value, PhysicalSizeZUnit=unit)
+    with open_recording(path) as found:
+        assert (found.step, found.unusable) == (None, {"step": words})
+        assert f"The file says planes apart by {words}, which cannot be used." in found.notes
+    objective = load_microscope(example_files()["zeiss-63x-1.4-oil"])
+    with pytest.raises(ValueError, match=rf"a\.ome\.tif says {words} between planes, .*: give step=, in metres"):
+        microscopy.restore(path, objective, channel=0)
+    bad = {"Name": ["a", "b"], "EmissionWavelength": [0, 520]}
+    path = write(tmp_path / "b.ome.tif", STACK, "CZYX", Channel=bad)
+    with pytest.raises(
+        ValueError, match="emission wavelength of 'a' is 0 nm, which cannot be used: give wavelength="
+    ):
+        microscopy.restore(path, objective, channel=0)
+
+
+def test_a_length_that_is_not_stated_is_not_told(tmp_path):
+    tifffile.imwrite(tmp_path / "j.tif", STACK[0], imagej=True, metadata={"axes": "ZYX", "spacing": 1.0})
+    with open_recording(tmp_path / "j.tif") as found:
+        assert (found.pixel, found.step, found.unusable, found.notes) == (None, None, {}, ())
+
+
+def test_imagej_has_units_of_its_own_for_each_axis(tmp_path):
+    told = {"spacing": 0.3, "unit": "nm", "yunit": "micron", "zunit": "micron", "axes": "ZYX"}
+    tifffile.imwrite(tmp_path / "j.tif", STACK[0], imagej=True, resolution=(1 / 65, 1 / 0.065), metadata=told)
+    with open_recording(tmp_path / "j.tif") as found:
+        assert (found.pixel, found.step) == (pytest.approx(65e-9, rel=1e-4), pytest.approx(300e-9))
+    told = {"spacing": 0.3, "unit": "um", "zunit": "furlong", "axes": "ZYX"}
+    tifffile.imwrite(tmp_path / "k.tif", STACK[0], imagej=True, resolution=(10.0, 10.0), metadata=told)
+    with open_recording(tmp_path / "k.tif") as found:
+        assert (found.pixel, found.unusable) == (pytest.approx(1e-7), {"step": "0.3 furlong"})
+
+
+def test_an_ome_zarr_states_units_for_each_axis(tmp_path):
+    with open_recording(STACK) as first:
+        save_stack(tmp_path / "a.ome.zarr", STACK, first)
+    place = tmp_path / "a.ome.zarr" / ".zattrs"
+    told = json.loads(place.read_text())
+    scales = told["multiscales"][0]
+    scales["datasets"][0]["coordinateTransformations"][0]["scale"] = [1, 0.2, 1e-6, 1e-6]
+    for axis in scales["axes"][2:]:
+        axis["unit"] = "decimeter"
+    place.write_text(json.dumps(told))
+    found = open_recording(tmp_path / "a.ome.zarr")
+    assert (found.pixel, found.step) == (pytest.approx(1e-7), None)
+    assert found.unusable == {"step": "0.2 without a unit"}
+
+
+def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_path):
+    path = tmp_path / "two.ome.tif"
+    with tifffile.TiffWriter(path, ome=True) as file:
+        file.write(STACK[0, 0, :4, :4], photometric="minisblack", metadata={"axes": "YX", "Name": "thumbnail"})
+        file.write(STACK[0], photometric="minisblack", metadata={"axes": "ZYX", "Name": "stack", **SIZES})
+    with open_recording(path) as found:
+        assert found.notes[0] == (
+            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; image= takes another."
+        )
+        assert found.step == pytest.approx(2e-7)
+        np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])
+    with open_recording(path, image=0) as found:
+        assert (found.shape, found.step, found.notes) == ((1, 1, 4, 4), None, ())
+    with pytest.raises(ValueError, match="image must be"):
+        open_recording(path, image=2)
+
+
+def test_pages_that_imagej_does_not_count_are_told(tmp_path):
+    path = tmp_path / "less.tif"
+    text = "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nspacing=0.3\n"
+    with tifffile.TiffWriter(path) as file:
+        for k, plane in enumerate(STACK[0]):
+            file.write(plane, description=text if k == 0 else None, contiguous=False, metadata=None)
+    with open_recording(path) as found:
+        assert found.shape == (1, 3, 8, 9)
+        assert found.notes[0] == (
+            "The file holds 5 pages, of which its description by ImageJ says 3; the others were left out."
+        )
+    with pytest.raises(localize.MovieError, match=r"less\.tif .* holds 5 pages, of which its description by ImageJ"):
+        localize.open_movie(path)
 
 
 @pytest.mark.parametrize(

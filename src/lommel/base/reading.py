@@ -348,6 +348,14 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDAr
             handle.close()
 
 
+def tiff_left_out(file: Any) -> str:
+    """Return of how many pages a description of ImageJ says less, "5 pages, of which ...", or ""."""
+    count, said = len(file.pages), math.prod(file.series[0].shape) // max(1, file.series[0].keyframe.size)
+    if not file.is_imagej or count <= max(1, said):
+        return ""
+    return f"{count} pages, of which its description by ImageJ says {said}"
+
+
 def is_raw(data: bytes) -> bool:
     """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
     first = next(_tiff_pages(data), {})

@@ -20,20 +20,41 @@ from lommel.base.arrays import Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 
-_UNITS = {
-    "m": 1.0, "meter": 1.0, "mm": 1e-3, "millimeter": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "micron": 1e-6,
-    "microns": 1e-6, "micrometer": 1e-6, "micrometre": 1e-6, "nm": 1e-9, "nanometer": 1e-9, "nanometre": 1e-9,
-    "Å": 1e-10, "angstrom": 1e-10, "pm": 1e-12, "\\u00B5m": 1e-6, "cm": 1e-2, "inch": 2.54e-2,
+_PREFIXES = {
+    "yotta": ("Y", 24), "zetta": ("Z", 21), "exa": ("E", 18), "peta": ("P", 15), "tera": ("T", 12), "giga": ("G", 9),
+    "mega": ("M", 6), "kilo": ("k", 3), "hecto": ("h", 2), "deca": ("da", 1), "": ("", 0), "deci": ("d", -1),
+    "centi": ("c", -2), "milli": ("m", -3), "micro": ("µ", -6), "nano": ("n", -9), "pico": ("p", -12),
+    "femto": ("f", -15), "atto": ("a", -18), "zepto": ("z", -21), "yocto": ("y", -24),
 }  # fmt: skip
+_OTHERS = {
+    "um": 1e-6, "\u03bcm": 1e-6, "\\u00B5m": 1e-6, "micron": 1e-6, "microns": 1e-6, "Å": 1e-10, "\u212b": 1e-10,
+    "angstrom": 1e-10, "thou": 2.54e-5, "li": 2.54e-2 / 12, "in": 2.54e-2, "inch": 2.54e-2, "inches": 2.54e-2,
+    "ft": 0.3048, "foot": 0.3048, "yd": 0.9144, "yard": 0.9144, "mi": 1609.344, "mile": 1609.344, "pt": 2.54e-2 / 72,
+    "ua": 149597870700.0, "ly": 9460730472580800.0, "pc": 3.0856775814913674e16, "parsec": 3.0856775814913674e16,
+}  # fmt: skip
+# Those of the OME schema (UnitsLength), of OME-Zarr and of ImageJ, metres; "Mm" is not "mm".
+_UNITS = _OTHERS | {
+    name: float(f"1e{power}")
+    for prefix, (letter, power) in _PREFIXES.items()
+    for name in (f"{letter}m", *(f"{prefix}{metre}{s}" for metre in ("meter", "metre") for s in ("", "s")))
+}
 _JSON = 2**24  # bytes of a description that are parsed
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
 _AXES = "TCZYX"
 _SHARE = 1e-4  # of lengths that count as equal
+_LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
 
 
 class RecordingError(ValueError):
     """A file that cannot be read as a stack; the message names it and says what to do."""
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """A length that a file states and that cannot be used, in the words of the file; it is not unknown."""
+
+    words: str
 
 
 class Source(Protocol):
@@ -142,6 +163,9 @@ class Recording:
         What reads planes, and what closes the file.
     notes : tuple of str
         What was taken from the file, and what it lacks, in sentences.
+    unusable : dict
+        Lengths that the file states but that cannot be used, such as 0, in its words; by "pixel", "step", or
+        "emission" and "excitation" with the number of the channel, such as "emission 0".
     """
 
     source: Source
@@ -155,6 +179,7 @@ class Recording:
     immersion: float | None = None
     path: Path | None = None
     notes: tuple[str, ...] = ()
+    unusable: dict[str, str] = field(default_factory=dict)
     closed: Any = field(default=None)
 
     @property
@@ -202,7 +227,11 @@ class Recording:
 
 
 def open_recording(
-    path: str | PathLike[str] | ArrayLike | Recording, *, time: int | None = None, axes: str | None = None
+    path: str | PathLike[str] | ArrayLike | Recording,
+    *,
+    time: int | None = None,
+    axes: str | None = None,
+    image: int | None = None,
 ) -> Recording:
     """Open a stack that a microscope recorded, with its voxel sizes, channels and wavelengths.
 
@@ -216,6 +245,8 @@ def open_recording(
         Which time point, from 0; needed where the file holds several.
     axes : str, optional
         Letters of the axes, such as "ZYX" or "CZYX", where the file does not state them or is wrong.
+    image : int, optional
+        Which image of a TIFF file that holds several, from 0; by default that of the most values.
 
     Returns
     -------
@@ -240,6 +271,8 @@ def open_recording(
         raise ValueError(f'axes must be letters of TCZYX that end in YX, such as "ZYX", got {shown(axes)}')
     if time is not None:
         validation.integer("time", time, least=0, most=validation.MAX_VALUES)
+    if image is not None:
+        validation.integer("image", image, least=0, most=validation.MAX_VALUES)
     if not isinstance(path, str | PathLike):
         values = path if hasattr(path, "shape") and hasattr(path, "dtype") else validation.array("stack", path)
         validation.refuse_masked("stack", values)
@@ -247,7 +280,7 @@ def open_recording(
     where = validation.path("path", path)
     if where.is_dir():
         return _zarr(where, time, axes)
-    return _tiff(where, time, axes)
+    return _tiff(where, time, axes, image)
 
 
 def _of_array(values: Any, axes: str | None) -> Recording:
@@ -278,7 +311,7 @@ def _names(given: Sequence[str | None], count: int) -> tuple[str, ...]:
     return tuple((given[k] if k < len(given) else None) or f"channel {k}" for k in range(count))
 
 
-def _tiff(path: Path, time: int | None, axes: str | None) -> Recording:
+def _tiff(path: Path, time: int | None, axes: str | None, image: int | None) -> Recording:
     optional.require("tifffile", "reading TIFF files needs", "images")
     try:
         file, errors = reading.tiff_on_disk(path)
@@ -289,28 +322,35 @@ def _tiff(path: Path, time: int | None, axes: str | None) -> Recording:
     try:
         if errors:
             raise RecordingError(f"{line(path)}: it is cut off or damaged: {validation.brief(errors[0])}")
-        return _tiff_recording(path, file, time, axes)
+        return _tiff_recording(path, file, time, axes, image)
     except BaseException:
         file.close()
         raise
 
 
-def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None) -> Recording:
+def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None, image: int | None) -> Recording:
     notes: list[str] = []
-    series = file.series[0]
-    if len(file.series) > 1:
-        first = " x ".join(map(str, series.shape))
-        notes.append(f"The file holds {len(file.series)} images; the first, {first}, was taken.")
+    number = max(range(len(file.series)), key=lambda k: math.prod(file.series[k].shape)) if image is None else image
+    series = file.series[validation.integer("image", number, least=0, most=len(file.series) - 1)]
+    if len(file.series) > 1 and image is None:
+        sides = ", ".join(" x ".join(map(str, one.shape)) for one in file.series[:4])
+        more = ", ..." if len(file.series) > 4 else ""
+        notes.append(
+            f"The file holds {len(file.series)} images ({sides}{more}); image {number}, counted from 0, was taken; "
+            "image= takes another."
+        )
+    if words := reading.tiff_left_out(file):
+        notes.append(f"The file holds {words}; the others were left out.")
     letters: str = series.axes
-    sides: tuple[int, ...] = tuple(series.shape)
+    lengths: tuple[int, ...] = tuple(series.shape)
     if "S" in letters:
         raise RecordingError(f"{line(path)}: it holds colours (RGB); save each channel in grey")
     plain: dict[str, int] = {}
-    plain.update((letter, side) for letter, side in zip(letters, sides, strict=True) if side != 1 or letter in "YX")
+    plain.update((letter, side) for letter, side in zip(letters, lengths, strict=True) if side != 1 or letter in "YX")
     if axes is not None:
-        given = [side for side in sides if side != 1 or len(sides) == len(axes)]
+        given = [side for side in lengths if side != 1 or len(lengths) == len(axes)]
         if len(given) != len(axes):
-            raise RecordingError(f"{line(path)}: axes={axes!r} does not fit its shape {sides}")
+            raise RecordingError(f"{line(path)}: axes={axes!r} does not fit its shape {lengths}")
         plain = dict(zip(axes, given, strict=True))
         order = axes
     else:
@@ -342,7 +382,7 @@ def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None) -
         made = Recording(_Held(whole))
     else:
         made = Recording(pages)
-    found = _ome(file) if file.is_ome else _imagej(file) if file.is_imagej else {}
+    found = _ome(file, number) if file.is_ome else _imagej(file) if file.is_imagej else {}
     told = "OME" if file.is_ome else "ImageJ"
     return _told(replace(made, path=path, closed=file.close), found, told, notes)
 
@@ -363,35 +403,55 @@ def _without_time(path: Path, numbers: Values, lead: list[str], time: int | None
 def _told(made: Recording, found: dict[str, Any], told: str, notes: list[str]) -> Recording:
     """Return a recording with what its file says, checked."""
     count, name = made.shape[0], line(made.path or "")
-    taken = []
-    for key, words in (("pixel", "pixels"), ("step", "planes apart")):
-        value = found.get(key)
-        if value is not None and not (1e-12 < value < 1e-3):
-            notes.append(f"The file says {words} {value:g} m, which cannot be; it was left out.")
-            found[key] = value = None
-        if value is not None:
-            taken.append(f"{format_length(value)} {words}")
-    across, down = found.get("pixel"), found.get("down")
+    unusable: dict[str, str] = {}
+
+    def usable(key: str, words: str, value: float | Unusable | None) -> float | None:
+        if isinstance(value, float) and not (1e-12 < value < 1e-3):
+            value = Unusable(f"{value:g} m")
+        if not isinstance(value, Unusable):
+            return value
+        unusable[key] = value.words
+        notes.append(f"The file says {words} {value.words}, which cannot be used.")
+        return None
+
+    sides = {key: usable("pixel" if key == "down" else key, _LENGTHS[key], found.get(key)) for key in _LENGTHS}
+    across, down = sides.pop("pixel"), sides.pop("down")
     if across and down and abs(across - down) > _SHARE * across:
         raise RecordingError(
             f"{name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it to "
             "square ones"
         )
+    others: dict[str, Any] = {key: found.get(key) for key in ("NA", "magnification", "immersion")}
+    others |= {"pixel": None if "pixel" in unusable else across, "step": sides["step"]}
+    words = (("pixel", "pixels"), ("step", "planes apart"))
+    taken = [f"{format_length(others[key])} {of}" for key, of in words if others[key] is not None]
     if taken:
         notes.append(f"From the {told} metadata of the file: {', '.join(taken)}.")
-    waves: dict[str, Any] = {
-        key: tuple((list(found.get(key, [])) + [None] * count)[:count]) for key in ("emission", "excitation")
-    }
-    others: dict[str, Any] = {key: found.get(key) for key in ("NA", "magnification", "immersion", "pixel", "step")}
-    return replace(made, **others, **waves, names=_names(found.get("names", []), count), notes=tuple(notes))
+    for key in ("emission", "excitation"):
+        each = (list(found.get(key, [])) + [None] * count)[:count]
+        others[key] = tuple(
+            usable(f"{key} {k}", f"that the {key} of channel {k} is", wave) for k, wave in enumerate(each)
+        )
+    names = _names(found.get("names", []), count)
+    return replace(made, **others, names=names, notes=tuple(notes), unusable=unusable)
 
 
-def _length(value: Any, unit: Any, default: str) -> float | None:
-    try:
-        found = float(value) * _UNITS[str(unit or default)]
-    except (TypeError, ValueError, KeyError):
+def _length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
+    """Return a length in metres, what the file says of it where that is none, or None where it says nothing."""
+    if value is None or value == "":
         return None
-    return abs(found) if math.isfinite(found) and found != 0.0 else None
+    named = str(unit or default).strip()
+    words = validation.brief(f"{value} {named}".strip(), 60)
+    try:
+        number = abs(float(value))
+    except (TypeError, ValueError):
+        return Unusable(words)
+    if number == 1.0 and named in ("", "pixel", "pixels"):  # what is written of no scale
+        return None
+    scale = _UNITS.get(named) or (_UNITS.get(named.lower()) if len(named) > 3 else None)
+    if not named:
+        words += " without a unit"
+    return number * scale if scale and math.isfinite(number) and number > 0.0 else Unusable(words)
 
 
 def _number(value: Any) -> float | None:
@@ -402,17 +462,21 @@ def _number(value: Any) -> float | None:
     return found if math.isfinite(found) and found > 0.0 else None
 
 
-def _ome(file: Any) -> dict[str, Any]:
-    """Return what OME-XML says of the first image."""
+def _ome(file: Any, number: int) -> dict[str, Any]:
+    """Return what OME-XML says of an image."""
     try:
         root = reading.xml(file.ome_metadata or "")
     except ValueError:
         return {}
-    pixels = root.find(".//{*}Image/{*}Pixels")
-    if pixels is None:
+    images = [one for one in root.findall("{*}Image") if one.find("{*}Pixels") is not None]
+    if len(images) != len(file.series):  # tifffile leaves out those without pixels
+        images = [one for one in images if one.get("Name") == file.series[number].name][:1] * (number + 1)
+    if not images:
         return {}
+    image = images[number]
+    pixels = image.find("{*}Pixels")
 
-    def side(letter: str) -> float | None:
+    def side(letter: str) -> float | Unusable | None:
         name = f"PhysicalSize{letter}"
         return _length(pixels.get(name), pixels.get(f"{name}Unit"), "µm")
 
@@ -421,25 +485,29 @@ def _ome(file: Any) -> dict[str, Any]:
     found["names"] = [each.get("Name") for each in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         found[key] = [_length(each.get(name), each.get(f"{name}Unit"), "nm") for each in channels]
-    if (lens := root.find(".//{*}Instrument/{*}Objective")) is not None:
-        found["NA"] = _number(lens.get("LensNA"))
-        found["magnification"] = _number(lens.get("CalibratedMagnification") or lens.get("NominalMagnification"))
-    if (used := root.find(".//{*}Image/{*}ObjectiveSettings")) is not None:
+    lenses = root.findall(".//{*}Instrument/{*}Objective")
+    if (used := image.find("{*}ObjectiveSettings")) is not None:
         found["immersion"] = _number(used.get("RefractiveIndex"))
+        lenses = [lens for lens in lenses if lens.get("ID") == used.get("ID")] or lenses
+    if lenses:
+        found["NA"] = _number(lenses[0].get("LensNA"))
+        found["magnification"] = _number(
+            lenses[0].get("CalibratedMagnification") or lenses[0].get("NominalMagnification")
+        )
     return found
 
 
 def _imagej(file: Any) -> dict[str, Any]:
     """Return what ImageJ says."""
     told, page = file.imagej_metadata or {}, file.pages[0]
-    unit = str(told.get("unit", ""))
-    sides = []
-    for tag in ("XResolution", "YResolution"):
+    unit = told.get("unit")  # of the others, too, unless they have their own
+    found: dict[str, Any] = {"step": _length(told.get("spacing"), told.get("zunit", unit))}
+    for key, tag, own in (("pixel", "XResolution", unit), ("down", "YResolution", told.get("yunit", unit))):
         value = page.tags.get(tag)
-        ratio = value.value if value is not None else (0, 1)
-        each = ratio[1] / ratio[0] if isinstance(ratio, tuple) and ratio[0] else None
-        sides.append(_length(each, unit, "pixel"))
-    return {"pixel": sides[0], "down": sides[1], "step": _length(told.get("spacing"), unit, "pixel")}
+        if value is not None and own:  # without a unit it is the resolution in print
+            pixels, units = value.value
+            found[key] = _length(units / pixels if pixels else 0.0, own)
+    return found
 
 
 def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
@@ -479,18 +547,14 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
         if count > 1 and time is None:
             raise RecordingError(f"{line(path)}: it holds {count} time points; say which with time=")
         at[order.index("T")] = validation.integer("time", time or 0, least=0, most=count - 1)
-    sizes = {
-        letter: _length(value, unit, "um") if unit or letter in "ZYX" else None
-        for letter, value, unit in zip(order, scale, [*units, *[None] * 5], strict=False)
-    }
-    named = any(units)
-    found: dict[str, Any] = {}
-    if named:
-        found = {"pixel": sizes.get("X"), "down": sizes.get("Y"), "step": sizes.get("Z")}
+    sizes = {letter: _length(float(value), unit) for letter, value, unit in zip(order, scale, units, strict=False)}
+    found: dict[str, Any] = {"pixel": sizes.get("X"), "down": sizes.get("Y"), "step": sizes.get("Z")}
     listed = told.get("omero", attributes.get("omero", {})) or {}
     channels = listed.get("channels", []) if isinstance(listed, dict) else []
     found["names"] = [each.get("label") for each in channels if isinstance(each, dict)]
-    found["emission"] = [_length(each.get("emission_wavelength"), "nm", "nm") for each in channels]
+    found["emission"] = [
+        _length(each.get("emission_wavelength"), "nm") for each in channels if isinstance(each, dict)
+    ]
     made = Recording(_Chunked(array, order, at), path=path)
     return _told(made, found, "OME-Zarr", [])
 

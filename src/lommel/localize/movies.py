@@ -66,6 +66,8 @@ class Movie:
         if len(series) != 1:
             shapes = " and ".join(" x ".join(map(str, one.shape)) for one in series[:3])
             self._refuse(f"it holds {len(series)} series of images, {shapes}; save the movie alone")
+        if words := reading.tiff_left_out(self._file):
+            self._refuse(f"it holds {words}; save it again")
         (self._series,) = series
         axes, shape = self._series.axes, self._series.shape
         if "S" in axes or axes[-2:] != "YX" or len(axes) > 3:

@@ -423,8 +423,14 @@ class _Sizes:
     ) -> float:
         if asked is not None:
             return validation.real(name, asked, above=0.0)
+        what = "an array" if opened.path is None else line(opened.path)
+        if name in opened.unusable:
+            where = "in the sample" if name == "pixel" else "between planes"
+            raise ValueError(
+                f"{what} says {opened.unusable[name]} {where}, which cannot be used: give {name}=, in metres"
+                + (" on the camera" if name == "pixel" else "")
+            )
         if told is None and other is None:
-            what = "an array" if opened.path is None else line(opened.path)
             raise ValueError(
                 f"{what} does not say the voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
             )
@@ -453,6 +459,11 @@ def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes
     for number in chosen:
         wave = opened.emission[number]
         if wave is None:
+            if words := opened.unusable.get(f"emission {number}"):
+                raise ValueError(
+                    f"the stack says that the emission wavelength of {opened.names[number]!r} is {words}, which "
+                    "cannot be used: give wavelength=, in metres, such as 520e-9"
+                )
             if given is None or len(chosen) > 1:
                 raise ValueError(
                     f"the stack does not say the emission wavelength of {opened.names[number]!r}: give wavelength=, "

@@ -11,6 +11,7 @@ import io
 import logging
 import math
 import mmap
+import os
 import re
 import stat
 import struct
@@ -60,6 +61,8 @@ _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
 _DESCRIPTION = 270  # the tag of a text, which tifffile parses if it is XML
 _TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
+_TIFF_FRAME = 2**10  # bytes that it takes for a page like the first one
+_PLANE = 2**6  # bytes that it and we take for a plane that a description tells of
 DEFLATE = (8, 32946)
 """The compressions of TIFF files that deflate."""
 
@@ -293,18 +296,14 @@ def tiff(data: bytes) -> Iterator[Any]:
 def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
     """Return a TIFF file of any size as tifffile opens it, and what this tells of it; its first page is checked.
 
-    The pages that follow are like the first one; :func:`inflates_within` tells whether their parts are.
+    The pages that follow are like the first one; :func:`tiff_values` tells whether they are. Files that its OME
+    metadata name are checked likewise, and are regular ones beside it.
     """
     import tifffile
 
-    if size(path) < 16:
-        raise ValueError("its header is not that of a TIFF file")
-    with path.open("rb") as file:
-        mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-    if (tags := next(_tiff_pages(mapped), None)) is None:
-        raise ValueError("it has no page")
-    _tiff_page(mapped, tags)
-    _afford_xml(tags[_DESCRIPTION].tobytes().decode("latin-1") if _DESCRIPTION in tags else "")
+    text, sizes = _tiff_first(path)
+    if text.endswith("OME>"):
+        _afford_ome(path.resolve(), text, sizes)
     with quietly() as errors:
         found = tifffile.TiffFile(path)
         try:
@@ -313,6 +312,86 @@ def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
             found.close()
             raise
     return found, errors
+
+
+def _tiff_first(path: Path) -> tuple[str, list[int]]:
+    """Check the first page of a file; return its description, and the pixels of each page."""
+    if size(path) < 16:
+        raise ValueError("its header is not that of a TIFF file")
+    with path.open("rb") as file:
+        mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    if (tags := next(_tiff_pages(mapped), None)) is None:
+        raise ValueError("it has no page")
+    _tiff_page(mapped, tags)
+    text = tags[_DESCRIPTION].tobytes().decode(errors="replace") if _DESCRIPTION in tags else ""
+    _afford_xml(text)
+    return text.partition("\0")[0].strip(), list(_tiff_sizes(mapped))
+
+
+def _tiff_sizes(data: bytes | mmap.mmap) -> Iterator[int]:
+    """Yield the number of pixels of each page, in little time; ValueError where pages run in a circle."""
+    order, big = _tiff_order(data)
+    head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
+    kinds = {kind: struct.Struct(order + part) for kind, part in ((1, "B"), (3, "H"), (4, "I"), (16, "Q"))}
+    each, seen = entry.size + word.size, set[int]()
+    try:
+        (at,) = word.unpack_from(data, 8 if big else 4)
+        while at:
+            if at in seen:
+                raise ValueError("its pages run in a circle")
+            seen.add(at)
+            afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
+            (count,) = head.unpack_from(data, at)
+            sides, at = {}, at + head.size
+            for k in range(count):
+                tag, kind, _ = entry.unpack_from(data, at + k * each)
+                if tag in (256, 257) and kind in kinds:
+                    (sides[tag],) = kinds[kind].unpack_from(data, at + k * each + entry.size)
+                    if len(sides) == 2:
+                        break
+            yield math.prod(sides.values())
+            (at,) = word.unpack_from(data, at + count * each)
+    except struct.error:
+        raise ValueError("its pages go beyond its end") from None
+
+
+def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
+    """Refuse OME metadata that claim far more planes than there are pages, or name what is no file beside it."""
+    root = xml(text)
+    held, count, least = size(path), len(sizes), min(sizes)
+    own, known = root.get("UUID"), {root.get("UUID")}
+    for one in root.iter():
+        name = one.get("FileName")
+        if not one.tag.endswith("UUID") or name is None:
+            continue
+        if own is None and one.text is not None and name.lower() == path.name.lower():
+            own, known = one.text, {one.text}
+        elif one.text not in known and (beside := _beside(path, name)) is not None:
+            known.add(one.text)
+            others = _tiff_first(beside)[1]
+            held, count, least = held + size(beside), count + len(others), min(least, *others)
+    stated = listed = 0
+    for part in root.iter():
+        if part.tag.endswith("Pixels"):
+            stated += math.prod(max(1, int(part.get(f"Size{letter}", 1))) for letter in "XYZCT") // max(1, least)
+        if part.tag.endswith("TiffData"):
+            usual = 1 if "IFD" in part.attrib else count
+            listed += max(0, int(part.get("PlaneCount", part.get("NumPlanes", usual))))
+    planes = max(stated, listed)
+    if not affords(_PLANE * planes, held, _TIMES) or not affords(_TIFF_FRAME * count, held, _TIMES):
+        raise ValueError(f"its OME metadata say {planes:.3g} planes of its size, far more than its {count} pages")
+
+
+def _beside(path: Path, name: str) -> Path | None:
+    """Return a file that OME metadata name, None where there is none; ValueError if it may not be read."""
+    there = path.parent / name
+    if not os.path.lexists(there):
+        return None
+    if name != Path(name).name or "\\" in name:
+        raise ValueError(f"its OME metadata name {validation.shown(name)}; only files beside it are read")
+    if not stat.S_ISREG(there.lstat().st_mode):
+        raise ValueError(f"its OME metadata name {validation.shown(name)}, which is no regular file")
+    return there
 
 
 def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -348,6 +427,22 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDAr
             handle.close()
 
 
+def tiff_mapped(file: Any, series: Any, path: Path, count: int) -> NDArray[Any] | None:
+    """Return the planes of a series that lie in the file as one piece, of which fewer may have a page; else None.
+
+    ValueError where a description tells of more than the file holds.
+    """
+    dtype, sides = np.dtype(series.dtype).newbyteorder(file.byteorder), series.shape[-2:]
+    start, needed = series.dataoffset, count * math.prod(sides) * dtype.itemsize
+    if start is not None and not series.is_multifile:
+        if start + needed > size(path):
+            raise ValueError(f"{needed} bytes of {count} images are more than the file holds")
+        return np.memmap(path, dtype, "r", start, (count, *sides))
+    if series.kind != "ome" and count > len(file.pages):  # of OME metadata those that are missing are told later
+        raise ValueError(f"its description says {count} images; it has {len(file.pages)} pages")
+    return None
+
+
 def tiff_left_out(file: Any) -> str:
     """Return of how many pages a description of ImageJ says less, "5 pages, of which ...", or ""."""
     count, said = len(file.pages), math.prod(file.series[0].shape) // max(1, file.series[0].keyframe.size)
@@ -373,10 +468,7 @@ def _larger_below(data: bytes, first: Tags) -> bool:
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
     """Yield of each page the integers that its tags hold."""
-    order = {b"II": "<", b"MM": ">"}.get(data[:2])
-    if order is None or len(data) < 16:
-        raise ValueError("its header is not that of a TIFF file")
-    big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
+    order, big = _tiff_order(data)
     seen: set[int] = set()
     (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
     while at:
@@ -385,6 +477,14 @@ def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
         seen.add(at)
         tags, at = _tiff_tags(data, at, order, big)
         yield tags
+
+
+def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
+    """Return the byte order of a TIFF file, and whether it is a BigTIFF."""
+    order = {b"II": "<", b"MM": ">"}.get(data[:2])
+    if order is None or len(data) < 16:
+        raise ValueError("its header is not that of a TIFF file")
+    return order, struct.unpack_from(f"{order}H", data, 2)[0] == 43
 
 
 def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple[Tags, int]:

@@ -6,7 +6,8 @@ import math
 import operator
 import re
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -110,6 +111,19 @@ class _Held:
         return validation.array("stack", self._values[at])  # of dask, masked or not is known now
 
 
+class _Mapped:
+    """Planes that lie in a file as one piece."""
+
+    def __init__(self, values: Values, places: Values) -> None:
+        self._values, self._places = values, places
+        self.shape = (*places.shape, *values.shape[1:])
+        self.dtype = values.dtype.newbyteorder("=")
+
+    def plane(self, channel: int, plane: int) -> Values:
+        """Return one plane."""
+        return np.array(self._values[self._places[channel, plane]], self.dtype)
+
+
 class _Pages:
     """Pages of a TIFF file."""
 
@@ -122,18 +136,11 @@ class _Pages:
     def plane(self, channel: int, plane: int) -> Values:
         """Return one plane."""
         number = int(self._places[channel, plane])
-        try:
-            with reading.quietly(), self._lock:
-                page = self._pages[number]
-                if page is None:
-                    raise ValueError(
-                        "it is missing: the file is cut off, or others of its OME-TIFF are not beside it"
-                    )
-                return reading.tiff_values(page, self.shape[2:], self.dtype)
-        except OSError:
-            raise
-        except Exception as error:  # of tifffile's decoders among others
-            raise RecordingError(f"{line(self._path)}: page {number}: {reading.reason(error)}") from None
+        with _told_of(self._path, f"page {number}: "), self._lock:
+            page = self._pages[number]
+            if page is None:
+                raise ValueError("it is missing: the file is cut off, or others of its OME-TIFF are not beside it")
+            return reading.tiff_values(page, self.shape[2:], self.dtype)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -311,21 +318,31 @@ def _names(given: Sequence[str | None], count: int) -> tuple[str, ...]:
     return tuple((given[k] if k < len(given) else None) or f"channel {k}" for k in range(count))
 
 
+@contextmanager
+def _told_of(path: Path, part: str = "") -> Iterator[None]:
+    """Tell the errors of libraries, of any kind, in a sentence that names the file."""
+    try:
+        with reading.quietly():
+            yield
+    except RecordingError:
+        raise
+    except Exception as error:
+        if isinstance(error, OSError) and error.filename is not None:
+            raise
+        raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
+
+
 def _tiff(path: Path, time: int | None, axes: str | None, image: int | None) -> Recording:
     optional.require("tifffile", "reading TIFF files needs", "images")
-    try:
+    with _told_of(path):
         file, errors = reading.tiff_on_disk(path)
-    except OSError:
-        raise
-    except Exception as error:  # of tifffile's parser among others
-        raise RecordingError(f"{line(path)}: {reading.reason(error)}") from None
-    try:
-        if errors:
-            raise RecordingError(f"{line(path)}: it is cut off or damaged: {validation.brief(errors[0])}")
-        return _tiff_recording(path, file, time, axes, image)
-    except BaseException:
-        file.close()
-        raise
+        try:
+            if errors:
+                raise RecordingError(f"{line(path)}: it is cut off or damaged: {validation.brief(errors[0])}")
+            return _tiff_recording(path, file, time, axes, image)
+        except BaseException:
+            file.close()
+            raise
 
 
 def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None, image: int | None) -> Recording:
@@ -368,6 +385,7 @@ def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None, i
             'state axes="ZYX"'
         )
     lead = [letter for letter in order if letter not in "YX"]
+    mapped = reading.tiff_mapped(file, series, path, math.prod(plain[letter] for letter in lead))
     numbers = np.arange(math.prod(plain[letter] for letter in lead)).reshape([plain[letter] for letter in lead])
     numbers = _without_time(path, numbers, lead, time)
     lead = [letter for letter in lead if letter != "T"]
@@ -376,12 +394,11 @@ def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None, i
             numbers = np.expand_dims(numbers, place)
             lead.insert(place, letter)
     numbers = np.transpose(numbers, [lead.index("C"), lead.index("Z")])
-    pages = _Pages(path, series.pages, numbers, (plain["Y"], plain["X"]), series.dtype)
-    if len(series.pages) == 1 and numbers.size > 1:  # several planes in one page, which are read together
-        whole = np.asarray(series.asarray()).reshape(-1, plain["Y"], plain["X"])[numbers]
-        made = Recording(_Held(whole))
-    else:
-        made = Recording(pages)
+    made = Recording(
+        _Pages(path, series.pages, numbers, (plain["Y"], plain["X"]), series.dtype)
+        if mapped is None
+        else _Mapped(mapped, numbers)
+    )
     found = _ome(file, number) if file.is_ome else _imagej(file) if file.is_imagej else {}
     told = "OME" if file.is_ome else "ImageJ"
     return _told(replace(made, path=path, closed=file.close), found, told, notes)
@@ -555,7 +572,7 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
     found["emission"] = [
         _length(each.get("emission_wavelength"), "nm") for each in channels if isinstance(each, dict)
     ]
-    made = Recording(_Chunked(array, order, at), path=path)
+    made = Recording(_Chunked(path, array, order, at), path=path)
     return _told(made, found, "OME-Zarr", [])
 
 
@@ -572,8 +589,8 @@ def _look(folder: Path) -> None:
 class _Chunked:
     """An array of Zarr, whose chunks are read once for a plane."""
 
-    def __init__(self, array: Any, order: str, at: list[Any]) -> None:
-        self._array, self._order, self._at = array, order, at
+    def __init__(self, path: Path, array: Any, order: str, at: list[Any]) -> None:
+        self._path, self._array, self._order, self._at = path, array, order, at
         sides = dict(zip(order, array.shape, strict=True))
         self.shape = (sides.get("C", 1), sides.get("Z", 1), sides["Y"], sides["X"])
         self.dtype = np.dtype(array.dtype)
@@ -582,7 +599,7 @@ class _Chunked:
 
     def plane(self, channel: int, plane: int) -> Values:
         """Return one plane."""
-        with self._lock:  # each chunk is read once
+        with _told_of(self._path, f"plane {plane}: "), self._lock:  # each chunk is read once
             return self._read(channel, plane)
 
     def _read(self, channel: int, plane: int) -> Values:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 import threading
 from collections.abc import Iterator
@@ -57,8 +56,6 @@ class Movie:
         try:
             self._file, errors = reading.tiff_on_disk(self.path)
             series = self._file.series
-        except OSError:
-            raise
         except Exception as error:  # of tifffile's parser among others
             self._refuse(reading.reason(error), error)
         if errors:  # tifffile goes on with the pages before
@@ -79,12 +76,10 @@ class Movie:
             self._refuse(f"it holds {self.dtype}, neither integers nor floats")
         self.shape: tuple[int, int, int] = (shape[0] if len(shape) == 3 else 1, *shape[-2:])
         self._mapped: Values | None = None
-        start, size = self._series.dataoffset, math.prod(self.shape) * self.dtype.itemsize
-        if start is not None:
-            if start + size > reading.size(self.path):
-                self._refuse(f"{size} bytes of {self.shape[0]} frames are more than the file holds")
-            kind = self.dtype.newbyteorder(self._file.byteorder)
-            self._mapped = np.memmap(self.path, kind, "r", start, self.shape)
+        try:
+            self._mapped = reading.tiff_mapped(self._file, self._series, self.path, len(self))
+        except ValueError as error:
+            self._refuse(str(error))
 
     def __repr__(self) -> str:
         count, rows, columns = self.shape
@@ -162,18 +157,18 @@ class Movie:
 
     def _frame(self, k: int) -> Values:
         """Return one frame of a file in pieces."""
-        if (page := self._series.pages[k]) is None:
-            self._refuse(f"frame {k} is missing; are all files of this OME-TIFF in one folder?")
         try:
             with reading.quietly(), self._lock:
+                if (page := self._series.pages[k]) is None:
+                    raise ValueError("it is missing; are all files of this OME-TIFF in one folder?")
                 found: Values = reading.tiff_values(page, self.shape[1:], self.dtype)
-        except OSError:
-            raise
         except Exception as error:  # of tifffile, zlib and others
             self._refuse(f"frame {k} cannot be read: {reading.reason(error)}", error)
         return found
 
     def _refuse(self, why: str, error: BaseException | None = None) -> NoReturn:
+        if isinstance(error, OSError) and error.filename is not None:  # which says why itself
+            raise error
         raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error
 
 

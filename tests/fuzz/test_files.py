@@ -13,10 +13,11 @@ import h5py
 import numpy as np
 import pytest
 import tifffile
+import zarr
 from PIL import Image
 
 import lommel as lm
-from lommel import imaging
+from lommel import imaging, localize, microscopy
 from lommel.io import fits_images
 from lommel.io.photos import read_images
 from lommel.lensfiles.tables import read_csv
@@ -208,7 +209,40 @@ def _more(folder: Path, grid: lm.PSFGrid, of_psf, of_grid) -> dict[str, tuple[Pa
     tifffile.imwrite(folder / "stars.tif", stars, photometric="minisblack")
     for suffix in (".fits", ".tif"):
         found[f"stars{suffix}"] = (folder / f"stars{suffix}", lambda path: read_images([path]), False)
-    return found
+    return found | _recordings(folder)
+
+
+def _recordings(folder: Path) -> dict[str, tuple[Path, object, object]]:
+    """Stacks of microscopes and movies: OME-TIFF, TIFF of ImageJ, OME-Zarr with chunks and shards."""
+    stack = np.random.default_rng(0).poisson(100, (4, 20, 24)).astype(np.uint16)
+    sizes = {"axes": "ZYX", "PhysicalSizeX": 0.1, "PhysicalSizeY": 0.1, "PhysicalSizeZ": 0.3}
+    tifffile.imwrite(folder / "plain.ome.tif", stack, ome=True, metadata=sizes, photometric="minisblack")
+    parts = {"compression": "zlib", "tile": (16, 16), "photometric": "minisblack"}
+    tifffile.imwrite(folder / "tiles.ome.tif", stack, ome=True, metadata=sizes, **parts)
+    told = {"spacing": 0.3, "unit": "um", "axes": "ZYX"}
+    tifffile.imwrite(folder / "imagej.tif", stack, imagej=True, resolution=(10.0, 10.0), metadata=told)
+    for name, version, options in (
+        ("chunks.zarr", 2, {"chunks": (2, 16, 16)}),
+        ("shards.zarr", 3, {"chunks": (2, 8, 8), "shards": (2, 16, 16)}),
+    ):
+        group = zarr.create_group(str(folder / name), zarr_format=version)
+        axes = [{"name": letter, "type": "space", "unit": "micrometer"} for letter in "zyx"]
+        scale = [{"type": "scale", "scale": [0.3, 0.1, 0.1]}]
+        scales = [{"axes": axes, "datasets": [{"path": "0", "coordinateTransformations": scale}]}]
+        group.attrs.update({"ome": {"multiscales": scales}} if version == 3 else {"multiscales": scales})
+        group.create_array("0", data=stack, **options)
+
+    def planes(path: Path) -> object:
+        with microscopy.open_recording(path) as one:
+            return repr(one), [one.stack(0)[k].tobytes() for k in range(min(one.shape[1], 8))]
+
+    def frames(path: Path) -> object:
+        with localize.open_movie(path) as movie:
+            return movie.shape, [block.tobytes() for block in movie.blocks(1)]
+
+    names = ("plain.ome.tif", "tiles.ome.tif", "imagej.tif", "chunks.zarr", "shards.zarr")
+    found = {f"recording {name}": (folder / name, planes, False) for name in names}
+    return found | {f"movie {name}": (folder / name, frames, False) for name in names[:3]}
 
 
 def mutated(data: bytes, draw: random.Random) -> bytes:
@@ -279,6 +313,8 @@ KINDS = [
     "store.zarr",
     *("grid.fits", "grid.fits.gz", "grid.h5", "grid.mat", "colour.npz", "colour.tif", "channels.csv"),
     *("exif.jpg", "exif.png", "levels.png", "stars.fits", "stars.tif"),
+    *("recording plain.ome.tif", "recording tiles.ome.tif", "recording imagej.tif", "recording chunks.zarr"),
+    *("recording shards.zarr", "movie plain.ome.tif", "movie tiles.ome.tif", "movie imagej.tif"),
 ]
 
 

@@ -543,10 +543,10 @@ def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
 
-def inflates_within(part: bytes, most: int) -> bool:
+def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool:
     """Return whether deflated bytes hold at most so many; also where they are damaged, which is told elsewhere."""
     try:
-        return len(zlib.decompressobj().decompress(part, most + 1)) <= most
+        return len(zlib.decompressobj(wbits).decompress(part, most + 1)) <= most
     except zlib.error:
         return True
 

@@ -20,6 +20,7 @@ from lommel.base import atomic, optional, reading, validation
 from lommel.base.arrays import Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
+from lommel.io import zarr_chunks
 
 _PREFIXES = {
     "yotta": ("Y", 24), "zetta": ("Z", 21), "exa": ("E", 18), "peta": ("P", 15), "tera": ("T", 12), "giga": ("G", 9),
@@ -43,6 +44,7 @@ _JSON = 2**24  # bytes of a description that are parsed
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
 _AXES = "TCZYX"
+_CHANNELS = 4096  # of an OME-Zarr
 _SHARE = 1e-4  # of lengths that count as equal
 _LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
 
@@ -286,7 +288,8 @@ def open_recording(
         return _of_array(values, axes)
     where = validation.path("path", path)
     if where.is_dir():
-        return _zarr(where, time, axes)
+        with _told_of(where):
+            return _zarr(where, time, axes)
     return _tiff(where, time, axes, image)
 
 
@@ -530,8 +533,8 @@ def _imagej(file: Any) -> dict[str, Any]:
 def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
-        _look(path)
-        group = zarr.open(str(path), mode="r")
+        _look(path, "")
+        group = zarr.open(zarr_chunks.store(path), mode="r")
     except Exception as error:  # of any kind
         raise RecordingError(f"{line(path)}: no OME-Zarr: {reading.reason(error)}") from None
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
@@ -543,14 +546,14 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
         names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
         units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
         first = scales["datasets"][0]
-        _look(path / first["path"])
+        _look(path, f"{first['path']}/")
         array = group[first["path"]]
         moves = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
         scale = np.ones(len(names))
         for move in moves:
             if move.get("type") == "scale":
                 scale = scale * np.asarray(move["scale"], float)
-    except (KeyError, IndexError, TypeError, ValueError) as error:
+    except Exception as error:  # of any kind
         raise RecordingError(
             f"{line(path)}: its multiscales are not those of an OME-Zarr ({reading.reason(error)})"
         ) from None
@@ -572,16 +575,23 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
     found["emission"] = [
         _length(each.get("emission_wavelength"), "nm") for each in channels if isinstance(each, dict)
     ]
-    made = Recording(_Chunked(path, array, order, at), path=path)
-    return _told(made, found, "OME-Zarr", [])
+    source = _Chunked(path, array, order, at)
+    missing, total = source.chunks.missing()
+    notes = []
+    if missing:
+        notes.append(
+            f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
+            "empty, or the copy is not complete."
+        )
+    return _told(Recording(source, path=path), found, "OME-Zarr", notes)
 
 
-def _look(folder: Path) -> None:
+def _look(folder: Path, below: str) -> None:
     """Parse the descriptions in a folder of Zarr, as zarr will; ValueError or OSError if it would cost too much."""
     for name in _DESCRIPTIONS:
-        if (folder / name).exists():
+        if zarr_chunks.regular(folder, below + name) is not None:
             try:
-                reading.json(reading.contents(folder / name, _JSON))
+                reading.json(reading.contents(folder / below / name, _JSON))
             except ValueError as error:
                 raise ValueError(f"{name}: {reading.reason(error)}") from None
 
@@ -590,10 +600,16 @@ class _Chunked:
     """An array of Zarr, whose chunks are read once for a plane."""
 
     def __init__(self, path: Path, array: Any, order: str, at: list[Any]) -> None:
-        self._path, self._array, self._order, self._at = path, array, order, at
+        self._path, self._array, self._order = path, array, order
+        self._sides = list(zip(at, array.shape, strict=True))
         sides = dict(zip(order, array.shape, strict=True))
         self.shape = (sides.get("C", 1), sides.get("Z", 1), sides["Y"], sides["X"])
         self.dtype = np.dtype(array.dtype)
+        if self.shape[0] > _CHANNELS:
+            raise ValueError(f"it has {self.shape[0]} channels; the limit is {_CHANNELS}")
+        reading.pixels(*self.shape[:1:-1])
+        self.chunks = zarr_chunks.Chunks(path, array)
+        self._deep: int = array.chunks[order.index("Z")] if "Z" in order else 1  # planes that are read at once
         self._block: tuple[int, int, Values] | None = None
         self._lock = threading.Lock()
 
@@ -603,17 +619,24 @@ class _Chunked:
             return self._read(channel, plane)
 
     def _read(self, channel: int, plane: int) -> Values:
-        deep = self._array.chunks[self._order.index("Z")] if "Z" in self._order else 1
-        first = plane - plane % deep
+        first = plane - plane % self._deep
         block = self._block
         if block is None or block[:2] != (channel, first):
-            at = list(self._at)
-            if "C" in self._order:
-                at[self._order.index("C")] = channel
-            if "Z" in self._order:
-                at[self._order.index("Z")] = slice(first, min(first + deep, self.shape[1]))
-            values = np.asarray(self._array[tuple(at)]).reshape(-1, *self.shape[2:])
-            self._block = block = channel, first, values
+            places = [range(side) if one == slice(None) else range(one, one + 1) for one, side in self._sides]
+            for letter, chosen in (
+                ("C", range(channel, channel + 1)),
+                ("Z", range(first, min(first + self._deep, self.shape[1]))),
+            ):
+                if letter in self._order:
+                    places[self._order.index(letter)] = chosen
+            self._block = None
+            memory, held = self.chunks.check(places)
+            if self._deep > 1 and not reading.affords(memory, held):
+                self._deep = 1
+                return self._read(channel, plane)
+            reading.afford(memory, held)
+            part = self._array[tuple(slice(one.start, one.stop) for one in places)]
+            self._block = block = channel, first, np.asarray(part).reshape(-1, *self.shape[2:])
         return np.array(block[2][plane - first])
 
 

@@ -123,19 +123,31 @@ def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = Fals
         room.mkdir()
         try:
             fill(room / "new")
-            mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
-            for path in (room / "new", *(room / "new").rglob("*")):
-                path.chmod(mode if path.is_dir() else mode & 0o666)
-                _settle(path)
-            if place.exists() and not new:
-                # Two renames: there is no moment at which neither folder exists.
-                place.replace(room / "old")
-            (room / "new").replace(place)
-            _settle(place.parent)
+            move_folder(room, place, new=new)
         finally:
-            if (room / "old").exists() and not place.exists():
-                (room / "old").replace(place)
             shutil.rmtree(room, ignore_errors=True)
+
+
+def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
+    """Move the folder `new` of a room into place; what was there is then `old` in the room, if it need not be new."""
+    try:
+        mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
+        for path in (room / "new", *(room / "new").rglob("*")):
+            path.chmod(mode if path.is_dir() else mode & 0o666)
+            _settle(path)
+        if place.exists() and not new:
+            # Two renames: there is no moment at which neither folder exists.
+            place.replace(room / "old")
+        (room / "new").replace(place)
+        _settle(place.parent)
+    finally:
+        put_back(room, place)
+
+
+def put_back(room: Path, place: Path) -> None:
+    """Give the folder `old` of a room its name again, if nothing has taken it."""
+    if (room / "old").exists() and not place.exists():
+        (room / "old").replace(place)
 
 
 def _place(target: Path) -> Path:
@@ -220,20 +232,28 @@ if sys.platform != "win32":
     import fcntl
 
 _held: set[int] = set()
+# Errors of file systems without locks, such as some network drives.
+_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
 
 
 @contextmanager
-def in_use(path: Path, *, alone: bool = False) -> Iterator[None]:
-    """Hold a file, shared or alone; BlockingIOError if another process holds it."""
+def in_use(path: Path, *, alone: bool = False) -> Iterator[bool]:
+    """Hold a file, shared or alone; BlockingIOError if another process holds it. Yield whether one can tell that."""
     if sys.platform == "win32" and alone:
-        yield  # nothing takes the place of a file that is open, not even who holds it
+        yield True  # nothing takes the place of a file that is open, not even who holds it
         return
     handle = os.open(path, os.O_RDWR)
     _held.add(handle)
+    known = True
     try:
-        if sys.platform != "win32":
-            fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
-        yield
+        try:
+            if sys.platform != "win32":
+                fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno not in _NO_LOCKS:
+                raise
+            known = False
+        yield known
     finally:
         if handle in _held:  # of this process, not of a parent
             _held.discard(handle)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import math
 import operator
 import re
 import threading
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -646,7 +647,7 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
     As OME-TIFF where the name ends in .tif or .tiff, as OME-Zarr (0.4) where it ends in .zarr.
     """
     if kind_of(path) == "zarr":
-        atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, description))
+        atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, path.stem, description))
     else:
         atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
 
@@ -654,18 +655,30 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
 def kind_of(path: Path, recording: str | Path | None = None) -> str:
     """Return the format of a stack that can be written, unless that would replace the recording it was made from.
 
-    ValueError for these, and for other formats; ImportError without the library.
+    ValueError for these, and for other formats; FileExistsError for a folder of something else; ImportError without
+    the library.
     """
     if recording is not None and path.resolve() == Path(recording).resolve():
         raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
     name = path.name.lower()
     if name.endswith(".zarr"):
         optional.require("zarr", "writing OME-Zarr needs", "zarr")
+        require_own(path)
         return "zarr"
     if name.endswith((".tif", ".tiff")):
         optional.require("tifffile", "writing OME-TIFF needs", "images")
         return "tiff"
     raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {shown(path.name)}")
+
+
+def require_own(path: Path) -> None:
+    """Raise FileExistsError if a path holds anything but a stack that was written here, which may be replaced."""
+    own = not (path.exists() or path.is_symlink())
+    if not own:
+        with suppress(OSError, ValueError):
+            own = "lommel" in reading.json(reading.contents(path / ".zattrs", _JSON))
+    if not own:
+        raise FileExistsError(errno.EEXIST, "holds no restored stack, and is not replaced", str(path))
 
 
 def _fill_tiff(target: Path, values: Values, recording: Recording, description: str) -> None:
@@ -687,7 +700,7 @@ def _fill_tiff(target: Path, values: Values, recording: Recording, description: 
     tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=big)
 
 
-def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, description: str = "") -> Any:
+def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: str, description: str = "") -> Any:
     """Return the array of a new OME-Zarr (0.4) of float32, of shape (channels, planes, height, width)."""
     import zarr
 
@@ -700,7 +713,7 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, descrip
     group.attrs["multiscales"] = [
         {
             "version": "0.4",
-            "name": folder.stem,
+            "name": name,
             "axes": [{"name": "c", "type": "channel"}, *space],
             "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": sides}]}],
         }
@@ -717,8 +730,8 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, descrip
     )
 
 
-def _fill_zarr(folder: Path, values: Values, recording: Recording, description: str) -> None:
-    array = new_zarr(folder, values.shape, recording, description)
+def _fill_zarr(folder: Path, values: Values, recording: Recording, name: str, description: str) -> None:
+    array = new_zarr(folder, values.shape, recording, name, description)
     for channel in range(values.shape[0]):
         for plane in range(0, values.shape[1], _CHUNK[0]):
             array[channel, plane : plane + _CHUNK[0]] = values[channel, plane : plane + _CHUNK[0]]

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import math
-import shutil
 import time as clock
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
@@ -16,8 +15,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from lommel.base import reading, validation
+from lommel.base import reading, unfinished, validation
 from lommel.base.arrays import Array, Values
+from lommel.base.optional import version
+from lommel.base.unfinished import Unfinished
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.estimation.noise import Noise
@@ -50,7 +51,6 @@ _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # bytes
 _FULL = 8  # voxels of the largest value a sensor has, from which on they count as saturated
 _OFF = 0.02  # by which lengths of the file and of the objective may differ
-_PARTIAL = ".partial"
 _BELOW = 0.02  # of the voxels: so many are not below the offset by chance
 _USUAL_STEPS = 60  # of a restoration
 _EARLY = 0.3  # of the work, after the steps in which a misfit may be found
@@ -285,8 +285,10 @@ def restore(
     memory : float, default 2**31
         Bytes that may be used besides input and output.
     out : path, optional
-        A folder .zarr that values are written to, chunk by chunk, for stacks larger than memory. If it is
-        interrupted, the same call goes on where it ended.
+        A folder .zarr that values are written to, chunk by chunk, for stacks larger than memory; in place of a
+        restored stack, not of anything else. If it is interrupted, the same call goes on where it ended: chunks of
+        other values or arguments, and damaged ones, are computed again. Until then they are in a hidden folder
+        beside it, ``.NAME.unfinished``, that one call at a time writes into.
     progress : callable, optional
         Called as ``progress(share, words)`` with the share that is done, 0 to 1.
     threads : int, optional
@@ -300,7 +302,8 @@ def restore(
     ------
     TypeError, ValueError
         If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
-        stack is thinner than three planes; :class:`lommel.io.recordings.RecordingError` for files.
+        stack is thinner than three planes; if another call writes to `out`;
+        :class:`lommel.io.recordings.RecordingError` for files.
     OSError, ImportError
         If a file cannot be read or written, or a library for it is not installed.
 
@@ -324,7 +327,7 @@ def restore(
     wanted = [validation.choice("refine", name, PARAMETERS) for name in _listed("refine", refine)]
     tell = progress or _silent
     lens, given = _objective(objective)
-    with recordings.open_recording(stack, time=time, axes=axes) as opened:
+    with recordings.open_recording(stack, time=time, axes=axes) as opened, ExitStack() as held:
         chosen = range(opened.shape[0])
         if channel is not None:
             number = validation.integer("channel", channel, least=0, most=opened.shape[0] - 1)
@@ -353,8 +356,8 @@ def restore(
             path=opened.path,
         )
         whole = (len(chosen), *opened.shape[1:])
-        target = _Target(out, whole, described)
         made = []
+        target = held.enter_context(_begun(out, whole, described))
         for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
             job = _Job(opened.stack(number), model, notes if place == 0 else [], count, limit, target, place)
             job.name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
@@ -549,73 +552,87 @@ class _Turned:
 class _Target:
     """Where values go: an array, or a folder of OME-Zarr that is given its name when it is complete."""
 
-    def __init__(self, out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> None:
-        self.shape, self._recording = shape, recording
-        self.place = None if out is None else validation.path("out", out)
-        self._array: Any = None
-        self._done: set[str] = set()
-        self.stored = ""
-        if self.place is None:
-            return
-        if recordings.kind_of(self.place, recording.path) != "zarr":
-            raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(self.place.name)}")
-        if not self.place.parent.is_dir():
-            raise FileNotFoundError(2, "No such file or directory", str(self.place.parent))
-        if self.place.exists() and not ((self.place / ".zattrs").exists() or (self.place / "zarr.json").exists()):
-            raise FileExistsError(17, "File exists", str(self.place))
-        self._room = self.place.with_name(self.place.name + _PARTIAL)
+    def __init__(self, shape: tuple[int, ...], begun: Unfinished | None) -> None:
+        self.shape, self.begun = shape, begun
+        self._array: Any = np.zeros(shape, np.float32) if begun is None else None
+        if begun is not None:
+            with _damaged(begun):
+                self._array = _opened(begun.new, "r+")["0"]
+                if getattr(self._array, "shape", None) != shape:
+                    raise ValueError("it lacks its array")
+        self._kept: list[tuple[str, str, tuple[Any, ...]]] = []
 
-    def begin(self, request: str) -> None:
-        """Make the array, or go on with one that the same request has left."""
-        if self._array is not None:
-            return
-        if self.place is None:
-            self._array = np.zeros(self.shape, np.float32)
-            return
-        mark = self._room / "request.json"
-        if mark.exists():
-            said = reading.json(reading.contents(mark))
-            if said.get("request") == request:
-                self._array = _opened(self._room, "r+")["0"]
-                self._done = set(said.get("done", []))
-                self._request = request
-                return
-        shutil.rmtree(self._room, ignore_errors=True)
-        self._array = recordings.new_zarr(self._room, self.shape, self._recording)
-        self._request = request
-        self._mark()
+    def has(self, request: str, channel: int, rows: slice, columns: slice) -> bool:
+        """Return whether a chunk of a request is done."""
+        at = np.s_[channel, :, rows, columns]
+        return self.begun is not None and self._has(_name(at), request, at)
 
-    def _mark(self) -> None:
-        mark = self._room / "request.json"
-        new = mark.with_name("request.new")
-        new.write_text(json.dumps({"request": self._request, "done": sorted(self._done)}), encoding="utf-8")
-        new.replace(mark)
+    def _has(self, name: str, request: str, at: tuple[Any, ...]) -> bool:
+        assert self.begun is not None
+        with _damaged(self.begun):
+            found = self.begun.has(name, request, np.asarray(self._array[at]))
+        if found:
+            self._kept.append((name, request, at))
+        return found
 
-    def has(self, name: str) -> bool:
-        """Return whether a chunk is done."""
-        return name in self._done
-
-    def put(self, name: str, channel: int, rows: slice, columns: slice, values: Values) -> None:
+    def put(self, request: str, channel: int, rows: slice, columns: slice, values: Values) -> None:
         """Write a chunk."""
-        self._array[channel, :, rows, columns] = values
-        self._done.add(name)
-        if self.place is not None:
-            self._mark()
+        at = np.s_[channel, :, rows, columns]
+        if self.begun is None:
+            self._array[at] = values
+            return
+        self.begun.require_there()
+        with _damaged(self.begun):
+            self._array[at] = values
+        self.begun.put(_name(at), request, values)
+        self._kept.append((_name(at), request, at))
 
     def finish(self, description: str, channels: int) -> Any:
         """Return all values."""
-        if self.place is None:
+        if self.begun is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
-        group = _opened(self._room, "r+")
-        group.attrs["lommel"] = {"description": description}
-        (self._room / "request.json").unlink()
-        old = self.place.with_name(self.place.name + ".old")
-        if self.place.exists():
-            self.place.replace(old)
-        self._room.replace(self.place)
-        shutil.rmtree(old, ignore_errors=True)
-        return _opened(self.place, "r")["0"]  # of four axes, as stored
+        kept, self._kept = self._kept, []
+        if not all(self._has(*each) for each in kept):
+            raise ValueError(f"chunks in {line(self.begun.room)} were changed while it was written; call again")
+        recordings.require_own(self.begun.place)
+        _opened(self.begun.new, "r+").attrs["lommel"] = {"description": description}
+        self.begun.finish()
+        return _opened(self.begun.place, "r")["0"]  # of four axes, as stored
+
+
+@contextmanager
+def _damaged(begun: Unfinished) -> Iterator[None]:
+    """Tell what zarr cannot read."""
+    try:
+        yield
+    except OSError:
+        raise
+    except Exception as error:  # of any kind
+        raise ValueError(f"{line(begun.room)} is damaged ({reading.reason(error)}); remove it") from None
+
+
+def _name(at: tuple[Any, ...]) -> str:
+    return f"{at[0]}.{at[2].start}.{at[3].start}"
+
+
+@contextmanager
+def _begun(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
+    """Yield where values of a shape go."""
+    if out is None:
+        yield _Target(shape, None)
+        return
+    place = validation.path("out", out)
+    if recordings.kind_of(place, recording.path) != "zarr":
+        raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(place.name)}")
+    if not place.parent.is_dir():
+        raise FileNotFoundError(2, "No such file or directory", str(place.parent))
+    told = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
+    asked = {"software": f"lommel {version()}", "shape": shape} | told
+    with unfinished.begun(
+        place, asked, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
+    ) as begun:
+        yield _Target(shape, begun)
 
 
 def _opened(folder: Path, mode: Any) -> Any:
@@ -623,6 +640,14 @@ def _opened(folder: Path, mode: Any) -> Any:
     import zarr
 
     return zarr.open(str(folder), mode=mode)
+
+
+def _hashed(stack: Any) -> str:
+    """Return the checksum of all values of a stack."""
+    found = hashlib.sha256()
+    for plane in range(len(stack)):
+        found.update(np.asarray(stack[plane]).tobytes())
+    return found.hexdigest()
 
 
 class _Job:
@@ -718,13 +743,14 @@ class _Job:
         side = self._side(tile, around, psfs, 5.0 if isinstance(method, TotalVariation) else 4.0)
         if margin is None and planes < model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
-        request = hashlib.sha256(
-            repr(
-                (stack.shape, str(stack.dtype), model.psf(nodes[0]).values.sum(), nodes.tolist(), around, side,
-                 turned, camera.to_dict(), method, limit, background)
-            ).encode()
-        ).hexdigest()  # fmt: skip
-        self._target.begin(request)
+        request = ""
+        if self._target.begun is not None:
+            psfs_of = [hashlib.sha256(model.psf(nodes[at]).values.tobytes()).hexdigest() for at in (0, -1)]
+            content = (
+                _hashed(stack), stack.shape, str(stack.dtype), psfs_of, model.pixel, model.step, model.depth,
+                nodes.tolist(), around, side, turned, camera.to_dict(), method, limit, background,
+            )  # fmt: skip
+            request = hashlib.sha256(repr(content).encode()).hexdigest()
         reached = parts[1]
 
         def told(share: float, words: str) -> None:
@@ -733,7 +759,7 @@ class _Job:
             tell(reached, words)
 
         after, before, steps, stopped, strength, beside = self._tiles(
-            source, camera, limit, psfs, around, side, method, background, turned, told
+            source, camera, limit, psfs, around, side, method, background, turned, told, request
         )
         if background.level is None:
             low, high = float(np.min(beside)), float(np.max(beside))
@@ -852,6 +878,7 @@ class _Job:
         background: Background,
         turned: bool,
         tell: Shown,
+        request: str,
     ) -> tuple[float, float, int, str, float | None, float | Array]:
         """Restore chunk by chunk; the central one first, which the others follow."""
         way = method or RichardsonLucy(target=1.0)
@@ -867,8 +894,7 @@ class _Job:
         steps, stopped, strength = 0, STEPS, None
         beside: float | Array = np.zeros((height, width)) if background.points > 1 else 0.0
         for number, (rows, columns) in enumerate(tiles):
-            name = f"{self._place}/{rows.start}/{columns.start}"
-            if self._target.has(name) and number:
+            if number and self._target.has(request, self._place, rows, columns):
                 continue
             y, x = _around(rows, overlap, height), _around(columns, overlap, width)
             counted = Counted(_loaded(source, y, x), _cut(camera, y, x), limit)
@@ -887,7 +913,7 @@ class _Job:
             try:
                 count, why, each = walk.solve(way, told)
             except KeyboardInterrupt:
-                if not alone or self._target.place is not None or not walk.course:
+                if not alone or self._target.begun is not None or not walk.course:
                     raise
                 count, why, each = len(walk.course) - 1, INTERRUPTED, walk.discrepancies
             if course is None:
@@ -907,7 +933,7 @@ class _Job:
             kept = np.ascontiguousarray(light[inside][:, :, : columns.stop - columns.start])
             self._projecting.add(rows, columns, (y.start, x.start), blur, counted, walk._guess, kept)
             kept = kept[::-1] if turned else kept
-            self._target.put(name, self._place, rows, columns, kept)
+            self._target.put(request, self._place, rows, columns, kept)
         return after / known, before / known, steps, stopped, strength, beside
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import math
 import os
@@ -37,8 +36,6 @@ from lommel.stacks import store as stores
 from lommel.stacks.stack import PSFStack, apart, together
 from lommel.stacks.store import Arrays, Center, Description, Index, Store, kind, layouts
 
-# Errors of file systems without locks, such as some network drives.
-_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
 _METRES = ("object_distance", "depth", "z", "wavelength")
 _TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
 _MOST_AXES = 8
@@ -357,20 +354,17 @@ def _held(store: Store, other: str = "") -> Iterator[None]:
     """Lock a store to compute into it, or, for an `other` request, alone to replace it; FileError if in use."""
     with ExitStack() as held:
         try:
-            held.enter_context(store.held(alone=bool(other)))
+            known = held.enter_context(store.held(alone=bool(other)))
         except FileNotFoundError:
             raise stores.replaced(store.path) from None
         except BlockingIOError:
             raise _busy(store.path, other or "it is being begun anew") from None
-        except OSError as error:
-            if error.errno not in _NO_LOCKS:
-                raise
-            if other:
-                raise FileError(
-                    f"{validation.line(store.path)} was begun for another request ({other}), and its file system "
-                    "does not tell whether somebody computes it; remove it if nobody does, or name another store"
-                ) from None
-            # Without locks, every write still checks that the store was not replaced.
+        if other and not known:
+            raise FileError(
+                f"{validation.line(store.path)} was begun for another request ({other}), and its file system "
+                "does not tell whether somebody computes it; remove it if nobody does, or name another store"
+            )
+        # Without locks, every write still checks that the store was not replaced.
         _require_there(store)
         yield
 

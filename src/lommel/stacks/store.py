@@ -134,7 +134,7 @@ class Store(ABC):
     def put(self, parts: Arrays, index: Index) -> None:
         """Write a chunk of some arrays to the disk; FileError if the store was replaced."""
 
-    def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
+    def held(self, *, alone: bool = False) -> AbstractContextManager[bool]:
         """Lock the store, shared to compute into it, or alone to replace it."""
         return atomic.in_use(self.path, alone=alone)
 
@@ -250,7 +250,7 @@ class ZarrStore(Store):
                     raise ValueError(f"its array {name} is stored in another way; zarr reads it")
             return store
 
-    def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
+    def held(self, *, alone: bool = False) -> AbstractContextManager[bool]:
         """Lock the description."""
         return atomic.in_use(self.path / zarr_folders.META, alone=alone)
 

@@ -1,0 +1,135 @@
+"""Restored stacks that are written chunk by chunk: what is taken up again, and what of the user's is left."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import zarr
+
+import lommel as lm
+from lommel.io.recordings import open_recording
+from objectives import OIL_60X
+
+SHAPE = (4, 16, 48)
+ONE, OTHER = (np.random.default_rng(k).poisson(30.0 + 50.0 * k, (2, *SHAPE)).astype(np.uint16) for k in (0, 1))
+
+
+def restored(stack, out=None, *, chunks=None, at_first=lambda: None, **options):
+    """Restore a stack in three chunks a channel, interrupted in that of the number; return which were computed."""
+    counted = []
+
+    def told(share, words):
+        if "chunk" in words and "step 1," in words:
+            if not counted:
+                at_first()
+            counted.append(words)
+            if len(counted) == chunks:
+                raise KeyboardInterrupt
+
+    given = {"pixel": 6e-6, "step": 0.5e-6, "wavelength": 520e-9, "depth": 3e-6, "tile": 16, "background": 0.0}
+    given |= {"noise": lm.Noise(white=0.5, read=1.0), "direction": "up", "slabs": 1, "margin": (1, 2)}
+    given |= {"psf_shape": (3, 5), "method": lm.imaging.RichardsonLucy(steps=2, target=0.0)} | options
+    made = lm.microscopy.restore(stack, OIL_60X, out=out, progress=told, **given)
+    return np.asarray(made).reshape(-1, *SHAPE), counted
+
+
+def cut(stack, out, chunks, **options):
+    with pytest.raises(KeyboardInterrupt):
+        restored(stack, out, chunks=chunks, **options)
+
+
+def test_chunks_of_the_same_stack_alone_are_taken_up(tmp_path):
+    there = tmp_path / "a.zarr"
+    cut(ONE[0], there, 3)
+    found, done = restored(ONE[0], there)
+    assert len(done) == 2  # the central one again, which all follow, and the one that lacked
+    np.testing.assert_array_equal(found, restored(ONE[0])[0])
+
+
+@pytest.mark.parametrize("what", ["values", "channel", "later channel", "time", "depth", "planes", "noise map"])
+def test_other_input_is_never_mixed(tmp_path, what):
+    there, first, then, options = tmp_path / "a.zarr", ONE[0], ONE[0], {}
+    cuts = 3
+    if what == "values":
+        then = ONE[0].copy()
+        then[2, 3, 4] += 1  # what changes a chunk, and all that see it
+    elif what == "channel":
+        first = then = ONE
+        options = {"channel": 1}
+    elif what == "later channel":
+        first, then, cuts = ONE, np.stack([ONE[0], OTHER[0]]), 6
+    elif what == "time":
+        for name, values in (("first", ONE[0]), ("then", OTHER[0])):
+            zarr.create_array(str(tmp_path / name), data=values)
+        first, then = (zarr.open(str(tmp_path / name)) for name in ("first", "then"))
+    elif what == "depth":
+        options = {"depth": 3.1e-6}
+    elif what == "planes":
+        then = ONE[0][:, :, ::-1]
+    else:
+        options = {"noise": lm.Noise(white=np.where(np.eye(16, 48), 0.6, 0.5), read=1.0)}
+    cut(first, there, cuts, **({"channel": 0} if what == "channel" else {}))
+    found, done = restored(then, there, **options)
+    assert len(done) == (4 if what == "later channel" else 3)  # two of the first channel are the same
+    np.testing.assert_array_equal(found, restored(then, **options)[0])
+
+
+def test_a_chunk_that_is_missing_is_computed_again(tmp_path):
+    there = tmp_path / "a.zarr"
+    cut(ONE[0], there, 3)
+    (chunk,) = (tmp_path / ".a.zarr.unfinished" / "new" / "0").glob("0/0/0/*")
+    chunk.unlink()
+    found, done = restored(ONE[0], there)
+    assert len(done) == 3
+    np.testing.assert_array_equal(found, restored(ONE[0])[0])
+
+
+@pytest.mark.parametrize("name", ["0/.zarray", "0/0/0/0/0"])
+def test_what_zarr_cannot_read_is_named(tmp_path, name):
+    there, room = tmp_path / "a.zarr", tmp_path / ".a.zarr.unfinished"
+    cut(ONE[0], there, 3)
+    (room / "new" / name).write_bytes(b"{}")
+    with pytest.raises(ValueError, match=r"\.a\.zarr\.unfinished is damaged \(.*\); remove it"):
+        restored(ONE[0], there)
+
+
+def test_two_at_once_are_refused(tmp_path):
+    there = tmp_path / "a.zarr"
+
+    def second():
+        with pytest.raises(ValueError, match=r"a\.zarr is being written by another call; wait until that has ended"):
+            restored(OTHER[0], there)
+
+    found, _ = restored(ONE[0], there, at_first=second)
+    np.testing.assert_array_equal(found, restored(ONE[0])[0])
+
+
+def test_neighbours_with_likely_names_are_left(tmp_path):
+    there = tmp_path / "a.zarr"
+    first = restored(ONE[0], there)[0]
+    likely = ["a.zarr.old", "a.zarr.partial", "a.zarr.new", "a.zarr.unfinished", "old", "new"]
+    for name in likely:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "precious.txt").write_text(name)
+    found = restored(OTHER[0], there)[0]  # in place of the one of before
+    assert not np.array_equal(found, first)
+    assert np.array_equal(np.asarray(open_recording(there).stack(0)), found[0])
+    for name in likely:
+        assert (tmp_path / name / "precious.txt").read_text() == name
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(["a.zarr", *likely])
+
+
+@pytest.mark.parametrize("kind", ["raw", "other", "folder", "file"])
+def test_what_is_no_restored_stack_is_not_replaced(tmp_path, kind):
+    there = tmp_path / "a.zarr"
+    if kind == "raw":
+        zarr.create_array(str(there), data=np.ones(3), zarr_format=2)
+    elif kind == "other":
+        zarr.create_group(str(there), zarr_format=2).attrs["multiscales"] = []
+    elif kind == "folder":
+        there.mkdir()
+    else:
+        there.write_text("mine")
+    with pytest.raises(FileExistsError, match="holds no restored stack, and is not replaced"):
+        restored(ONE[0], there)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.zarr"]

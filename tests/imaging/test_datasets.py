@@ -271,3 +271,66 @@ def test_exr_files_hold_linear_light(files):
         with exr.File(str(one)) as file:
             values = file.channels()["RGB"].pixels
         assert np.array_equal(values, lm.imaging.read_photo(two).values)
+
+
+@pytest.mark.parametrize("shard", [None, 3, 4])
+@pytest.mark.parametrize("which", ["photos/b.png", "depths/b.tif"])
+def test_other_files_of_the_same_names_are_refused(files, which, shard):
+    some = render_dataset(
+        files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=2, psfs=0, shard=shard
+    )
+    for _ in range(3 if shard is None else 4):
+        next(some)
+    some.close()
+    before = contents(files / "set") if shard is None else None
+    if which.startswith("photos"):
+        lm.imaging.write_photo(files / which, np.full((*SHAPE, 3), 0.8))
+    else:
+        lm.imaging.write_depth(files / which, np.full(SHAPE, 1.5))
+    with pytest.raises(
+        ValueError, match=rf"set holds pictures of another {which[7:]} \(\d+ bytes, crc32 .*; give anot"
+    ):
+        rendered(files, psfs=0, shard=shard)
+    assert shard or contents(files / "set") == before
+
+
+@pytest.mark.parametrize("name", ["image.png", "depth.npy", "index.png", "psfs.npz", "json"])
+@pytest.mark.parametrize("how", ["missing", "cut off"])
+def test_pictures_whose_files_are_missing_or_cut_off_are_rendered_again(files, name, how):
+    rendered(files)
+    wanted = contents(files / "set")
+    file = files / "set" / f"000002.{name}"
+    file.unlink() if how == "missing" else file.write_bytes(file.read_bytes()[:-9])
+    assert [each.number for each in rendered(files)] == [2]
+    assert_alike(contents(files / "set"), wanted)
+
+
+def test_parts_of_a_zarr_that_are_missing_are_rendered_again(files):
+    rendered(files, form="zarr", psfs=0)
+    (files / "set" / "000001.zarr" / "depth" / "c" / "0" / "0").unlink()
+    assert [each.number for each in rendered(files, form="zarr", psfs=0)] == [1]
+
+
+def test_damaged_shards_and_records_are_named(files):
+    rendered(files, shard=2, psfs=0)
+    shard = files / "set" / "shard-000001.tar"
+    good = shard.read_bytes()
+    shard.write_bytes(good[: len(good) // 2])
+    with pytest.raises(ValueError, match=r"shard-000001\.tar is damaged \(.*\); remove it, and call again"):
+        rendered(files, shard=2, psfs=0)
+    shard.unlink()
+    assert [each.number for each in rendered(files, shard=2, psfs=0)] == [2, 3]
+    assert len(shard.read_bytes()) == len(good)
+    for text in ("", "[1]"):
+        (files / "set" / "dataset.json").write_text(text)
+        with pytest.raises(ValueError, match=r"dataset\.json is damaged; remove .*set, or give another folder"):
+            rendered(files, shard=2, psfs=0)
+
+
+def test_one_call_at_a_time_renders_into_a_folder(files):
+    first = render_dataset(files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=2, psfs=0)
+    next(first)
+    with pytest.raises(ValueError, match="set is being written by another call; wait until that has ended"):
+        rendered(files, psfs=0)
+    assert [each.number for each in first] == [1, 2, 3]
+    assert rendered(files, psfs=0) == []

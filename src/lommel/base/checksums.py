@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from lommel.base import reading
 
 
 def sealed(description: dict[str, Any], arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Any]:
@@ -19,6 +22,15 @@ def sealed(description: dict[str, Any], arrays: Mapping[str, NDArray[np.generic]
 def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> str:
     """Return the checksum of arrays by name, and of all that is said of them."""
     return f"crc32 {crc32(description, arrays):08x}"
+
+
+def of_file(path: Path) -> str:
+    """Return the size and the checksum of a file."""
+    size, total = reading.size(path), 0  # lest it be a pipe
+    with path.open("rb") as file:
+        while part := file.read(2**20):
+            total = zlib.crc32(part, total)
+    return f"{size} bytes, crc32 {total:08x}"
 
 
 def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> int:

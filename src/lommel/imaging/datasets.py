@@ -11,16 +11,18 @@ import tarfile
 import threading
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from os import PathLike
 from pathlib import Path
 from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import atomic, reading, validation
+from lommel.base import atomic, reading, unfinished, validation
 from lommel.base.arrays import Array, Values
+from lommel.base.checksums import of_file
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
 from lommel.base.options import shares
@@ -41,6 +43,7 @@ ON_ERROR = ("raise", "skip")
 """What becomes of a photo or depth map that cannot be used."""
 
 _RECORD = "dataset.json"
+_FORMAT = 2
 _PARTS = "parts"
 
 Range = float | tuple[float, float]
@@ -214,6 +217,7 @@ class _Job:
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
         given = plain | {
+            "format": _FORMAT,
             "lenses": asdict(self.lenses),
             "noise": None if self.noise is None else self.noise.to_dict(),
             "settings": settings,
@@ -303,7 +307,8 @@ def render_dataset(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, files have no partner, or `out` holds pictures of other arguments; then, named
+        If an argument is out of range, files have no partner, or `out` holds pictures of other arguments or of other
+        photos of the same names, is damaged, or is being written by another call; then, named
         with the photo, if one of its files cannot be used or its blur exceeds `largest`, unless `on_error` is "skip".
         What is done is kept.
     OSError
@@ -366,38 +371,92 @@ def render_dataset(
 def _begin(folder: Path, record: dict[str, Any]) -> None:
     """Make the folder of a data set, with a file of its arguments; ValueError if it is of others."""
     file = folder / _RECORD
-    if file.exists():
-        try:
-            known = reading.json(reading.contents(file))
-        except ValueError:
-            known = {}
-        if known != record:
-            names = [name for name in record if not isinstance(known, dict) or known.get(name) != record[name]]
-            raise ValueError(
-                f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); "
-                "give another folder"
-            )
+    if not file.exists():
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or a data set to go on with")
+        folder.mkdir(parents=True, exist_ok=True)
+        with suppress(FileExistsError), atomic.placed(file, new=True) as place:  # another call may begin, too
+            place.write_text(json.dumps(record, indent=1), encoding="utf-8")
+    if not isinstance(known := _read(file), dict):
+        raise ValueError(
+            f"{validation.line(file)} is damaged; remove {validation.line(folder)}, or give another folder"
+        )
+    if known != record:
+        names = [name for name in record if known.get(name) != record[name]]
+        raise ValueError(
+            f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); give another folder"
+        )
+
+
+def _read(file: Path) -> Any:
+    """Return what a file in JSON holds; None if it is missing or damaged."""
+    try:
+        return reading.json(reading.contents(file))
+    except (FileNotFoundError, ValueError):
+        return None
+
+
+def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Any]]:
+    """Yield the numbers of pictures all of whose files are there, and their facts."""
+    if shard is None:
+        for number in range(total):
+            facts = _read(folder / f"{number:06d}.json")
+            files = facts.get("files", {"": 0}) if isinstance(facts, dict) else {"": 0}
+            if all(_size(folder / f"{number:06d}.{name}") == size for name, size in files.items()):
+                yield number, facts
         return
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or a data set to go on with")
-    folder.mkdir(parents=True, exist_ok=True)
-    atomic.write(file, json.dumps(record, indent=1).encode())
+    for index in range(-(-total // shard)):
+        numbers = range(index * shard, min(total, (index + 1) * shard))
+        whole = _shard(folder, index)
+        tars = {whole: numbers} if whole.exists() else {_part(folder, number): [number] for number in numbers}
+        for tar, held in tars.items():
+            if tar.exists():
+                yield from _in_tar(tar, held)
+
+
+def _size(file: Path) -> int | None:
+    """Return how many bytes a file has; None if there is none."""
+    return file.stat().st_size if file.is_file() else None
+
+
+def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Any]]:
+    """Yield the numbers of the pictures in a tar file, and their facts."""
+    try:
+        with tarfile.open(path) as tar:
+            for number in numbers:
+                file = tar.extractfile(f"{number:06d}.json")
+                assert file is not None
+                yield number, reading.json(file.read())
+    except (tarfile.TarError, KeyError, AssertionError, ValueError) as error:
+        reason = reading.reason(error)
+        raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
 
 def _rendered(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures as they are written."""
+    with unfinished.held(folder / _RECORD, folder):
+        yield from _missing(folder, job, pairs, shard, workers, skip)
+
+
+def _missing(
+    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
+) -> Iterator[Rendered]:
+    """Yield pictures that are not there yet as they are written."""
     total = len(pairs) * job.copies
     where = folder if shard is None else folder / _PARTS
     where.mkdir(exist_ok=True)
-
-    def there(number: int) -> bool:
-        if shard is None:
-            return (folder / f"{number:06d}.json").exists()
-        return _shard(folder, number // shard).exists() or (where / f"{number:06d}.tar").exists()
-
-    left = [number for number in range(total) if not there(number)]
+    there, sums = set(), cache(of_file)
+    for number, facts in _there(folder, shard, total):
+        for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
+            if sums(file) != known:
+                raise ValueError(
+                    f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, now "
+                    f"{sums(file)}); give another folder"
+                )
+        there.add(number)
+    left = [number for number in range(total) if number not in there]
     done = total - len(left)
     if shard is not None:
         for index in range(-(-total // shard)):
@@ -466,11 +525,15 @@ def _shard(folder: Path, index: int) -> Path:
     return folder / f"shard-{index:06d}.tar"
 
 
+def _part(folder: Path, number: int) -> Path:
+    return folder / _PARTS / f"{number:06d}.tar"
+
+
 def _pack(folder: Path, index: int, shard: int, total: int) -> None:
     """Put the pictures of a shard into one tar file, if all are there and it is not."""
     target = _shard(folder, index)
     numbers = range(index * shard, min(total, (index + 1) * shard))
-    parts = [folder / _PARTS / f"{number:06d}.tar" for number in numbers]
+    parts = [_part(folder, number) for number in numbers]
     if not target.exists():
         if not all(part.exists() for part in parts):
             return
@@ -530,6 +593,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     """Return the files of a picture, the facts last."""
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
+    sums = [of_file(photo), of_file(depth)]
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
     metres = read_depth(depth, scale=job.depth_scale, zero_is_unknown=job.zero_is_unknown)
@@ -550,6 +614,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     facts = {
         "photo": photo.name,
         "depth": depth.name,
+        "checksums": sums,
         "seed": [job.seed, number],
         "focal_length": lens.focal_length,
         "f_number": lens.f_number,
@@ -582,7 +647,8 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
             defocus, index, psfs = table
             files["index.png"] = png_of_16_bits(index, None, 1)
             files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
-    files["json"] = json.dumps(facts, indent=1).encode()
+    sizes = {name: len(data) for name, data in files.items()}
+    files["json"] = json.dumps(facts | {"files": sizes}, indent=1).encode()
     return files, facts
 
 

@@ -117,3 +117,17 @@ def test_a_process_killed_while_it_replaced_a_folder_has_left_the_old_one(tmp_pa
     with begun(tmp_path / "a", 2):
         assert names(tmp_path / "a") == ["made"]
     assert names(tmp_path) == ["a"]
+
+
+def test_what_tells_whose_it_is_is_removed_last(tmp_path, monkeypatch):
+    def killed(path):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, suppress(KeyboardInterrupt), begun(tmp_path / "a") as there:
+        there.put("0", "a", VALUES)
+        patch.setattr(unfinished.shutil, "rmtree", killed)
+        there.finish()
+    assert names(tmp_path) == [".a.unfinished", "a"]
+    with begun(tmp_path / "a") as again:
+        assert not again.has("0", "a", VALUES)
+    assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])

@@ -14,7 +14,7 @@ SHAPE = (4, 16, 48)
 ONE, OTHER = (np.random.default_rng(k).poisson(30.0 + 50.0 * k, (2, *SHAPE)).astype(np.uint16) for k in (0, 1))
 
 
-def restored(stack, out=None, *, chunks=None, at_first=lambda: None, **options):
+def restored(stack, out=None, *, chunks=None, at_first=lambda: None, lens=OIL_60X, **options):
     """Restore a stack in three chunks a channel, interrupted in that of the number; return which were computed."""
     counted = []
 
@@ -29,7 +29,7 @@ def restored(stack, out=None, *, chunks=None, at_first=lambda: None, **options):
     given = {"pixel": 6e-6, "step": 0.5e-6, "wavelength": 520e-9, "depth": 3e-6, "tile": 16, "background": 0.0}
     given |= {"noise": lm.Noise(white=0.5, read=1.0), "direction": "up", "slabs": 1, "margin": (1, 2)}
     given |= {"psf_shape": (3, 5), "method": lm.imaging.RichardsonLucy(steps=2, target=0.0)} | options
-    made = lm.microscopy.restore(stack, OIL_60X, out=out, progress=told, **given)
+    made = lm.microscopy.restore(stack, lens, out=out, progress=told, **given)
     return np.asarray(made).reshape(-1, *SHAPE), counted
 
 
@@ -46,7 +46,9 @@ def test_chunks_of_the_same_stack_alone_are_taken_up(tmp_path):
     np.testing.assert_array_equal(found, restored(ONE[0])[0])
 
 
-@pytest.mark.parametrize("what", ["values", "channel", "later channel", "time", "depth", "planes", "noise map"])
+@pytest.mark.parametrize(
+    "what", ["values", "channel", "later channel", "time", "depth", "sample", "planes", "noise map"]
+)
 def test_other_input_is_never_mixed(tmp_path, what):
     there, first, then, options = tmp_path / "a.zarr", ONE[0], ONE[0], {}
     cuts = 3
@@ -64,6 +66,9 @@ def test_other_input_is_never_mixed(tmp_path, what):
         first, then = (zarr.open(str(tmp_path / name)) for name in ("first", "then"))
     elif what == "depth":
         options = {"depth": 3.1e-6}
+    elif what == "sample":
+        given = {name: getattr(OIL_60X, name) for name in OIL_60X.__dataclass_fields__}
+        options = {"lens": lm.Objective(**(given | {"sample": 1.4}))}
     elif what == "planes":
         then = ONE[0][:, :, ::-1]
     else:
@@ -101,6 +106,16 @@ def test_two_at_once_are_refused(tmp_path):
             restored(OTHER[0], there)
 
     found, _ = restored(ONE[0], there, at_first=second)
+    np.testing.assert_array_equal(found, restored(ONE[0])[0])
+
+
+def test_what_came_to_the_place_meanwhile_is_left_and_the_chunks_are_kept(tmp_path):
+    there = tmp_path / "a.zarr"
+    with pytest.raises(FileExistsError, match="holds no restored stack, and is not replaced"):
+        restored(ONE[0], there, at_first=there.mkdir)
+    there.rmdir()
+    found, done = restored(ONE[0], there)
+    assert len(done) == 1
     np.testing.assert_array_equal(found, restored(ONE[0])[0])
 
 

@@ -124,7 +124,7 @@ def test_files_that_ome_metadata_name_are_read_beside_the_first_alone(tmp_path):
     for found in (all_planes(path), [block[0] for block in all_frames(path)]):
         np.testing.assert_array_equal(found, [np.zeros((64, 64)), other])
     for name in ("../b.tif", str(tmp_path / "b.tif")):
-        refused(pages(path, 1, beside(name)), "its OME metadata name .*b.tif'; only files beside it are read")
+        refused(pages(path, 1, beside(name)), "its metadata name .*b.tif'; only files beside it are read")
     (room / "link.tif").symlink_to(tmp_path / "b.tif")
     os.mkfifo(room / "pipe.tif")
     for name in ("link.tif", "pipe.tif"):
@@ -139,6 +139,28 @@ def test_files_that_ome_metadata_name_are_read_beside_the_first_alone(tmp_path):
     )
     assert len(all_planes(moved)) == 1
     refused(pages(path, 1, beside("nowhere.tif")), "it is missing")
+
+
+def test_files_of_micro_manager_are_read_beside_the_first_alone(tmp_path):
+    room = tmp_path / "room"
+    room.mkdir()
+    (tmp_path / "b.tif").write_bytes(b"")
+    path, tag = room / "a_MMStack.tif", (51123, 2, 0, '{"MajorVersion": 2}', True)
+    tifffile.imwrite(path, np.zeros((8, 8), np.uint8), photometric="minisblack", metadata=None, extratags=[tag])
+
+    def index(name, place):
+        axes = b'{"z": %d}' % place
+        parts = (struct.pack("<I", len(part)) + part for part in (axes, name.encode()))
+        (room / "NDTiff.index").write_bytes(b"".join(parts) + struct.pack("<8I", 8, 8, 8, 0, 0, 0, 0, 0))
+
+    index("../b.tif", 0)
+    refused(path, r"its metadata name '\.\./b\.tif'; only files beside it are read")
+    index("a_MMStack.tif", 10**9)
+    refused(path, r"its NDTiff\.index tells of 1e\+09 images")
+    (room / "NDTiff.index").unlink()
+    assert len(all_frames(path)) == 1
+    os.mkfifo(room / "a_MMStack_1.tif")
+    refused(path, r"its metadata name 'a_MMStack_1\.tif', which is no regular file")
 
 
 def test_what_libraries_say_of_damage_names_the_file(tmp_path, monkeypatch):

@@ -60,6 +60,7 @@ _HEADER = 2**16  # bytes; that of an array is a line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
 _DESCRIPTION = 270  # the tag of a text, which tifffile parses if it is XML
+_MANAGER = 51123  # the tag of Micro-Manager
 _TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
 _TIFF_FRAME = 2**10  # bytes that it takes for a page like the first one
 _PLANE = 2**6  # bytes that it and we take for a plane that a description tells of
@@ -301,9 +302,11 @@ def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
     """
     import tifffile
 
-    text, sizes = _tiff_first(path)
+    text, sizes, manager = _tiff_first(path)
     if text.endswith("OME>"):
         _afford_ome(path.resolve(), text, sizes)
+    if manager:
+        _afford_manager(path.resolve())
     with quietly() as errors:
         found = tifffile.TiffFile(path)
         try:
@@ -314,8 +317,8 @@ def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
     return found, errors
 
 
-def _tiff_first(path: Path) -> tuple[str, list[int]]:
-    """Check the first page of a file; return its description, and the pixels of each page."""
+def _tiff_first(path: Path) -> tuple[str, list[int], bool]:
+    """Check the first page of a file; return its description, pixels of each page, whether it is of Micro-Manager."""
     if size(path) < 16:
         raise ValueError("its header is not that of a TIFF file")
     with path.open("rb") as file:
@@ -325,7 +328,7 @@ def _tiff_first(path: Path) -> tuple[str, list[int]]:
     _tiff_page(mapped, tags)
     text = tags[_DESCRIPTION].tobytes().decode(errors="replace") if _DESCRIPTION in tags else ""
     _afford_xml(text)
-    return text.partition("\0")[0].strip(), list(_tiff_sizes(mapped))
+    return text.partition("\0")[0].strip(), list(_tiff_sizes(mapped)), _MANAGER in tags
 
 
 def _tiff_sizes(data: bytes | mmap.mmap) -> Iterator[int]:
@@ -382,15 +385,39 @@ def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
         raise ValueError(f"its OME metadata say {planes:.3g} planes of its size, far more than its {count} pages")
 
 
+def _afford_manager(path: Path) -> None:
+    """Check the files beside one of Micro-Manager that tifffile reads with it: those of a stack, or of an index."""
+    import tifffile
+
+    if "_MMStack" in path.name:
+        for entry in path.parent.glob("*_MMStack*.tif"):
+            _beside(path, entry.name)  # there may be many, of which few are read
+    names = set[str]()
+    if (index := _beside(path, "NDTiff.index")) is not None:
+        places: dict[str, set[int | str]] = {}
+        for axes, name, *_ in tifffile.read_ndtiff_index(index):
+            names.add(name)
+            for axis, place in axes.items():
+                places.setdefault(axis, set()).add(place)
+        ends = (
+            max([len(found), *(place + 1 for place in found if isinstance(place, int))]) for found in places.values()
+        )
+        if not affords(_PLANE * (planes := math.prod(ends)), size(index), _TIMES):
+            raise ValueError(f"its NDTiff.index tells of {planes:.3g} images, far more than it can")
+    for name in names - {path.name}:
+        if (beside := _beside(path, name)) is not None:
+            _tiff_first(beside)
+
+
 def _beside(path: Path, name: str) -> Path | None:
-    """Return a file that OME metadata name, None where there is none; ValueError if it may not be read."""
+    """Return a file that metadata name, None where there is none; ValueError if it may not be read."""
     there = path.parent / name
     if not os.path.lexists(there):
         return None
     if name != Path(name).name or "\\" in name:
-        raise ValueError(f"its OME metadata name {validation.shown(name)}; only files beside it are read")
+        raise ValueError(f"its metadata name {validation.shown(name)}; only files beside it are read")
     if not stat.S_ISREG(there.lstat().st_mode):
-        raise ValueError(f"its OME metadata name {validation.shown(name)}, which is no regular file")
+        raise ValueError(f"its metadata name {validation.shown(name)}, which is no regular file")
     return there
 
 

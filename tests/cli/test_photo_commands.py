@@ -232,6 +232,30 @@ def test_levels_of_depth_have_a_scale_and_holes_are_filled_where_asked(call_lomm
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "b.png")), filled)
 
 
+def test_the_range_of_depth_is_told_and_what_is_unknown(call_lommel, folder):
+    low, high = DEPTH.min(), DEPTH.max()
+    told = ran(call_lommel("blur", "photo.png", "depth.npy", *GIVEN, "-o", "a.png", folder=folder)).splitlines()
+    assert told[2] == f"depth {low:.4g} m to {high:.4g} m, focus 2 m"
+    stored = np.where(DEPTH < 2.0, -1.0, DEPTH)
+    np.save(folder / "marked.npy", stored)
+    asked = (*GIVEN, "--unknown", "-1", "--unknown", "255", "--missing", "nearest", "-o", "b.png")
+    told = ran(call_lommel("blur", "photo.png", "marked.npy", *asked, folder=folder)).splitlines()
+    share, near = 100.0 * (DEPTH < 2.0).mean(), DEPTH[DEPTH >= 2.0].min()
+    assert told[2] == f"depth {near:.4g} m to {high:.4g} m, focus 2 m, {share:.2g} % unknown"
+    filled = expected(depth=np.where(DEPTH < 2.0, np.nan, DEPTH), missing="nearest")
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "b.png")), filled)
+    told = call_lommel("blur", "photo.png", "marked.npy", *GIVEN, "-o", "c.png", folder=folder)
+    assert told.returncode == 2
+    assert "if the value -1 means unknown, state it as --unknown" in " ".join(told.stderr.split())
+
+
+def test_maps_that_look_like_inverse_depth_are_told(call_lommel, folder):
+    np.save(folder / "inverse.npy", np.maximum(0.3, DEPTH.min() / DEPTH))
+    told = ran(call_lommel("blur", "photo.png", "inverse.npy", *GIVEN, "-o", "a.png", folder=folder)).splitlines()
+    assert told[2].endswith(" to 1 m, focus 2 m")
+    assert "the farthest depth is exactly 1: maps of 0 to 1, such as inverse depth, are not in metres" in told
+
+
 @pytest.mark.parametrize(
     ("name", "bits", "dtype"),
     [

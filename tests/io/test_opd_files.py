@@ -150,13 +150,30 @@ def datx(path, *, place: str, unit: bytes, size: float) -> None:
 
 
 @pytest.mark.parametrize("place", ["Measurement/Surface", "Data/Surface/{A1B2}"])
-@pytest.mark.parametrize(("unit", "size"), [(b"Fringes", 0.5 * WAVE), (b"NanoMeters", 1e-9)])
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        (b"Fringes", 0.5 * WAVE),
+        (b"NanoMeters", 1e-9),
+        (b"MicroInches", 25.4e-9),
+        (b"Angstroms", 1e-10),
+        (b"Waves", WAVE),
+        (b"Radians", WAVE / (2.0 * math.pi)),
+    ],
+)
 def test_a_datx_is_read_in_fringes_or_a_length(place, unit, size, tmp_path):
     datx(tmp_path / "a.datx", place=place, unit=unit, size=size)
     found = lm.load_opd(tmp_path / "a.datx")
     assert (found.spacing, found.wavelength) == (1.5e-4, WAVE)
     np.testing.assert_array_equal(found.mask, MAP.mask)
     same_wavefront(found)
+
+
+def test_a_unit_that_is_not_known_is_stated_by_the_caller(tmp_path):
+    datx(tmp_path / "a.datx", place="Measurement/Surface", unit=b"Furlongs", size=1e-9)
+    with pytest.raises(OPDFileError, match="it has the unknown unit 'Furlongs'; give `unit`"):
+        lm.load_opd(tmp_path / "a.datx")
+    same_wavefront(lm.load_opd(tmp_path / "a.datx", unit="nm"))
 
 
 def test_a_datx_that_leads_to_another_file_is_refused(tmp_path):

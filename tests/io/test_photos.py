@@ -267,6 +267,23 @@ def test_zero_is_unknown_only_where_one_says_so(tmp_path):
     np.testing.assert_array_equal(found, [[np.nan, 1.0], [2.0, np.nan]])
 
 
+@pytest.mark.parametrize("kind", [np.int32, np.float32])
+@pytest.mark.parametrize("suffix", [".tif", ".npy"])
+def test_other_values_are_unknown_where_one_says_so(kind, suffix, tmp_path):
+    stored, path = np.array([[-1, 1000], [255, 4000]], kind), tmp_path / f"a{suffix}"
+    if suffix == ".npy":
+        np.save(path, stored)
+    else:
+        tifffile.imwrite(path, stored, photometric="minisblack")
+    found = read_depth(path, scale=1e-3, unknown=(-1, 255))
+    np.testing.assert_allclose(found, [[np.nan, 1.0], [np.nan, 4.0]])
+    assert np.nanmin(read_depth(path, scale=1e-3, unknown=[-1])) == pytest.approx(0.255)
+    with pytest.raises(
+        ValueError, match=r"> 0 metres, got -0\.001; if the value -1 means unknown, state it as `unknown`"
+    ):
+        read_depth(path, scale=1e-3)
+
+
 def npy(values: np.ndarray) -> bytes:
     buffer = io.BytesIO()
     np.save(buffer, values, allow_pickle=True)

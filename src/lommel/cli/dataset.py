@@ -57,6 +57,7 @@ def render(out: Path, given: Facts) -> Report:
     for name in ("seed", "copies", "workers", "form", "psfs", "shard", "encoding"):
         options[name] = given.pop(name)
     options["depth_scale"], options["zero_is_unknown"] = given.pop("depth_scale"), given.pop("zero_unknown")
+    options["unknown"] = given.pop("unknown")
     Settings(**given)
     start, made = time.perf_counter(), 0
     done = total = 0

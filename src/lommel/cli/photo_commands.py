@@ -72,6 +72,12 @@ _ARGUMENTS = [
     click.Argument(["lens"], type=FILE, required=False),
 ]
 _FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+UNKNOWN = Option(
+    "--unknown",
+    type=float,
+    multiple=True,
+    help="Treat this stored value of the depth map, such as -1 or 255, as unknown.",
+)
 NOISE = [
     Option(
         "--white",
@@ -111,6 +117,7 @@ _COMMON = [
                help="Encoding of the photo's values; by default integers are sRGB and floats are linear."),
         Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
         Option("--zero-unknown", is_flag=True, help="Treat depth 0 as unknown."),
+        UNKNOWN,
         documented(Settings, "missing", type=click.Choice(MISSING)),
     ),
     *under(
@@ -300,7 +307,7 @@ def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], fr
     foci = [finite(lens.focus_distance) for lens in lenses]
     facts, lines = _worst(photographs, shares)
     facts = {"frames": frames, "focus_distances": foci, "seconds": seconds} | facts
-    return job.report(lenses[0], facts, lines, files)
+    return job.report(lenses[0], facts, lines, files, until=lenses[-1])
 
 
 def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
@@ -472,6 +479,7 @@ class Job:
     encoding: str | None
     depth_scale: float | None
     zero_unknown: bool
+    unknown: tuple[float, ...]
     bits: str | None
     quality: int
     settings: Settings
@@ -487,7 +495,9 @@ class Job:
     def __post_init__(self) -> None:
         self.picture = read_photo(self.photo, self.encoding)
         self.light = self.picture.light()
-        self.distance = read_depth(self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown)
+        self.distance = read_depth(
+            self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown, unknown=self.unknown
+        )
         height, width = self.light.shape[:2]
         if self.distance.shape != (height, width):
             raise ValueError(
@@ -589,7 +599,9 @@ class Job:
             self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=self.quality, profile=profile
         )
 
-    def report(self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path]) -> Report:
+    def report(
+        self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
+    ) -> Report:
         """Return the report of the job: the facts and lines of a command, within those that all have."""
         read, (height, width, *_) = read_as(self.picture, self.encoding), self.light.shape
         common = {
@@ -601,11 +613,32 @@ class Job:
             "f_number": lens.f_number,
             "pixel": self.pitch,
         }
+        known, of_depth = depth_facts(self.distance)
+        common |= known
+        last = f" to {format_length(until.focus_distance)}" if until else ""
+        focus = f"focus {format_length(lens.focus_distance)}{last}"
         pixels = f"{width} x {height} pixels of {format_length(self.pitch)}"
-        lines = [read, f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}", *lines]
+        lines = [
+            read,
+            f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}",
+            of_depth(focus),
+            *lines,
+        ]
+        if self.depth_scale is None and known["depth"][1] == 1.0:
+            lines.append("the farthest depth is exactly 1: maps of 0 to 1, such as inverse depth, are not in metres")
         if facts["clipped"]:
             lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
         return Report(common | facts, lines) + written(files)
+
+
+def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
+    """Return the range of a depth map and the share that is not known, and a line of them around a focus."""
+    known = distance[~np.isnan(distance)]
+    low, high = (float(end(known)) if known.size else math.nan for end in (np.min, np.max))
+    share = 1.0 - known.size / distance.size
+    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": share}
+    where = " to ".join(format_length(end) for end in dict.fromkeys((low, high))) if known.size else "not known"
+    return facts, lambda focus: f"depth {where}, {focus}" + (f", {100.0 * share:.2g} % unknown" if share else "")
 
 
 def read_as(picture: Picture, given: str | None) -> str:

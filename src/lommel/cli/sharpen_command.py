@@ -17,7 +17,7 @@ from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Option, command, under
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.photo_commands import NOISE, finite, output_type
+from lommel.cli.photo_commands import NOISE, UNKNOWN, finite, output_type
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
 from lommel.imaging import LiveSharpen, read_depth, read_photo, write_photo
 from lommel.imaging.photograph import fill_missing
@@ -53,6 +53,7 @@ class Clip(NamedTuple):
            "known it is that of the nearest pixel."),
     Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
     Option("--zero-unknown", is_flag=True, help="Treat depth 0 as unknown."),
+    UNKNOWN,
     JSON,
     *under(
         "Camera",
@@ -72,6 +73,7 @@ def sharpen(
     map_: Path | None,
     depth_scale: float | None,
     zero_unknown: bool,
+    unknown: tuple[float, ...],
     focus: float | None,
     f_number: float | None,
     camera: Camera | None,
@@ -99,10 +101,10 @@ def sharpen(
     distance: float | Array
     if map_ is None:
         assert at is not None
-        distance, unknown = at, 0.0
+        distance, lost_depth = at, 0.0
     else:
-        found = read_depth(map_, scale=depth_scale, zero_is_unknown=zero_unknown)
-        distance, unknown = fill_missing(found, "nearest"), float(np.isnan(found).mean())
+        found = read_depth(map_, scale=depth_scale, zero_is_unknown=zero_unknown, unknown=unknown)
+        distance, lost_depth = fill_missing(found, "nearest"), float(np.isnan(found).mean())
     stop, count = Stop(), 0
     with Status() as status, ExitStack() as stack:
         status.step("reading")
@@ -139,7 +141,7 @@ def sharpen(
         "f_number": one.f_number,
         "focal_length": one.focal_length,
         "between": [finite(each) for each in ends],
-        "unknown": unknown,
+        "unknown": lost_depth,
         "blur": blur,
         "frames": count,
         "seconds": seconds,
@@ -152,8 +154,8 @@ def sharpen(
         f"{width} x {height} pixels of {format_length(instrument.side)}; focus {format_length(one.focus_distance)} "
         f"at f/{one.f_number:.3g}, depth {where}: blur of up to {blur:.3g} pixels",
     ]
-    if unknown:
-        lines.append(f"depth not known at {100.0 * unknown:.2g} % of the map, taken from the nearest pixel")
+    if lost_depth:
+        lines.append(f"depth not known at {100.0 * lost_depth:.2g} % of the map, taken from the nearest pixel")
     if video is not None:
         bits, lossy = coding.compressed(video.bits, mean)
         lines += [lossy] if lossy else []

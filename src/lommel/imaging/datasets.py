@@ -209,11 +209,14 @@ class _Job:
     psfs: int
     depth_scale: float | None
     zero_is_unknown: bool
+    unknown: tuple[float, ...]
     settings: Settings
 
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> dict[str, Any]:
         """Return the arguments that the pictures depend on, as JSON holds them."""
         plain = {name: value for name, value in vars(self).items() if name not in ("lenses", "noise", "settings")}
+        if not self.unknown:
+            del plain["unknown"]  # as sets that were begun before there were such values
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
         given = plain | {
@@ -244,6 +247,7 @@ def render_dataset(
     psfs: int = 32,
     depth_scale: float | None = None,
     zero_is_unknown: bool = False,
+    unknown: Sequence[float] = (),
     on_error: str = "raise",
     workers: int = 1,
     **options: Unpack[Keywords],
@@ -290,6 +294,8 @@ def render_dataset(
         Metres per level of depth maps of integers, which need it.
     zero_is_unknown : bool, default False
         Whether the depth 0 means unknown; see `missing`.
+    unknown : sequence of float, optional
+        Other stored values of depth maps that mean unknown, such as (-1, 255).
     on_error : {"raise", "skip"}, default "raise"
         Whether a photo or depth map that cannot be used ends the iteration, or is yielded with the reason as
         `failure`, and the others are rendered. The next call tries it again. Its shard stays open: the other
@@ -359,6 +365,7 @@ def render_dataset(
         if depth_scale is None
         else validation.real("depth_scale", depth_scale, above=0.0, unit="metres per level"),
         zero_is_unknown=validation.truth("zero_is_unknown", zero_is_unknown),
+        unknown=tuple(validation.real_array("unknown", unknown).ravel().tolist()),
         settings=settings,
     )
     pairs = pair_files(photos, depths)
@@ -596,7 +603,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     sums = [of_file(photo), of_file(depth)]
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
-    metres = read_depth(depth, scale=job.depth_scale, zero_is_unknown=job.zero_is_unknown)
+    metres = read_depth(depth, scale=job.depth_scale, zero_is_unknown=job.zero_is_unknown, unknown=job.unknown)
     height, width = light.shape[:2]
     if metres.shape != (height, width):
         raise ValueError(

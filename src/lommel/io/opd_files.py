@@ -34,6 +34,9 @@ _STEPS = {0: 4096, 1: 32768, 2: 131072}  # per fringe, by the resolution of the 
 _SCALE = 0.5  # waves per fringe: light is reflected
 
 
+_SMALL = {"microinches": 25.4e-9, "milliinches": 25.4e-6, "mils": 25.4e-6, "angstroms": 1e-10}  # of Mx, metres
+
+
 class Measured(NamedTuple):
     """The values of a map, and the unit, spacing and wavelength that its file states."""
 
@@ -113,6 +116,9 @@ def read_datx(data: bytes) -> Measured:
         spacing = 0.0
         if "X Converter" in said:  # whose second parameter is metres
             spacing = validation.real("the spacing", float(np.ravel(said["X Converter"])[0][2][1]), least=0.0)
+        if name.lower() in _SMALL:
+            values *= _SMALL[name.lower()]
+            name = "m"
         return Measured(values, _unit(name), spacing or None, wavelength)
 
 
@@ -223,6 +229,10 @@ def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
 
 
 def _agreed(name: str, given: Any, stated: Any) -> Any:
+    if name == "unit" and stated is not None and stated not in UNITS:
+        if given is None:
+            raise ValueError(f"it has the unknown unit {validation.shown(stated)}; give `unit`")
+        return given
     if given is None or stated is None:
         return stated if given is None else given
     same = given == stated if name == "unit" else math.isclose(given, stated, rel_tol=1e-6)
@@ -244,14 +254,12 @@ def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
 
 
 def _unit(text: Any) -> str | None:
-    """Return the unit that a file names, as this package names it."""
+    """Return the unit that a file names, as this package names it where it knows it."""
     plain = str(text).strip()
     if not plain:
         return None
-    name = UNIT_NAMES.get(plain.lower(), plain)
-    if name not in UNITS:
-        raise ValueError(f"it has the unknown unit {validation.shown(plain)}")
-    return name
+    known = plain if plain in UNITS else UNIT_NAMES.get(plain.lower(), plain.lower())
+    return known if known in UNITS else plain
 
 
 def _read_fits(data: bytes) -> Measured:

@@ -11,7 +11,7 @@ import warnings
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -383,8 +383,8 @@ def _array(image: Any) -> Values:
     return made
 
 
-def read_tiff(data: bytes) -> tuple[Values, Any, bytes | None]:
-    """Return the values, the tags and the ICC profile of a TIFF file of one page."""
+def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes | None]:
+    """Return the values, the tags and the ICC profile of a TIFF file of one page, `levels` of any integers."""
     import tifffile
     from PIL import Image
 
@@ -406,7 +406,7 @@ def read_tiff(data: bytes) -> tuple[Values, Any, bytes | None]:
         values = np.moveaxis(values, 0, 2)
     elif axes not in ("YX", "YXS"):
         raise ValueError(f"its axes are {axes}, neither YX nor YXS")
-    if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind != "f":
+    if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind not in ("iuf" if levels else "f"):
         raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
     tags = Image.Exif()
     if data[2:4] in (b"*\0", b"\0*"):  # not BigTIFF, which Pillow does not read
@@ -514,7 +514,13 @@ def _ordered(file: Any, pages: Sequence[Any], size: int) -> Values:
     return np.asarray(values.astype(values.dtype.newbyteorder("="), copy=False))
 
 
-def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False) -> Array:
+def read_depth(
+    path: str | PathLike[str],
+    *,
+    scale: float | None = None,
+    zero_is_unknown: bool = False,
+    unknown: Sequence[float] = (),
+) -> Array:
     """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
 
     Parameters
@@ -526,6 +532,8 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
         scale other than 1 needs it too, since programs disagree on its meaning.
     zero_is_unknown : bool, default False
         Whether 0 means unknown.
+    unknown : sequence of float, optional
+        Other stored values that mean unknown, such as (-1, 255), before they are scaled.
 
     Returns
     -------
@@ -542,6 +550,7 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
         If it cannot be read.
     """
     source = validation.path("path", path)
+    marks = validation.real_array("unknown", unknown)
     factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
     data = reading.contents(source)
     name = validation.line(source)
@@ -566,8 +575,13 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
         )
     if zeros:
         metres[values == 0] = np.nan
+    metres[np.isin(values, marks)] = np.nan
     if (least := np.fmin.reduce(metres, axis=None)) < 0.0:
-        raise ValueError(f"{name} must hold distances > 0 metres, got {least:g}")
+        stored = np.fmin.reduce(values, axis=None)
+        raise ValueError(
+            f"{name} must hold distances > 0 metres, got {least:g}; if the value {stored:g} means unknown, state it "
+            "as `unknown`"
+        )
     return metres
 
 
@@ -628,7 +642,8 @@ def _fits(data: bytes, part: str | None = None) -> Values:
 
 
 def _raster(data: bytes, _scale: float | None) -> Values:
-    return upright(registry.identify("photo", data), data)[0]
+    form = registry.identify("photo", data)
+    return upright(replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form, data)[0]
 
 
 def _grey(data: bytes) -> Values:

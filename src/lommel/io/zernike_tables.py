@@ -28,7 +28,7 @@ Index: TypeAlias = int | tuple[int, int]
 UNITS = ("radians", "waves", "metres", *LENGTHS)
 UNIT_NAMES = {"wave": "waves", "rad": "radians", "radian": "radians", "meter": "m", "meters": "m"}
 UNIT_NAMES |= dict.fromkeys(("micron", "microns", "micrometer", "micrometers"), "um")
-UNIT_NAMES |= {"nanometer": "nm", "nanometers": "nm", "millimeters": "mm"}
+UNIT_NAMES |= {"nanometer": "nm", "nanometers": "nm", "millimeters": "mm", "inches": "in"}
 """Units as other programs name them."""
 
 

@@ -125,8 +125,10 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
                 found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
                 found[f"lp{name}"] = rows[f"{name}_deviation"] / recording.pixel
             found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_deviation"]
+            left = memoryview(found.tobytes())
             with atomic.told_as(path):
-                held.write(found.data.cast("B") if found.size else b"")
+                while left:  # a disk that is nearly full takes a part
+                    left = left[held.write(left) :]
 
         yield write
         # The HDF5 library writes to memory, without the rows: a full disk would end the process.

@@ -36,6 +36,9 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("method", "lommel restore"): "spells out what None is elsewhere",
     ("read", "estimate_noise"): "is not left to the noise model: a stack alone does not separate it from the offset",
     ("sharp", "LiveDepth"): "asks for images, where lommel depth names a file",
+    ("unknown", "Restoration"): "is the share that was found, not what means unknown",
+    ("unknown", "lommel blur"): "is repeated for each value",
+    ("unknown", "lommel restore"): "as of lommel blur",
     ("wavelength", "LensRanges"): "is the light of lenses drawn at random, which no file describes",
 }
 """Options that differ, where, and why that is meant."""

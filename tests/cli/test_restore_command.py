@@ -12,7 +12,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
-from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore
+from lommel.imaging import OnePass, RichardsonLucy, TotalVariation, depth_of_field, restore
 
 LENS = """\
 [lens]
@@ -73,6 +73,17 @@ def test_a_shell_restores_a_photo_as_python_does(call_lommel, folder, way):
     )
     assert (facts["steps"], facts["stopped"], facts["strength"]) == (same.steps, "noise", same.strength)
     assert (facts["unknown"], facts["files"]) == (0.0, ["sharp.tif"])
+
+
+def test_one_pass_is_that_of_python(call_lommel, folder):
+    arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--method", "one-pass")
+    ran(call_lommel(*arguments, "-o", "sharp.tif", folder=folder))
+    photo, sharp = (tifffile.imread(folder / name) for name in ("photo.tif", "sharp.tif"))
+    same = restore(photo, DEPTH, OPTICS, 8e-6, encoding="linear", noise=NOISE, method=OnePass())
+    np.testing.assert_array_equal(sharp, same.values)
+    assert error(sharp) < error(photo)
+    refused = call_lommel(*arguments, "--steps", 5, "-o", "other.tif", folder=folder)
+    assert "--steps and --strength need --method richardson-lucy or total-variation" in refused.stderr
 
 
 def test_pictures_of_eight_bits_stay_such(call_lommel, folder):

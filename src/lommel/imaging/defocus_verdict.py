@@ -9,7 +9,7 @@ polynomials, for apertures of other sizes.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +22,7 @@ from lommel.imaging.focal_tables import residual_filters
 _LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0
 _LIKELY, _SURE = 1.5, 2.5  # standard errors, by which a scale that is in doubt, and wrong, differs from 1
 _DEVIATION = 0.1  # scales of a larger standard error are not told
+_DEPTHS = 0.1  # of the range of 1 / distance, that depths are to spread over for a scale
 _LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
 # How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
 _OFF, _OFF_MISFIT = 0.0005, 0.1
@@ -112,20 +113,23 @@ class DefocusVerdict(NamedTuple):
 
 
 def judged(
-    engine: FocalEngine, images: Values, valid: NDArray[np.bool_], deviation: Values, misfit: Values
+    engine: FocalEngine, images: Values, valid: NDArray[np.bool_], depth: Values, deviation: Values, misfit: Values
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of the first.
 
-    `valid` are the pixels that are known, `deviation` the standard errors found, infinite where depth is not known,
-    and `misfit` their misfits, all of shape (height, width).
+    `valid` are the pixels that are known, `depth` and `deviation` what was found, the latter in any unit and infinite
+    where depth is not known, and `misfit` their misfits, all of shape (height, width).
     """
     known = np.isfinite(deviation)
     if not known.any():
         return DefocusVerdict(math.nan, math.nan, math.inf)
+    left = float(np.median(misfit[known]))
+    low, high = np.percentile(1.0 / depth[known], [5.0, 95.0])
+    if high - low < _DEPTHS * np.ptp(engine.task.vergence):  # one depth, which several scales may fit
+        return DefocusVerdict(left, math.nan, math.inf)
     weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
     scale, error = _scale(engine, images, valid, weight)
     told = error < _DEVIATION
-    left = float(np.median(misfit[known]))
     return DefocusVerdict(left, scale if told else math.nan, error if told else math.inf)
 
 
@@ -141,10 +145,26 @@ def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight
             tried[k] = np.stack([filters(tile) for tile in tiles])
         return tried[k]
 
-    # Far from the true scale there may be others that are better than their neighbours.
-    means = {k: _mean(misfits(k)) for k in range(-_MOST + 2, _MOST, 2)} if tiles else {0: math.inf}
-    k = min(means, key=lambda k: means[k])
-    while tiles and abs(k) < _MOST:
+    if not tiles:
+        return math.nan, math.inf
+    found = _settled(misfits, 0, {})
+    # Several scales may fit one depth: those afar are looked at only where none near that of the lenses does.
+    if (_mean(misfits(0)) if found is None else found[2]) > _GOOD_MISFIT:
+        means = {k: _mean(misfits(k)) for k in range(-_MOST + 2, _MOST, 2)}
+        found = _settled(misfits, min(means, key=lambda k: means[k]), means)
+    return (math.nan, math.inf) if found is None else found[:2]
+
+
+def _settled(
+    misfits: Callable[[int], Array], k: int, means: Mapping[int, float]
+) -> tuple[float, float, float] | None:
+    """Return the scale of the least misfit from a step on, its standard error and the misfit; None if there is none.
+
+    `means` are mean misfits of other steps: one that is as small leaves the scale open.
+    """
+    seen = set[int]()
+    while abs(k) < _MOST and k not in seen:
+        seen.add(k)
         cells, shares = _cells(np.stack([misfits(k - 1), misfits(k), misfits(k + 1)]))
         if len(shares) < _LEAST_CELLS:
             break
@@ -162,8 +182,9 @@ def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight
         if any(mean <= _mean(misfits(k)) + unsure for other, mean in means.items() if abs(other - k) > 2):
             break
         scale = math.exp(_STEP * (k + place))
-        return scale, scale * math.hypot(_STEP * math.sqrt(scatter + 2.0 * unsure / bend), _LEAST_DEVIATION)
-    return math.nan, math.inf
+        error = math.hypot(_STEP * math.sqrt(scatter + 2.0 * unsure / bend), _LEAST_DEVIATION)
+        return scale, scale * error, float(here)
+    return None
 
 
 def _mean(misfits: Array) -> float:

@@ -11,15 +11,22 @@ import stat
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
 _PREFIX = ".lommel-"
 _DAY = 86400.0
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # of Windows, which else changes line ends
+
+
+class _Closing(Protocol):
+    def close(self) -> object: ...
+
+
+_Open = TypeVar("_Open", bound=_Closing)
 
 
 def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
@@ -178,11 +185,16 @@ def told_as(target: Path) -> Iterator[None]:
         raise type(error)(error.errno, error.strerror or str(error), str(target)) from None
 
 
-@contextmanager
-def opened(temporary: Path, target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
+def opened(temporary: Path, target: Path, mode: str = "wb", **options: Any) -> AbstractContextManager[Any]:
     """Yield a new file under a temporary name; errors of opening and closing it are told with that of `target`."""
+    return closed(lambda: temporary.open(mode, **options), target)
+
+
+@contextmanager
+def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
+    """Yield what is made to write a file, and close it; errors of both are told with the name of `target`."""
     with told_as(target):
-        file = temporary.open(mode, **options)
+        file = make()
     try:
         yield file
     except BaseException:

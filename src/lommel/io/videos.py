@@ -9,7 +9,7 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack
 from fractions import Fraction
 from functools import partial
 from itertools import chain, islice, pairwise
@@ -803,7 +803,9 @@ class VideoWriter:
         import av
 
         temporary = self._stack.enter_context(atomic.placed(self._path))
-        container = self._stack.enter_context(_made(temporary, self._path, self._form))
+        container = self._stack.enter_context(
+            atomic.closed(lambda: av.open(str(temporary), "w", format=self._form), self._path)
+        )
         container.metadata["comment"] = self._comment
         deep = values.dtype == np.uint16
         lossy = "libx264" if "libx264" in av.codecs_available else "mpeg4"
@@ -829,22 +831,6 @@ class VideoWriter:
                 self._stack.__exit__(type(fault), fault, fault.__traceback__)
                 raise
         self._stack.__exit__(kind, error, trace)
-
-
-@contextmanager
-def _made(temporary: Path, path: Path, form: str) -> Iterator[OutputContainer]:
-    import av
-
-    with atomic.told_as(path):
-        container = av.open(str(temporary), "w", format=form)
-    try:
-        yield container
-    except BaseException:
-        with suppress(OSError):  # of what is left to write, where a write failed
-            container.close()
-        raise
-    with atomic.told_as(path):
-        container.close()
 
 
 _video = partial(Format, "video", library="av")

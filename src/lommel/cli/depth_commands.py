@@ -34,12 +34,29 @@ if TYPE_CHECKING:
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
+BETWEEN = Option(
+    "--between",
+    type=LENGTH,
+    nargs=2,
+    required=True,
+    metavar="NEAR FAR",
+    help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.",
+)
+
+
+def lens_options(which: str) -> list[Option]:
+    """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
+    once = f"once for {which}, or repeated for each; overrides the lens file."
+    return [
+        Option("--focus", "foci", type=LENGTH, multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
+        Option("--f-number", "f_numbers", type=float, multiple=True, help=f"F-number: {once}"),
+    ]
+
 
 @command(
     click.Argument(["photos"], type=FILE, nargs=-1, required=True),
     LENS,
-    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
-           help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
+    BETWEEN,
     Option("-o", "--output", "outputs", type=OUTPUT, multiple=True,
            help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
     Option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
@@ -47,11 +64,7 @@ _ROWS, _POINTS = 11, 121
     JSON,
     *under(
         "Camera",
-        Option("--focus", "foci", type=LENGTH, multiple=True,
-               help="Focus distance, such as 1.35m: once for all photos, or repeated for each; overrides the lens "
-               "file."),
-        Option("--f-number", "f_numbers", type=float, multiple=True,
-               help="F-number: once for all photos, or repeated for each; overrides the lens file."),
+        *lens_options("all photos"),
         Option("--exposure", "exposures", type=float, multiple=True,
                help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By "
                "default the ratio of their mean values."),

@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
-from lommel.cli.depth_commands import each_lens, verdict_facts
+from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_facts
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import JSON, LENGTH, OUTPUT, Option, command, documented, under, with_options
+from lommel.cli.options import JSON, OUTPUT, Option, command, documented, under, with_options
 from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import NOISE, finite
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
@@ -100,8 +100,7 @@ class Files:
            help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
            "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
     Option("--alternating", is_flag=True, help="The frames of one source are of one focus and the other in turn."),
-    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
-           help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
+    BETWEEN,
     Option("-o", "--output", type=OUTPUT, help=f"Video of the depth in colours: {suffixes('video')}."),
     Option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
     Option("--depth", "depths", type=OUTPUT, multiple=True,
@@ -113,11 +112,7 @@ class Files:
     JSON,
     *under(
         "Camera",
-        Option("--focus", "foci", type=LENGTH, multiple=True,
-               help="Focus distance, such as 1.35m: once for both frames, or repeated for each; overrides the lens "
-               "file."),
-        Option("--f-number", "f_numbers", type=float, multiple=True,
-               help="F-number: once for both frames, or repeated for each; overrides the lens file."),
+        *lens_options("both frames"),
         Option("--exposure", "exposures", type=float, multiple=True,
                help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default "
                "a ratio that changes over the frame, smoothly and from row to row, measured pair by pair."),

@@ -175,11 +175,14 @@ def _settled(
             k += 1 if after < before else -1
             continue
         bend = float(before - 2.0 * here + after)
+        if bend == 0.0:
+            break
         place = 0.5 * float(before - after) / bend
         slopes = weights * (0.5 * (cells[2] - cells[0]) + place * (cells[0] - 2.0 * cells[1] + cells[2]))
         scatter = float((slopes**2).sum()) / bend**2
         unsure = _OFF + _OFF_MISFIT * abs(float(here) - 1.0)
-        if any(mean <= _mean(misfits(k)) + unsure for other, mean in means.items() if abs(other - k) > 2):
+        as_small = _mean(misfits(k)) + unsure
+        if any(mean <= as_small for other, mean in means.items() if abs(other - k) > 2):
             break
         scale = math.exp(_STEP * (k + place))
         error = math.hypot(_STEP * math.sqrt(scatter + 2.0 * unsure / bend), _LEAST_DEVIATION)

@@ -249,18 +249,15 @@ class LiveDepth:
         stored = [self._form.checked(f"frames[{k}]", frame) for k, frame in enumerate(frames)]
         full = self._form.full(frames[0].dtype)
         mask = self._form.known(frames, full, known)
-        planes = list(stored) if self._planes is None else self._added(stored)
-        limit = full if self._planes is None else math.inf
-        planes = self._registered(planes, limit, mask)
+        planes, limit = self._grey(stored, full, mask)
         first = self._levels[0].stream
         first.sums(planes, limit, mask, self._sums)
         exposures, light = self._exposed()
         level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
         self._gains[:, 0] = [self._form.white / each for each in exposures]
         if self._smooth:
-            self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._form.offset * self._form.channels)
-        offset = self._form.offset * self._form.channels
-        level.stream.take(planes, self._gains, offset, limit, mask)
+            self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._offset)
+        level.stream.take(planes, self._gains, self._offset, limit, mask)
         level.stream.depths(self._depth, self._deviation, self._misfit)
         self._last = _Taken(level, stored, full, mask)
         return LiveDepthMap(self._depth, self._deviation, self._misfit, exposures, light)
@@ -290,12 +287,20 @@ class LiveDepth:
         form, name = self._form, validation.path("path", path)
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
 
-    def _added(self, frames: Sequence[NDArray[Any]]) -> list[NDArray[np.float32]]:
-        """Return the sums of the channels."""
-        assert self._planes is not None
-        for frame, plane in zip(frames, self._planes, strict=True):
+    def _grey(
+        self, stored: list[NDArray[Any]], full: float, mask: NDArray[np.uint8] | None
+    ) -> tuple[list[NDArray[Any]], float]:
+        """Return the frames that depth is found in, sums of channels, and from which value on these are full."""
+        if self._planes is None:
+            return self._registered(stored, full, mask), full
+        for frame, plane in zip(stored, self._planes, strict=True):
             np.sum(frame, axis=2, dtype=np.float32, out=plane)
-        return self._planes
+        return self._registered(list(self._planes), math.inf, mask), math.inf
+
+    @property
+    def _offset(self) -> float:
+        """Counts of these without light."""
+        return self._form.offset * self._form.channels
 
     def _exposed(self) -> tuple[tuple[float, ...], float]:
         """Return the exposures, and the mean electrons of a pixel of the first frame."""
@@ -303,7 +308,7 @@ class LiveDepth:
         if counts == 0.0:
             raise ValueError("frames have no pixel that is known in all of them: they are full, NaN or masked")
         white = self._form.white
-        means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._form.offset * self._form.channels) * white
+        means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._offset) * white
         for k, mean in enumerate(means):
             if not mean > 0.0:
                 raise ValueError(
@@ -333,8 +338,7 @@ class LiveDepth:
         These must not have changed since. ValueError if there are no frames yet.
         """
         level, stored, full, mask = self._taken()
-        planes, limit = (stored, full) if self._planes is None else (self._added(stored), math.inf)
-        planes = self._registered(list(planes), limit, mask)
+        planes, limit = self._grey(stored, full, mask)
         with np.errstate(invalid="ignore"):
             valid = np.all([np.isfinite(plane) & (plane < limit) for plane in planes], axis=0)
         if mask is not None:
@@ -342,8 +346,7 @@ class LiveDepth:
         down, across = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
         y, x = down[:, None], across[None, :]
         light = [
-            (plane - self._form.offset * self._form.channels)
-            * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
+            (plane - self._offset) * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
         images = np.where(valid, light, 0.0)[None]

@@ -26,6 +26,7 @@ ORDER = [
     {"blur"},
     {"measures"},
     {"io"},
+    {"recorded"},
     {"show"},
     {"traced"},
     {"psf"},

@@ -9,8 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel import imaging, microscopy
-from lommel.estimation.phase_retrieval import recorded
-from lommel.localize.point_sources import planes_of
+from lommel.recorded.counts import Counts
 
 PUPIL = lm.Pupil(lm.Wavefront(1.0))
 PSF = lm.psf(PUPIL, 5, 0.5)
@@ -75,22 +74,25 @@ def test_masks_of_containers_count_one_by_one_and_in_lists(kind, interferogram):
     assert np.isnan(lm.OPDMap(both[0]).values[hole]).all()
 
 
+def counted(images, mask=None):
+    return Counts.of("images", images, sides=(2, 3), shape="(n, height, width)", mask=mask)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_masks_of_containers_leave_pixels_out_of_images(kind):
     spoilt = np.where(HIDDEN, 6e4, STACK)
-    told = recorded(STACK, HIDDEN, None)
+    told = counted(STACK, HIDDEN)
     for given in (kind(spoilt, HIDDEN), [kind(*each) for each in zip(spoilt, HIDDEN, strict=True)]):
-        for found, right in zip(recorded(given, None, None), told, strict=True):
-            np.testing.assert_array_equal(found, right)
-        planes, left, _ = planes_of(given, "planes", (5, 5), None)
-        np.testing.assert_array_equal(left, HIDDEN)
-        assert type(planes) is np.ndarray
+        found = counted(given)
+        np.testing.assert_array_equal(found.hidden, HIDDEN)
+        np.testing.assert_array_equal(found.filled(), told.filled())
+        assert type(found.values) is np.ndarray
     # Only one of several is masked; masks that are flags of bits; none at all.
     mixed = [STACK[0], STACK[1], kind(spoilt[2], HIDDEN[2]), STACK[3], STACK[4]]
-    np.testing.assert_array_equal(recorded(mixed, None, None)[1], told[1])
+    np.testing.assert_array_equal(counted(mixed).known, ~HIDDEN)
     flags = Container(spoilt, 16 * HIDDEN.astype(np.int16))
-    np.testing.assert_array_equal(recorded(flags, None, None)[1], told[1])
-    assert recorded(kind(STACK, np.zeros(STACK.shape, dtype=bool)), None, None)[1].all()
+    np.testing.assert_array_equal(counted(flags).known, ~HIDDEN)
+    assert counted(kind(STACK, np.zeros(STACK.shape, dtype=bool))).known.all()
 
 
 def test_a_mask_that_is_none_or_a_method_is_no_mask():
@@ -101,7 +103,7 @@ def test_a_mask_that_is_none_or_a_method_is_no_mask():
 def test_masked_images_of_two_shapes_are_told():
     masked = Container(STACK[0], HIDDEN[2])
     with pytest.raises(ValueError, match=r"images must have one shape"):
-        recorded([masked, STACK[1][:20]], None, None)
+        counted([masked, STACK[1][:20]])
 
 
 @pytest.mark.parametrize("kind", KINDS)

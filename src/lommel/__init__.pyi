@@ -37,7 +37,7 @@ from lommel.estimation.field_fit import FieldFit as FieldFit, FittedStars as Fit
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
 from lommel.estimation.moffat import MoffatFit as MoffatFit, fit_moffat as fit_moffat
-from lommel.estimation.noise import Noise as Noise
+from lommel.recorded.noise import Noise as Noise
 from lommel.estimation.objective_field import (
     ObjectiveField as ObjectiveField,
     fit_objective_field as fit_objective_field,

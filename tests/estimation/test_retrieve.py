@@ -483,7 +483,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"images": np.zeros((3, 33, 33))}, r"images\[0\] must show a star, got the value 0 everywhere"),
         ({"images": np.full((3, 33, 33), np.nan)}, r"images\[0\] must have pixels that are neither masked"),
         ({"images": np.eye(3)[None].repeat(3, 0)}, "must have more pixels than there are unknowns, 27, got 27"),
-        ({"images": np.zeros(4)}, r"images must have one shape \(height, width\), one or several, got shape \(4,\)"),
+        ({"images": np.zeros(4)}, r"images must have the shape .* or \(n, height, width\), got \(4,\)"),
         ({"images": [np.eye(3), np.eye(4)]}, r"images must have one shape .*, got \(3, 3\), \(4, 4\)"),
         ({"images": "x"}, "images must hold real numbers"),
         ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got shape \(2,\)"),

@@ -387,13 +387,12 @@ ONE = np.ones((2, 15, 15))
 BAD = [
     ({"table": 3}, TypeError, "table must be a Table or a sequence of these, got 3"),
     ({"table": []}, TypeError, r"table must be a Table or a sequence of these, got \[\]"),
-    ({"images": np.ones((15, 15))}, ValueError, r"images must have the shape \(n, height, width\), got \(15, 15\)"),
+    ({"images": np.ones((15, 15))}, ValueError, r"images must have the shape \(n, height, width\), of one box"),
     (
         {"images": np.ones((2, 17, 17))},
         ValueError,
         r"images must be boxes of \(15, 15\) pixels as the table's, got \(17, 17\)",
     ),
-    ({"images": ONE * np.inf}, ValueError, "images must be finite, or NaN where a pixel is not to count, got inf"),
     ({"images": "boxes"}, TypeError, "images must"),
     ({"images": ONE + 1j}, TypeError, "images must hold real numbers"),
     ({"noise": 3.0}, TypeError, "noise must be"),

@@ -106,6 +106,34 @@ def test_a_file_in_blocks_gives_what_the_array_gives(table, counts, tmp_path):
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
 
 
+def bright(table, top, frames=40):
+    """A movie of one emitter whose brightest pixels exceed by a fifth what the camera can count."""
+    light = np.full((frames, 40, 40), 10.0)
+    image = np.asarray(table(7.3, 6.8, 0.1e-6), np.float64)
+    light[:, 10:25, 12:27] += image * (1.2 * top / image.max())
+    return np.round(CAMERA.record(light, seed=2))
+
+
+@pytest.mark.parametrize("bits", [12, 16])
+@pytest.mark.parametrize("kind", [np.uint16, np.float32, np.int32])
+def test_saturated_pixels_do_not_move_molecules(bits, kind, table):
+    most = 2**bits - 1
+    raw = bright(table, (most - 100) * 0.46)
+    movie = np.minimum(raw, most).astype(kind)
+    found = localize_movie(movie, table, noise=CAMERA, block=7)
+    known = np.where(movie < most, raw, np.nan)
+    for other in (
+        localize_movie(known, table, noise=CAMERA),
+        localize_movie(movie, table, noise=CAMERA, saturation=most),
+    ):
+        assert len(found) == len(other) == found.converged.sum() == 40
+        for name in ("x", "y", "z", "photons"):
+            np.testing.assert_allclose(found.table[name], other.table[name], rtol=1e-6, atol=1e-12)
+    for name, true in (("x", 19.3 * PIXEL), ("y", 17.8 * PIXEL), ("z", 0.1e-6)):
+        off = (found.table[name] - true) / found.table[f"{name}_deviation"]
+        assert abs(off.mean()) < 0.8  # with the saturated pixels taken as light up to 7
+
+
 def test_maps_of_the_camera_are_those_of_each_box(table, molecules):
     draw = np.random.default_rng(3)
     shape = (SIDE, SIDE)

@@ -56,21 +56,6 @@ def test_every_way_to_write_a_movie_is_read_in_blocks(way, tmp_path):
         whole[:] = 0  # its own copy
 
 
-@pytest.mark.parametrize("way", ["stack", "deflate"])
-def test_values_that_are_not_finite_are_told_with_their_place(way, tmp_path):
-    frames = COUNTS.astype(np.float32)
-    frames[4, 2, 3] = np.inf
-    frames[5] = np.nan
-    WRITERS[way](tmp_path / "movie.tif", frames)
-    with open_movie(tmp_path / "movie.tif") as movie:
-        np.testing.assert_array_equal(movie.frames(0, 4), frames[:4])
-        for first in (0, 3):
-            with pytest.raises(MovieError, match=r"movie.tif.*finite, got inf in frame 4, row 2, column 3, counted"):
-                movie.frames(first, 7)
-        with pytest.raises(MovieError, match="got nan in frame 5, row 0, column 0"):
-            movie.frames(5, 6)
-
-
 @pytest.mark.parametrize("kind", ["uint8", "uint16", "uint32", "uint64", "int16", "float16", "float32", "float64"])
 @pytest.mark.parametrize("way", ["pages", "stack"])
 def test_frames_hold_integers_or_floats_of_any_width(way, kind, tmp_path):

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Values
     from lommel.estimation.beads import BeadFit
-    from lommel.estimation.noise import Noise
+    from lommel.recorded.noise import Noise
 
 _FIELD = 1.6  # times the window, from which a stack shows a field in which beads are found
 _MOST = 20  # beads

@@ -11,9 +11,9 @@ import click
 from lommel.cli.options import Option, documented, with_options
 from lommel.cli.output import Facts, Report
 from lommel.cli.progress import progress
-from lommel.estimation.noise import Noise
 from lommel.imaging.datasets import FORMATS, LensRanges, render_dataset
 from lommel.imaging.settings import Settings
+from lommel.recorded.noise import Noise
 
 OPTIONS = [
     Option("--batch", is_flag=True,

@@ -18,10 +18,10 @@ from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import NOISE, finite, read_as
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
-from lommel.estimation.noise import Noise
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

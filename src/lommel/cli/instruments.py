@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, Parsed, under
 from lommel.cli.output import Facts
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Array

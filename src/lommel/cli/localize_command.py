@@ -29,7 +29,6 @@ from lommel.cli.options import (
 )
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
-from lommel.estimation.noise import Noise
 from lommel.io import registry
 from lommel.localize import Localizations, Movie, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.detection import DEFECT
@@ -38,6 +37,7 @@ from lommel.localize.localizations import joined
 from lommel.localize.movie_fits import Recurrence, likelier
 from lommel.localize.movies import BLOCK
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -37,7 +37,6 @@ from lommel.cli.options import (
 )
 from lommel.cli.output import Facts, Report, written
 from lommel.cli.progress import progress
-from lommel.estimation.noise import Noise
 from lommel.imaging import (
     FocusPlan,
     OnePass,
@@ -54,6 +53,7 @@ from lommel.imaging.settings import BORDERS, MISSING, Settings
 from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_photo
 from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera

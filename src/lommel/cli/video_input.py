@@ -21,8 +21,8 @@ from lommel.base.validation import brief
 from lommel.cli.instruments import instrument_of, noise_of
 from lommel.cli.options import Option
 from lommel.cli.output import Facts
-from lommel.estimation.noise import Noise
 from lommel.io.registry import Values
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera

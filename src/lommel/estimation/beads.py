@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation import clipping, goodness_of_fit
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
@@ -30,8 +30,7 @@ from lommel.estimation.bead_search import (
     lowest,
     start_of,
 )
-from lommel.estimation.noise import Noise
-from lommel.estimation.phase_retrieval import label, recorded
+from lommel.estimation.phase_retrieval import label, star_counts
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
@@ -39,6 +38,8 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
+from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -464,9 +465,10 @@ def fit_beads(
     size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
     deep = _depths(depth, 0.5 * size, len(given))
     places = np.atleast_1d(validation.real_array("z", z))
-    made, values = [], []
+    made, recorded = [], []
     for k, each in enumerate(given):
-        images, valid = recorded(each, mask, saturation)
+        counts = star_counts(each, mask, saturation)
+        images = counts.filled()
         if len(images) < _PLANES:
             raise ValueError(
                 f"stacks must have at least {_PLANES} planes above and below focus, got {len(images)}: fewer do not "
@@ -475,8 +477,8 @@ def fit_beads(
         if places.shape != (len(images),):
             raise ValueError(f"z must have a position for each of {len(images)} planes, got shape {places.shape}")
         electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
-        made.append(Stack.of(electrons, read, valid, places))
-        values.append(np.where(valid, images, np.nan))
+        made.append(Stack.of(electrons, read, counts.known, places))
+        recorded.append(counts)
         if np.shape(each)[-2:] != np.shape(given[0])[-2:]:
             raise ValueError(f"stacks must have windows of one shape, got {np.shape(each)} of stacks[{k}]")
     apart = np.diff(places)
@@ -515,7 +517,7 @@ def fit_beads(
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
     found, used = search.all()
-    return _fitted(model, search, found, used, values, noise, notes)
+    return _fitted(model, search, found, used, recorded, noise, notes)
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -630,7 +632,7 @@ def _fitted(
     search: Search,
     found: Climbed,
     used: list[bool],
-    values: list[Array],
+    recorded: list[Counts],
     noise: Noise,
     notes: list[str],
 ) -> BeadFit:
@@ -651,7 +653,7 @@ def _fitted(
     suspects = _suspects(joint, state, square, slope, more)
     chi2, spread = joint.chi2_of(normal.parts)
     held_out = (math.nan, 0.0) if search.interrupted else _held_out(joint, found)
-    beads = _beads(model, joint, state, normal, inverse, used, values, noise)
+    beads = _beads(model, joint, state, normal, inverse, used, recorded, noise)
     visible = max(part.visible for part in normal.parts)
     limit = float(goodness_of_fit.most(spread))
     error = _model_error(joint, state)
@@ -713,8 +715,7 @@ def _fitted(
         message += f"; left out, beside which the others do not fit: bead {left}"
     for note in notes:
         message += f"; {note}"
-    message += clipping.left_out([np.isfinite(each) for each in values])
-    message += clipping.remark(values, [np.isfinite(each) for each in values], noise, "bead")
+    message += remarks(recorded, noise, "bead")
     edge = dict(zip(joint.images.solved, state.waves * joint.images.factors, strict=True))
     names = joint.names
     constants = [state.setup.value(str(name)) for name in joint.priors]
@@ -824,7 +825,7 @@ def _beads(
     normal: Any,
     inverse: Array,
     used: list[bool],
-    values: list[Array],
+    recorded: list[Counts],
     noise: Noise,
 ) -> tuple[FittedBead, ...]:
     """Return what was found of each bead; of those left out, their fit with all that is shared held."""
@@ -876,7 +877,7 @@ def _beads(
                 moved=moved,
                 chi2=chi2,
                 used=used[j],
-                images=values[j],
+                images=np.where(recorded[j].known, recorded[j].values, np.nan),
                 model=noise.image(mean),
                 residual=residual,
             )

@@ -16,14 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.estimation import clipping, goodness_of_fit
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
-from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.star_images import Unknowns
 from lommel.estimation.target_readout import Target
@@ -32,6 +31,8 @@ from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
+from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -411,7 +412,8 @@ def fit_field(
     """
     unknowns = Unknowns(terms, ("center",))
     validation.instance("noise", noise, Noise)
-    images, valid = _windows(windows, mask, saturation)
+    counts = _windows(windows, mask, saturation)
+    images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     given = _single(pupil)
     if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
@@ -473,9 +475,7 @@ def fit_field(
         if search.latest is None or search.latest.best is None:
             raise
         interrupted = True
-    return _answer(
-        search, state, interrupted, given, start, chip, at, images, (noise, valid, lit), (holes, pose, far)
-    )
+    return _answer(search, state, interrupted, given, start, chip, at, counts, (noise, lit), (holes, pose, far))
 
 
 def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
@@ -567,38 +567,14 @@ def _begun(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> P
     return pupil.carrying(start.pupil(x, y).wavefront, None)
 
 
-def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> tuple[Array, NDArray[np.bool_]]:
-    """Return windows (n, e, height, width), 0 where not valid, and which pixels are."""
-    hidden = np.ma.getmaskarray(windows) if isinstance(windows, np.ma.MaskedArray) else None
-    raw = validation.number_array("windows", np.ma.getdata(windows) if hidden is not None else windows)
-    if raw.ndim not in (3, 4) or raw.size == 0:
-        raise ValueError(
-            "windows must have the shape (n, height, width) or (n, exposures, height, width), at least one star, got "
-            f"{raw.shape}"
-        )
-    valid = np.isfinite(raw)
-    if hidden is not None:
-        valid &= ~hidden
-    if raw.dtype.kind in "iu":
-        valid &= raw < np.iinfo(raw.dtype).max
-    if saturation is not None:
-        valid &= raw < validation.real("saturation", saturation)
-    if mask is not None:
-        out = validation.array("mask", mask)
-        if out.dtype != bool or out.shape != raw.shape:
-            raise ValueError(f"mask must be True or False for each pixel of windows {raw.shape}, got {out.shape}")
-        valid &= ~out
-    values = np.where(valid, raw, 0.0).astype(np.float64)
-    shape = values.shape if raw.ndim == 4 else (len(values), 1, *values.shape[1:])
-    values, valid = values.reshape(shape), valid.reshape(shape)
-    for index in np.ndindex(shape[:2]):
-        good = values[index][valid[index]]
-        name = f"windows[{index[0]}]" if raw.ndim == 3 else f"windows[{index[0]}, {index[1]}]"
-        if good.size < 0.5 * valid[index].size:
-            raise ValueError(f"{name} must have pixels that are neither masked, saturated nor NaN, got {good.size}")
-        if np.ptp(good) == 0.0:
-            raise ValueError(f"{name} must show a star, got the value {good[0]:g} everywhere")
-    return values, valid
+def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+    """Return windows (n, exposures, height, width)."""
+    made = Counts.of(
+        "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
+        saturation=saturation,
+    )  # fmt: skip
+    made.require_known("windows", 0.5).require_light("windows", "a star")
+    return made if made.values.ndim == 4 else made[:, None]
 
 
 def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int, int]) -> Array:
@@ -643,8 +619,8 @@ def _answer(
     start: FieldMap | None,
     chip: Sensor,
     places: Array,
-    images: Array,
-    camera: tuple[Noise, NDArray[np.bool_], Array],
+    counts: Counts,
+    camera: tuple[Noise, Array],
     grid: tuple[Array | None, str, int],
 ) -> FieldFit:
     """Return the answer of a search."""
@@ -714,7 +690,10 @@ def _answer(
     each = stars.quality(every, psf, own[:, 2:], float(stars.own * stars.exposures))
     light = own[:, 2:, :, None]
     model = light[:, 0] * psf.reshape(stars.count, stars.exposures, -1) + light[:, 1]
-    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [images.shape[2] // 2, images.shape[3] // 2]
+    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [
+        counts.values.shape[2] // 2,
+        counts.values.shape[3] // 2,
+    ]
     used = np.zeros(stars.count, dtype=bool)
     used[found.model.chosen] = True
     chi2 = float(found.scores.chi2[0])
@@ -739,9 +718,8 @@ def _answer(
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged: {work}{goodness_of_fit.remark(chi2, spread)}"
-    noise, valid, lit = camera
-    message += clipping.left_out([valid])
-    message += clipping.remark(list(images.swapaxes(0, 1)), list(valid.swapaxes(0, 1)), noise, "exposure")
+    noise, lit = camera
+    message += remarks([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     pad = tuple(one.terms)
 
     estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
@@ -763,8 +741,8 @@ def _answer(
         degree=degree,
         distortion=distortion,
         stars=FittedStars(places, centers, own[:, 2].copy(), own[:, 3].copy(), each.chi2, used),
-        images=np.where(valid, noise.electrons(images), np.nan),
-        model=model.reshape(images.shape) * lit,
+        images=np.where(counts.known, noise.electrons(counts.filled()), np.nan),
+        model=model.reshape(counts.values.shape) * lit,
         _sensor=chip,
         _terms=kept,
         _own={term: float(value) for term, value in pupil.wavefront.edge_terms().items()},

@@ -14,12 +14,12 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
 from lommel.core.answers import ToleranceError
-from lommel.estimation.noise import Noise
 from lommel.methods.derivative_names import Name
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.psf import PSF, Plan
+from lommel.recorded.noise import Noise
 
 
 @dataclass(frozen=True, eq=False, repr=False)

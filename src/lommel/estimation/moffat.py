@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 from lommel.special.legendre import gauss_legendre
 
 _NAMES = ("flux", "row", "column", "fwhm", "beta", "background")

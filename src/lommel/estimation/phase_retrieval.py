@@ -17,7 +17,6 @@ from lommel.base.units import LENGTHS
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation import goodness_of_fit
 from lommel.estimation.goodness_of_fit import SURE
-from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.star_images import (
     Scores,
     StarImages,
@@ -34,6 +33,8 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
+from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -325,7 +326,8 @@ def retrieve(
     """
     unknowns = Unknowns(terms, also)
     validation.instance("noise", noise, Noise)
-    values, valid = recorded(images, mask, saturation)
+    counts = star_counts(images, mask, saturation)
+    values, valid = counts.filled(), counts.known
     start = _supported(pupil, unknowns, len(values))
     electrons, read = noise.electrons(values), noise.variance(np.zeros_like(values))
     known = validation.real_array("defocus", defocus)
@@ -379,7 +381,7 @@ def retrieve(
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
     lowest, best, settled, more = climb(model, lowest, most if fits else 0, lambda *_: None, fast=False)
-    return _retrieval(model, lowest, best, fits and bool(settled[0]), values, noise, (taken + more, tries))
+    return _retrieval(model, lowest, best, fits and bool(settled[0]), counts, noise, (taken + more, tries))
 
 
 def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -> Pupil | ObjectivePupil:
@@ -409,36 +411,19 @@ def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -
     return pupil
 
 
-def recorded(images: Any, mask: ArrayLike | None, saturation: float | None) -> tuple[Array, NDArray[np.bool_]]:
-    """Return images (n, height, width), 0 where they are not valid, and the map of valid pixels."""
-    shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
-    if len(shapes) > 1:
-        raise ValueError(f"images must have one shape (height, width), got {', '.join(map(str, sorted(shapes)))}")
-    raw, hidden = validation.parted("images", images)
-    if raw.ndim == 2:
-        raw = raw[None]
-    if raw.ndim != 3 or raw.size == 0:
-        raise ValueError(f"images must have one shape (height, width), one or several, got shape {raw.shape}")
-    values = np.array(raw, dtype=np.float64)
-    valid = np.isfinite(values)
-    if hidden is not None:
-        valid &= ~hidden
-    if raw.dtype.kind in "iu":
-        valid &= raw < np.iinfo(raw.dtype).max
-    if saturation is not None:
-        valid &= values < validation.real("saturation", saturation)
-    if mask is not None:
-        out = validation.array("mask", mask)
-        if out.dtype != bool or out.shape not in (raw.shape, raw.shape[1:]):
-            raise ValueError(f"mask must be True or False for each pixel of images {raw.shape}, got {out.shape}")
-        valid &= ~out
-    values[~valid] = 0.0
-    for i, (image, good) in enumerate(zip(values, valid, strict=True)):
-        if not good.any():
-            raise ValueError(f"images[{i}] must have pixels that are neither masked, saturated nor NaN, got none")
-        if np.ptp(image[good]) == 0.0:
-            raise ValueError(f"images[{i}] must show a star, got the value {image[good][0]:g} everywhere")
-    return values, valid
+def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+    """Return images (n, height, width) of a star."""
+    made = Counts.of(
+        "images",
+        images,
+        sides=(2, 3),
+        shape="(height, width) or (n, height, width)",
+        mask=mask,
+        saturation=saturation,
+    )
+    made = made if made.values.ndim == 3 else made[None]
+    made.require_known("images").require_light("images", "a star")
+    return made
 
 
 def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> Array:
@@ -492,11 +477,11 @@ def _retrieval(
     x: Array,
     scores: Scores,
     settled: bool,
-    values: Array,
+    counts: Counts,
     noise: Noise,
     tried: tuple[int, int],
 ) -> Retrieval:
-    """Return the result for parameters `x`, (1, p), of images `values`, after so many steps and starts."""
+    """Return the result for parameters `x`, (1, p), of images, after so many steps and starts."""
     steps, starts = tried
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
@@ -512,7 +497,7 @@ def _retrieval(
     own_errors: dict[Name, Numbers] = dict(
         zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
     )
-    center = np.tile([float(side // 2) for side in values.shape[1:]], (model.count, 1))
+    center = np.tile([float(side // 2) for side in counts.values.shape[1:]], (model.count, 1))
     for j, place in enumerate(unknowns.places):
         center[:, ("row", "column").index(place)] += own[j] / per_pixel
         own_errors[place] = own_errors[place] / per_pixel
@@ -546,6 +531,7 @@ def _retrieval(
     if not np.isfinite(errors).all():
         blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
         message += f"; the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
+    message += remarks([counts[k] for k in range(model.count)], noise, "image")
     return Retrieval(
         wavefront=wavefront,
         pupil=carrying(model.pupil, wavefront, **optics),
@@ -561,9 +547,9 @@ def _retrieval(
         background=own[-1].copy(),
         center=center,
         psf=psf,
-        images=np.where(valid.reshape(values.shape), values, np.nan),
-        model=noise.image(mean.reshape(values.shape)),
-        residual=residual.reshape(values.shape),
+        images=np.where(counts.known, counts.values, np.nan),
+        model=noise.image(mean.reshape(counts.values.shape)),
+        residual=residual.reshape(counts.values.shape),
         steps=steps,
         starts=starts,
     )

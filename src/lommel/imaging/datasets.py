@@ -26,7 +26,6 @@ from lommel.base.checksums import of_file
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
 from lommel.base.options import shares
-from lommel.estimation.noise import Noise
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
@@ -35,6 +34,7 @@ from lommel.io import exr_files
 from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, read_photo, write_tiff
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.recorded.noise import Noise
 
 FORMATS = ("png", "tif", "exr", "zarr")
 """Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
+from lommel.recorded.noise import Noise
 
 # Why a method stopped.
 NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"

@@ -19,7 +19,6 @@ from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
-from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
@@ -28,6 +27,8 @@ from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.photos import write_depth
 from lommel.optics.lens import Lens
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 from lommel.show import estimates
 
 if TYPE_CHECKING:
@@ -332,16 +333,12 @@ def _electrons(
     name: str, values: Values, encoding: str, noise: Noise, saturation: float | None
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Return the electrons of one photograph, channels first, and its known pixels."""
-    known = np.ones(values.shape, dtype=np.bool_)
-    if values.dtype.kind == "f":
-        known = np.isfinite(values)
-    elif values.dtype.kind == "u":
-        known = values < np.iinfo(values.dtype.str).max
     if saturation is not None:
-        with np.errstate(invalid="ignore"):
-            known &= values < validation.real("saturation", saturation, above=0.0)
-    pixels: NDArray[np.bool_] = np.asarray(known.reshape(*known.shape[:2], -1).all(axis=2))
-    light = to_light(name, np.where(known, values, values.dtype.type(0)), encoding, np.float64)
+        validation.real("saturation", saturation, above=0.0)
+    shape = "(height, width) or (height, width, channels)"
+    counts = Counts.of(name, values, sides=(2, 3), shape=shape, saturation=saturation)
+    pixels: NDArray[np.bool_] = np.asarray(counts.known.reshape(*values.shape[:2], -1).all(axis=2))
+    light = to_light(name, np.where(counts.known, values, values.dtype.type(0)), encoding, np.float64)
     planes = noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0))
     if pixels.any():
         planes = np.stack([fill_missing(np.where(pixels, plane, np.nan), "nearest") for plane in planes])

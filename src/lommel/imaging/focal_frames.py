@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.core.engine import FocalScale
-from lommel.estimation.noise import Noise
 from lommel.optics.lens import Lens
+from lommel.recorded.noise import Noise
 
 Frame = NDArray[Any]
 

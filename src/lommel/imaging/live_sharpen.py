@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.estimation.focal_model import FocalLight, FocalModel
-from lommel.estimation.noise import Noise
 from lommel.estimation.round_lenses import pixel_of
 from lommel.imaging.focal_engine import BLOCK, CONTRAST, processors, ranged
 from lommel.imaging.focal_frames import FrameForm
 from lommel.imaging.focal_tables import SharpTables, Taps
 from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens
+from lommel.recorded.noise import Noise
 
 _MOST = 961  # candidates
 _LIGHT = 5000.0  # electrons

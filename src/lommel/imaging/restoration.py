@@ -17,7 +17,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import to_light
 from lommel.base.options import shares
-from lommel.estimation.noise import Noise
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.deconvolution import NOISE, STEPS, Method, Observed, RichardsonLucy, Tell, TotalVariation
@@ -41,6 +40,8 @@ from lommel.imaging.photograph import (
 from lommel.imaging.restoration_risk import judged, mixed, noise_aware
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
+from lommel.recorded.noise import Noise
+from lommel.recorded.saturation import full_value
 
 _QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next
 
@@ -270,8 +271,9 @@ def restore(
         tile = TILE
     if out is not None:
         output(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
+    limit = full_light(given, encoding, saturation)
     if isinstance(lens, FieldMap):
-        light, limit = recorded(given, encoding, saturation)
+        light = recorded(given, encoding, limit)
         if depth is not None:
             raise ValueError(
                 "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
@@ -289,8 +291,8 @@ def restore(
                 distances = fill_missing(distances, "nearest")
             parts = TileBlur(given.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
             out = output(out, "photo", given.shape, given.dtype)
-            return _by_tiles(given, distances, parts, tile, noise, saturation, way, out, progress)
-        light, limit = recorded(given, encoding, saturation)
+            return _by_tiles(given, distances, parts, tile, noise, limit, way, out, progress)
+        light = recorded(given, encoding, limit)
         distances = fill_missing(distances, settings.missing)
         require_scene("photo", given.shape, distances.shape)
         channels = settings.channels(given.shape, lens.wavelength)
@@ -304,23 +306,29 @@ def restore(
     return replace(found, values=values if out is None else out, clipped=clipped)
 
 
-def recorded(photo: Pixels, encoding: str, saturation: float | None = None) -> tuple[Array, float]:
-    """Return the light of a photograph, NaN where it is unknown, and the light from which on it is saturated."""
+def recorded(photo: Pixels, encoding: str, limit: float) -> Array:
+    """Return the light of a photograph, NaN where it is unknown; ValueError if all of it is unknown or saturated."""
     require_image("photo", photo.shape)
-    limit = 1.0
-    if saturation is not None:
-        limit = validation.real("saturation", saturation, above=0.0, infinite=True)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
-    if photo.dtype.kind == "u":
-        limit = min(limit, 1.0)
     light[unknown] = np.nan
     if not np.any(light < limit):
         raise ValueError(
             f"photo must have pixels that are neither NaN nor saturated, got none below {limit:g}; white is 1, "
             "and saturation= says where else pixels are full"
         )
-    return light, limit
+    return light
+
+
+def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
+    """Return the light from which on pixels of a photograph are saturated, stated or not."""
+    if saturation is not None:
+        stated = validation.real("saturation", saturation, above=0.0, infinite=True)
+        return min(stated, 1.0) if photo.dtype.kind == "u" else stated
+    if photo.dtype.kind != "u":
+        return 1.0
+    full, _ = full_value([photo], None)
+    return float(to_light("photo", np.array([full], dtype=photo.dtype), encoding, np.float64)[0])
 
 
 def _over_the_field(
@@ -347,7 +355,7 @@ def _by_tiles(
     blur: TileBlur,
     side: int,
     noise: Noise,
-    saturation: float | None,
+    limit: float,
     method: Method,
     out: Pixels,
     progress: Callable[..., object] | None,
@@ -357,7 +365,7 @@ def _by_tiles(
     def observed(around: Window) -> Observed:
         """Return what was observed of a part."""
         try:
-            light, limit = recorded(np.asarray(photo[around]), blur.encoding, saturation)
+            light = recorded(np.asarray(photo[around]), blur.encoding, limit)
         except ValueError as error:
             rows, columns = around
             raise ValueError(
@@ -365,8 +373,7 @@ def _by_tiles(
                 "larger tiles (tile=) hold more"
             ) from None
         # Parameters of the noise that each pixel has its own of are cut too.
-        parts = {name: each if np.ndim(each) == 0 else each[around] for name, each in vars(noise).items()}
-        return Observed.of(blur.operator(np.asarray(depth[around])), light, Noise(**parts), limit)
+        return Observed.of(blur.operator(np.asarray(depth[around])), light, noise.part(*around), limit)
 
     def from_middle(tile: tuple[Window, Window, Window]) -> float:
         return math.hypot(*(at.start + at.stop - size for at, size in zip(tile[0], photo.shape, strict=False)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from lommel.base import validation
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 from lommel.traced.namespaces import Operand
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from lommel.base.units import format_length
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 
 
 @dataclass(frozen=True)

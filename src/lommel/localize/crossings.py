@@ -15,18 +15,10 @@ from scipy.spatial import cKDTree
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
+from lommel.localize.detection import filled
 from lommel.localize.lattice import grid_indices
-from lommel.localize.point_sources import (
-    Refused,
-    filled,
-    planes_of,
-    refusals,
-    saturated,
-    told,
-    unusable,
-    windows_around,
-)
+from lommel.localize.point_sources import Refused, field_counts, refusals, told, unusable, windows_around
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -191,8 +183,8 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    planes, left, single = planes_of(images, "exposures", box or (_LEAST, _LEAST), mask)
-    full = saturated(planes, left, saturation)
+    counts, single = field_counts(images, "exposures", box or (_LEAST, _LEAST), mask, saturation)
+    planes, left, full = counts.values, counts.hidden, np.asarray(counts.full.any(axis=0))
     electrons = noise.electrons(filled(planes, left, sigma))
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(light, variance, sigma, level)

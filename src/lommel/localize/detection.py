@@ -30,11 +30,12 @@ from scipy.spatial import cKDTree
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.estimation.noise import Noise
-from lommel.localize.movies import WITHOUT, not_finite
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
 _REACH = 4.0  # standard deviations after which kernels end
+_FAR = 1e-3  # of the weights around a pixel, below which it has no others near
 DEFECT = 1e3  # electrons of read noise, from which on a pixel tells nothing
 
 
@@ -51,7 +52,8 @@ class Spots:
     score : ndarray, shape (n,)
         Height above the background in standard deviations of the background noise.
     images : ndarray, shape (n, rows, columns)
-        Boxes cut from the frames, in their unit and type.
+        Boxes cut from the frames, in their unit and type; of frames with saturated or unknown pixels as floats, NaN
+        there.
     borders, overlapping : int
         Spots left out because their boxes extend beyond the frame, or overlap that of a brighter spot: another
         molecule, or another part of the same image.
@@ -88,6 +90,7 @@ def find(
     noise: Noise | None = None,
     threshold: float = 6.0,
     width: float = 2.0,
+    saturation: float | None = None,
     first: int = 0,
     threads: int | None = None,
 ) -> Spots:
@@ -96,7 +99,7 @@ def find(
     Parameters
     ----------
     frames : array_like, shape (frames, rows, columns) or (rows, columns)
-        As the camera recorded them, in the unit of `noise`.
+        As the camera recorded them, in the unit of `noise`. NaN, infinite and masked values are left out.
     box : int or (int, int), default 15
         Rows and columns of the boxes.
     noise : Noise, optional
@@ -109,6 +112,9 @@ def find(
         Standard deviation of the smoothing in pixels, at most a quarter of the box: about that of the images of
         molecules, so that elongated ones have one maximum, in their middle. The background is smoothed by a third of
         the box.
+    saturation : float, optional
+        Values from here on, in the unit of the frames, are saturated: they count for the search, and are NaN in
+        boxes. By default the largest value of integers, and where many pixels are full, that of 8 to 16 bits.
     first : int, default 0
         Number of the first frame.
     threads : int, optional
@@ -123,7 +129,7 @@ def find(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, a value of the frames is not finite, or frames are smaller than the box.
+        If an argument is out of range, or frames are smaller than the box, or have no pixel that is known.
 
     Notes
     -----
@@ -141,15 +147,38 @@ def find(
     (array([1]), array([31]), array([41]))
     """
     rows, columns = validation.image_shape(box)
+    counts = frame_counts(frames, (rows, columns), saturation)
+    start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
+    return find_in(counts, (rows, columns), noise, threshold, width, start, threads)
+
+
+def frame_counts(frames: ArrayLike, box: tuple[int, int], saturation: float | None) -> Counts:
+    """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
+    shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
+    made = Counts.of("frames", frames, sides=(2, 3), shape=shape, saturation=saturation, empty=True)
+    if made.values.shape[-2] < box[0] or made.values.shape[-1] < box[1]:
+        raise ValueError(f"frames must have the shape {shape}, got {made.values.shape}")
+    made = made if made.values.ndim == 3 else made[None]
+    return made.require_known("frames") if len(made.values) else made
+
+
+def find_in(
+    counts: Counts,
+    box: tuple[int, int],
+    noise: Noise | None,
+    threshold: float,
+    width: float,
+    start: int,
+    threads: int | None,
+) -> Spots:
+    """Find spots in frames as :func:`find` does."""
+    rows, columns = box
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
-    start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
-    camera, stored = noise or Noise(read=0.0), _stack(frames, rows, columns)
-    if place := not_finite(stored, start):
-        raise ValueError(f"frames must be finite, got {place}; {WITHOUT}")
-    light, read = camera.electrons(stored), camera.read
+    camera = noise or Noise(read=0.0)
+    light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
     if not isinstance(read, float) and read.shape != light.shape[1:]:
         raise ValueError(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
@@ -178,20 +207,11 @@ def find(
         row,
         column,
         score[kept],
-        stored[frame[:, None, None], down, across],
+        counts.marked()[frame[:, None, None], down, across],
         borders,
         overlapping,
         _density(level, narrow, wide) * light.shape[1] * light.shape[2],
     )
-
-
-def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
-    """Return frames with an axis for them."""
-    found = validation.number_array("frames", frames)
-    if found.ndim not in (2, 3) or found.shape[-2] < rows or found.shape[-1] < columns:
-        shape = f"(frames, rows, columns), at least the box of {rows} x {columns}"
-        raise ValueError(f"frames must have the shape {shape}, got {found.shape}")
-    return found.reshape(-1, *found.shape[-2:])
 
 
 def _mending(defects: NDArray[np.bool_], sigma: float) -> list[tuple[NDArray[np.bool_], Array]]:
@@ -214,6 +234,19 @@ def _mended(frame: Array, turns: list[tuple[NDArray[np.bool_], Array]], sigma: f
     for near, weight in turns:
         frame[near] = (smoothed(frame, sigma) / weight)[near]
     return frame
+
+
+def filled(planes: Values, left: NDArray[np.bool_], width: float) -> Values:
+    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out."""
+    if not left.any():
+        return planes
+    made = np.where(left, 0.0, planes).astype(np.float64)
+    for image, out in zip(made, left, strict=True):
+        if out.any():
+            share = smoothed(1.0 - out, width)
+            around = smoothed(image, width) / np.maximum(share, 1e-300)
+            image[out] = np.where(share > _FAR, around, np.median(image[~out]))[out]
+    return made
 
 
 class Kernel:

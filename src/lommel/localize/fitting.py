@@ -14,11 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.estimation.noise import Noise
 from lommel.localize.detection import DEFECT
 from lommel.localize.table import Table
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 
 STATES = ("converged", "border", "steps", "undetermined")
 _SPACING, _TURN = 1.15, 0.85  # of templates: in v, and radians of the fastest change along z
@@ -174,6 +175,7 @@ def fit(
     corners: ArrayLike | None = None,
     transforms: ArrayLike | None = None,
     which: ArrayLike | None = None,
+    saturation: float | None = None,
     starts: int = 4,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -201,6 +203,9 @@ def fit(
         other; by default the same place. From beads that all channels show.
     which : array_like of int, shape (n,), optional
         The table of each molecule.
+    saturation : float, optional
+        Values from here on, in the unit of `images`, are saturated and do not count. By default the largest value of
+        integers, and where many pixels are full, that of 8 to 16 bits.
     starts : int, default 4
         Number of starts, in different ranges of z, that are tried where the first estimate is in doubt: at a limit of
         the table, or with a discrepancy above 2.5. 1 to 20.
@@ -251,7 +256,7 @@ def fit(
     several = not isinstance(table, Table) and which is None
     cameras = _cameras(len(tables) if several else 1, noise)
     # Which tables fit which molecules.
-    boxes = _boxes(tables if several else tables[:1], images if several else [images])
+    boxes = _boxes(tables if several else tables[:1], images if several else [images], saturation)
     total = len(boxes[0])
     groups = [(tables, np.arange(total))] if which is None else _chosen(tables, which, total)
     places = _corners(corners, len(boxes), total, several)
@@ -317,20 +322,17 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> Any:
     return kept[1]
 
 
-def _boxes(tables: list[Table], images: Any) -> list[NDArray[Any]]:
-    if len(images) != len(tables):
-        raise ValueError(f"images must be of {len(tables)} channels, got {len(images)}")
+def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
+    """Return the boxes of each channel, NaN where a pixel does not count."""
+    if not hasattr(images, "__len__") or len(images) != len(tables):
+        got = len(images) if hasattr(images, "__len__") else validation.shown(images)
+        raise ValueError(f"images must be of {len(tables)} channels, got {got}")
     boxes = []
     for one, given in zip(tables, images, strict=True):
-        box = validation.number_array("images", given)
-        if box.ndim != 3:
-            raise ValueError(
-                f"images must have the shape (n, height, width), got {box.shape}; one box is images[None]"
-            )
+        shape = "(n, height, width), of one box images[None]"
+        box = Counts.of("images", given, sides=(3,), shape=shape, saturation=saturation, empty=True).marked()
         if box.shape[1:] != one.shape:
             raise ValueError(f"images must be boxes of {one.shape} pixels as the table's, got {box.shape[1:]}")
-        if box.dtype.kind == "f" and np.isinf(box).any():
-            raise ValueError("images must be finite, or NaN where a pixel is not to count, got inf")
         boxes.append(box)
     if len({len(box) for box in boxes}) != 1:
         raise ValueError(f"images must be of as many molecules in each channel, got {[len(box) for box in boxes]}")
@@ -398,7 +400,7 @@ def _in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tu
                 raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")
             parts[name] = part[rows[:, :, None], columns[:, None, :]]
     white = 1.0 if parts["white"] is None else parts["white"]
-    light = (box - parts["offset"]) * white
+    light = (box.astype(np.float64) - parts["offset"]) * white
     if not isinstance(parts["read"], float):
         light = np.where(parts["read"] < DEFECT, light, np.nan)
     return _floats(light), _variance(parts["read"], box.shape)

@@ -18,13 +18,13 @@ from scipy import ndimage
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
-from lommel.localize.detection import Spots, find
+from lommel.localize.detection import Spots, find, find_in, frame_counts
 from lommel.localize.fitting import Deviation, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
 from lommel.localize.movies import BLOCK, Movie, open_movie
 from lommel.localize.table import Table
+from lommel.recorded.noise import Noise
 
 _HEIGHTS, _TURNS = 65, 100
 
@@ -36,6 +36,7 @@ def localize_movie(
     noise: Noise | None = None,
     threshold: float = 6.0,
     width: float | None = None,
+    saturation: float | None = None,
     starts: int = 4,
     block: int | None = None,
     threads: int | None = None,
@@ -60,6 +61,8 @@ def localize_movie(
     width : float, optional
         Standard deviation in pixels by which frames are smoothed to find spots; by default the median over z of that
         of the images in the table.
+    saturation : float, optional
+        As of :func:`lommel.localize.find`; pixels that are full do not count in fits.
     starts : int, default 4
         Number of starts of a fit where the first estimate is in doubt.
     block : int, optional
@@ -86,7 +89,7 @@ def localize_movie(
     >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
     >>> found.save("molecules.csv")  # doctest: +SKIP
     """
-    options = {"noise": noise, "threshold": threshold, "width": width, "starts": starts}
+    options = {"noise": noise, "threshold": threshold, "width": width, "saturation": saturation, "starts": starts}
     return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
 
 
@@ -97,6 +100,7 @@ def localize_blocks(
     noise: Noise | None = None,
     threshold: float = 6.0,
     width: float | None = None,
+    saturation: float | None = None,
     starts: int = 4,
     block: int | None = None,
     threads: int | None = None,
@@ -106,7 +110,7 @@ def localize_blocks(
 
     Parameters
     ----------
-    movie, table, noise, threshold, width, starts, block, threads, progress
+    movie, table, noise, threshold, width, saturation, starts, block, threads, progress
         As of :func:`lommel.localize.localize_movie`.
 
     Yields
@@ -132,11 +136,12 @@ def localize_blocks(
         recording = Recording(*shape, pixel, table.shape, table.along, name)
         done = 0
         for frames in blocks:
-            spots = find(
-                frames, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
-            )
-            again = partial(fit, table, noise=noise, starts=starts, threads=threads)
-            found = _recentred(frames, spots.frame - done, spots.corners, table, again)
+            counts = frame_counts(frames, table.shape, saturation)
+            if counts.assumed:
+                saturation = counts.saturation  # of the frames that follow, too
+            spots = find_in(counts, table.shape, noise, threshold, width, done, threads)
+            again = partial(fit, table, noise=noise, saturation=math.inf, starts=starts, threads=threads)
+            found = _recentred(counts.marked(), spots.frame - done, spots.corners, table, again)
             yield _localizations(spots, found, recording, widths)
             done += len(frames)
             if progress is not None:
@@ -181,6 +186,7 @@ def likelier(
     noise: Noise,
     threshold: float,
     width: float | None,
+    saturation: float | None = None,
     starts: int,
     block: int | None,
     threads: int | None,
@@ -195,7 +201,9 @@ def likelier(
     if width is None:
         width = _smoothing(table, gaussian_widths(table))
     for frames in itertools.islice(movie.blocks(block), _MOST_BLOCKS):
-        spots = find(frames, table.shape, noise=noise, threshold=threshold, width=width, threads=threads)
+        spots = find(
+            frames, table.shape, noise=noise, threshold=threshold, width=width, saturation=saturation, threads=threads
+        )
         options: dict[str, Any] = {"noise": noise, "corners": spots.corners, "starts": starts, "threads": threads}
         one, another = (fit(each, spots.images, **options) for each in (table, other))
         both = one.converged & another.converged

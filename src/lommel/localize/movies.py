@@ -39,7 +39,7 @@ class Movie:
     Raises
     ------
     MovieError
-        By all methods, where the file is damaged; where a value of the frames read is not finite.
+        By all methods, where the file is damaged.
     """
 
     def __init__(self, path: Path) -> None:
@@ -118,7 +118,7 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If there are no such frames; MovieError if one is damaged or missing, or has a value that is not finite.
+            If there are no such frames; MovieError if one is damaged or missing.
         """
         begin = validation.integer("first", first, least=0, most=len(self))
         end = validation.integer("last", last, least=begin, most=len(self))
@@ -128,8 +128,6 @@ class Movie:
             found = np.empty((end - begin, *self.shape[1:]), self.dtype)
             for k in range(begin, end):
                 found[k - begin] = self._frame(k)
-        if place := not_finite(found, begin):
-            self._refuse(f"its values must be finite, got {place}; {WITHOUT}")
         return found
 
     def blocks(self, size: int | None = None) -> Iterator[Values]:
@@ -147,7 +145,7 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If `size` is out of range; MovieError if a frame is damaged or missing, or has a value that is not finite.
+            If `size` is out of range; MovieError if a frame is damaged or missing.
         """
         count, rows, columns = self.shape
         each = max(1, BLOCK // (rows * columns)) if size is None else size
@@ -170,17 +168,6 @@ class Movie:
         if isinstance(error, OSError) and error.filename is not None:  # which says why itself
             raise error
         raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error
-
-
-def not_finite(frames: Values, first: int) -> str:
-    """Return the first value of frames from `first` on that is not finite, with its place, or ""."""
-    if frames.dtype.kind != "f" or np.isfinite(frames).all():
-        return ""
-    frame, row, column = np.argwhere(~np.isfinite(frames))[0]
-    return f"{frames[frame, row, column]} in frame {first + frame}, row {row}, column {column}, counted from 0"
-
-
-WITHOUT = "write 0 there, and leave the pixel out by a map of the read noise with 1000 electrons"
 
 
 def open_movie(path: str | PathLike[str]) -> Movie:

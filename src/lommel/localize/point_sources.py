@@ -16,8 +16,9 @@ from scipy.spatial import cKDTree
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
-from lommel.localize.detection import Kernel, smoothed
+from lommel.localize.detection import Kernel, filled, smoothed
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,7 +37,6 @@ _STRUCTURE = 0.25  # of a window: maxima that near belong to one image
 _INSIDE = 0.55  # of a window: half of it, and a pixel
 _ONE_PIXEL = 0.8
 _HIT = 0.25  # share of a window, or of its middle half, that is left out
-_FAR = 1e-3  # of the weights around a pixel, below which it has no others near
 _CANDIDATE = 1.0  # standard deviations, from which on the highest maximum is named where there is no spot
 
 
@@ -207,8 +207,8 @@ def find_spots(
     far = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    planes, left, single = planes_of(images, "planes", (rows, columns), mask)
-    full = saturated(planes, left, saturation)
+    counts, single = field_counts(images, "planes", (rows, columns), mask, saturation)
+    planes, left, full = counts.values, counts.hidden, np.asarray(counts.full.any(axis=0))
     electrons = noise.electrons(filled(planes, left, narrow))
     variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
@@ -242,47 +242,25 @@ def find_spots(
     )
 
 
-def planes_of(
-    images: ArrayLike, several: str, box: tuple[int, int], mask: ArrayLike | None
-) -> tuple[Values, NDArray[np.bool_], bool]:
-    """Return images with an axis for `several`, which of their pixels are left out, and whether they had no axis.
+def field_counts(
+    images: ArrayLike, several: str, box: tuple[int, int], mask: ArrayLike | None, saturation: float | None
+) -> tuple[Counts, bool]:
+    """Return images with an axis for `several`, and whether they had none.
 
     ValueError if an image is smaller than a window, or all of it is left out.
     """
-    stored, hidden = validation.parted("images", images)
-    planes = stored[None] if stored.ndim == 2 else stored
+    made = Counts.of(
+        "images", images, sides=(2, 3), shape=f"(height, width) or ({several}, height, width)", mask=mask,
+        saturation=saturation,
+    )  # fmt: skip
     rows, columns = box
-    if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:
+    if made.values.shape[-2] < rows or made.values.shape[-1] < columns:
         raise ValueError(
-            f"images must have the shape (height, width) or ({several}, height, width), at least the window of "
-            f"{rows} x {columns}, got {stored.shape}"
+            f"images must have at least the window of {rows} x {columns} pixels, got the shape {made.values.shape}"
         )
-    left = np.zeros(planes.shape, dtype=bool) if planes.dtype.kind != "f" else ~np.isfinite(planes)
-    if hidden is not None:
-        left |= hidden
-    if mask is not None:
-        out = validation.array("mask", mask)
-        if out.dtype != bool or out.shape not in (stored.shape, planes.shape[1:]):
-            raise ValueError(
-                f"mask must be True or False for each pixel of images {stored.shape}, got {out.dtype} of {out.shape}"
-            )
-        left |= out
-    if left.all(axis=(1, 2)).any():
-        raise ValueError("images must have pixels that are neither masked nor NaN, got an image with none")
-    return planes, left, stored.ndim == 2
-
-
-def filled(planes: Values, left: NDArray[np.bool_], width: float) -> Values:
-    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out."""
-    if not left.any():
-        return planes
-    made = np.where(left, 0.0, planes).astype(np.float64)
-    for image, out in zip(made, left, strict=True):
-        if out.any():
-            share = smoothed(1.0 - out, width)
-            around = smoothed(image, width) / np.maximum(share, 1e-300)
-            image[out] = np.where(share > _FAR, around, np.median(image[~out]))[out]
-    return made
+    single = made.values.ndim == 2
+    made.require_known("images")
+    return (made[None] if single else made), single
 
 
 def told(left_out: int) -> str:
@@ -320,16 +298,6 @@ def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) ->
     each = zip(places.tolist(), score.tolist(), reasons, strict=True)
     refused = [Refused(row, column, height, reason) for (row, column), height, reason in each if reason]
     return tuple(sorted(refused, key=lambda one: -one.score))
-
-
-def saturated(planes: Values, left: NDArray[np.bool_], saturation: float | None) -> NDArray[np.bool_]:
-    """Return the pixels that are saturated in a plane, and not left out."""
-    full = np.zeros(planes.shape[1:], dtype=bool)
-    if planes.dtype.kind in "iu":
-        full |= ((planes == np.iinfo(planes.dtype).max) & ~left).any(axis=0)
-    if saturation is not None:
-        full |= ((planes >= validation.real("saturation", saturation)) & ~left).any(axis=0)
-    return full
 
 
 def _highest(row: Values, column: Values, score: Array) -> Refused | None:

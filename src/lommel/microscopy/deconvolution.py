@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.axial import stage
@@ -16,6 +15,8 @@ from lommel.microscopy.stack_blur import TiledBlur
 from lommel.microscopy.stack_steps import Background, Counted
 from lommel.microscopy.total_variation import walk_of
 from lommel.psf import PSF
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # how many points each side has, whose levels are estimated
@@ -31,6 +32,7 @@ def deconvolve(
     method: RichardsonLucy | TotalVariation | None = None,
     background: float | str = "flat",
     margin: tuple[int, int] | None = None,
+    saturation: float | None = None,
     progress: Tell | None = None,
 ) -> Restoration:
     """Deconvolve a stack of planes recorded by a microscope, with its PSF and noise (3-D deconvolution).
@@ -38,7 +40,7 @@ def deconvolve(
     Parameters
     ----------
     stack : array_like, shape (planes, height, width)
-        Recorded stack, in the unit of `noise`: integers or floats; NaN marks unknown values.
+        Recorded stack, in the unit of `noise`: integers or floats; NaN, infinite and masked values are left out.
     psf : PSF
         As of :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording. Its
         planes and window must hold the cone of light: beyond them it is taken to be dark. Values are divided by their
@@ -57,6 +59,9 @@ def deconvolve(
         Number of planes and pixels restored beyond each face of the recording, to account for light from outside; by
         default half of those of the PSF, and at most a quarter as many planes as the stack has, or 8. Planes farther
         away are taken to be like the outermost one, pixels to be dark.
+    saturation : float, optional
+        Values from here on, in the unit of `stack`, are saturated and left out. By default the largest value of
+        integers, and where many voxels are full, that of 8 to 16 bits.
     progress : callable, optional
         As of :func:`lommel.imaging.restore_with`.
 
@@ -72,7 +77,7 @@ def deconvolve(
     Raises
     ------
     TypeError, ValueError
-        If an argument is of another type or out of range; if `stack` is infinite, or NaN everywhere.
+        If an argument is of another type or out of range; if `stack` has no value that is known.
 
     Notes
     -----
@@ -82,24 +87,14 @@ def deconvolve(
     doi:10.1109/42.370409).
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
-    recorded = validation.array("stack", stack)
-    if recorded.dtype.kind not in "iuf" or recorded.ndim != 3:
-        got = f"{recorded.dtype} of the shape {recorded.shape}"
-        raise TypeError(f"stack must hold real numbers, of the shape (planes, height, width), got {got}")
-    if 0 in recorded.shape:
-        raise ValueError(f"stack must have planes, rows and columns, got the shape {recorded.shape}")
+    counts = Counts.of("stack", stack, sides=(3,), shape="(planes, height, width)", saturation=saturation)
+    recorded = counts.marked()
     validation.instance("psf", psf, PSF)
-    validation.instance("noise", noise, Noise)
+    validation.instance("noise", noise, Noise).require_shape(recorded.shape)
     usual = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
     asked = usual if margin is None else margin
     if not isinstance(asked, tuple | list) or len(asked) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
-    for name in ("offset", "read", "white"):
-        given = np.shape(getattr(noise, name))
-        if given not in ((), recorded.shape[1:]):
-            raise ValueError(
-                f"noise must have one {name}, or a map of the shape {recorded.shape[1:]}, got the shape {given}"
-            )
     level = background_of(background)
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
     counted = Counted(recorded, noise)

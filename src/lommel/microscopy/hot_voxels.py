@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 
 _SURE = 10.0  # standard deviations of the noise,
 _SHARPER = 2.0  # and times what the PSF lets a point exceed its neighbours by

@@ -11,10 +11,10 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
-from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
+from lommel.recorded.noise import Noise
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
 """What can be estimated from a stack, and its name."""

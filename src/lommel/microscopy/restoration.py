@@ -21,12 +21,10 @@ from lommel.base.optional import version
 from lommel.base.unfinished import Unfinished
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
-from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, TotalVariation
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
-from lommel.microscopy.camera_noise import contradiction, measured_noise
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
 from lommel.microscopy.hot_voxels import MOST, LeftOut, hot_voxels, sharpness
@@ -36,6 +34,9 @@ from lommel.microscopy.stack_steps import STACK_MISFIT, Background, Counted, Mov
 from lommel.microscopy.total_variation import walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.recorded.camera_noise import contradiction, measured_noise
+from lommel.recorded.noise import Noise
+from lommel.recorded.saturation import full_value
 from lommel.show import restored as pictures
 
 if TYPE_CHECKING:
@@ -49,7 +50,6 @@ BETWEEN = "voxels: no other PSF fits better; points between voxels, or a gain th
 
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # bytes
-_FULL = 8  # voxels of the largest value a sensor has, from which on they count as saturated
 _OFF = 0.02  # by which lengths of the file and of the objective may differ
 _BELOW = 0.02  # of the voxels: so many are not below the offset by chance
 _USUAL_STEPS = 60  # of a restoration
@@ -694,7 +694,7 @@ class _Job:
                 f"The noise was estimated from the stack: {_gain(camera, error)} and an offset of "
                 f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
             )
-        _maps(camera, (height, width))
+        camera.require_shape((height, width))
         if noise is not None:
             self._doubt(camera)
         crop = crop_of(stack, model.window[1])
@@ -818,30 +818,20 @@ class _Job:
 
     def _limit(self, saturation: float | None) -> float:
         """Return the value from which on voxels are saturated."""
-        whole = self._stack.dtype.kind in "iu"
-        if not whole and (lost := sum(int(np.isnan(self._stack[plane]).sum()) for plane in range(len(self._stack)))):
-            self._notes.append(f"{lost} voxels are NaN: unknown, and left out.")
-        if saturation is not None:
-            limit = float(validation.real("saturation", saturation, infinite=True))
-            count = sum(int((np.asarray(self._stack[plane]) >= limit).sum()) for plane in range(len(self._stack)))
-            self._notes.append(
-                f"{count} voxels have at least the saturation that was stated, {limit:g}, and were left out."
-            )
-            return limit
-        if not whole:
-            return math.inf
-        most = max(int(np.asarray(self._stack[plane]).max()) for plane in range(len(self._stack)))
-        if most + 1 not in (2**8, 2**10, 2**12, 2**14, 2**16):
-            return math.inf
-        count = sum(int((np.asarray(self._stack[plane]) == most).sum()) for plane in range(len(self._stack)))
-        if count < _FULL:
-            return math.inf
-        share = 100.0 * count / math.prod(self._stack.shape)
-        self._notes.append(
-            f"{count} voxels ({share:.2g} %) have the largest value, {most}: they were taken as saturated, and left "
-            "out. Record with less light or time, or state saturation=."
-        )
-        return float(most)
+        planes = self._stack
+        if planes.dtype.kind not in "iu" and (
+            lost := sum(int((~np.isfinite(planes[plane])).sum()) for plane in range(len(planes)))
+        ):
+            self._notes.append(f"{lost} voxels are NaN or infinite: unknown, and left out.")
+        limit, assumed = full_value(planes, saturation, name="voxels")
+        count = sum(int((np.asarray(planes[plane]) >= limit).sum()) for plane in range(len(planes)))
+        if assumed:
+            self._notes.append(f"{assumed[0].upper()}{assumed[1:]}. Record with less light or time.")
+        elif count:
+            whose = "the saturation that was stated" if saturation is not None else "the largest value of their type"
+            share = 100.0 * count / math.prod(planes.shape)
+            self._notes.append(f"{count} voxels ({share:.2g} %) have {whose}, {limit:g}, or more, and were left out.")
+        return limit
 
     def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs, specimens: float) -> int:
         """Return the side of the chunks."""
@@ -897,7 +887,7 @@ class _Job:
             if number and self._target.has(request, self._place, rows, columns):
                 continue
             y, x = _around(rows, overlap, height), _around(columns, overlap, width)
-            counted = Counted(_loaded(source, y, x), _cut(camera, y, x), limit)
+            counted = Counted(_loaded(source, y, x), camera.part(y, x), limit)
             if not alone:
                 counted.level = level
             size = (planes, y.stop - y.start, x.stop - x.start)
@@ -991,13 +981,6 @@ def between(low: float, high: float) -> str:
     return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 
 
-def _maps(camera: Noise, side: tuple[int, int]) -> None:
-    for name in ("offset", "read", "white"):
-        given = np.shape(getattr(camera, name))
-        if given not in ((), side):
-            raise ValueError(f"noise must have one {name}, or a map of the shape {side}, got the shape {given}")
-
-
 def _level(stack: Any, camera: Noise, limit: float) -> float:
     """Return the mean light of a stack, from which all chunks start."""
     total = weights = 0.0
@@ -1008,12 +991,6 @@ def _level(stack: Any, camera: Noise, limit: float) -> float:
         total += float((gain * light).sum())
         weights += float(gain.sum())
     return total / max(weights, 1e-30)
-
-
-def _cut(camera: Noise, rows: slice, columns: slice) -> Noise:
-    """Return the noise of a part of the planes."""
-    parts = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
-    return Noise(**parts)
 
 
 def _parts(height: int, width: int, side: int) -> Iterator[tuple[slice, slice]]:

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import (
     MISFIT,
     NOISE,
@@ -24,6 +23,7 @@ from lommel.imaging.deconvolution import (
 )
 from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, overlap
 from lommel.microscopy.wide_blur import WideBlur
+from lommel.recorded.noise import Noise
 
 STACK_MISFIT = (
     "misfit: the PSF (wavelength, depth, direction of z, steps of z, pixels) or the noise is not that of the stack"
@@ -55,8 +55,6 @@ class Counted(Counts):
         total = weights = counts = over = 0.0
         for plane in range(len(recorded)):
             values = np.asarray(recorded[plane])
-            if np.isinf(values).any():
-                raise ValueError("stack must be finite, or NaN where a value is unknown, got infinity")
             known = np.isfinite(values) & (values < saturation)
             seen = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
             each = np.where(known, gain, 0.0)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import of_kind
@@ -16,6 +15,7 @@ from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.restoration import restore
 from lommel.napari_plugin.layers import EMISSION, KEY, psf_of, voxel_of
 from lommel.napari_plugin.panel import ObjectiveFields, Panel
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from magicgui.widgets import Container

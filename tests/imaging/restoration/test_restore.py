@@ -19,7 +19,7 @@ from lommel.imaging import (
     restore,
     restore_with,
 )
-from lommel.imaging.restoration import recorded
+from lommel.imaging.restoration import full_light, recorded
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -164,14 +164,14 @@ def test_depth_that_is_wrong_is_told(method):
 def test_light_is_known_below_white():
     photo = np.array([[0, 128, 255]], np.uint8)
     for given, limit in ((None, 1.0), (0.6, 0.6), (2.0, 1.0), (np.inf, 1.0)):
-        light, found = recorded(photo, "linear", given)
-        np.testing.assert_allclose(light, [[0.0, 128 / 255, 1.0]])
-        assert found == limit
+        assert full_light(photo, "linear", given) == limit
+    np.testing.assert_allclose(recorded(photo, "linear", 1.0), [[0.0, 128 / 255, 1.0]])
+    clipped = np.minimum(np.arange(9000).reshape(90, 100), 4095).astype(np.uint16)  # of 12 bits
+    assert full_light(clipped, "linear", None) == 4095 / 65535
     floats = np.array([[0.2, 1.0, 3.0, np.nan]])
     for given, limit in ((None, 1.0), (2.0, 2.0), (np.inf, np.inf)):
-        light, found = recorded(floats, "linear", given)
-        np.testing.assert_array_equal(light, floats)
-        assert found == limit
+        assert full_light(floats, "linear", given) == limit
+        np.testing.assert_array_equal(recorded(floats, "linear", limit), floats)
 
 
 @pytest.mark.parametrize(

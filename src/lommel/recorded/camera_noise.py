@@ -10,7 +10,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
-from lommel.estimation.noise import Noise
+from lommel.recorded.noise import Noise
 
 _PLANES = 24  # that are looked at
 _POINTS = 4_000_000  # of all of them, evenly spaced, which is enough and needs little memory

@@ -106,6 +106,42 @@ class Noise(EqualByContent):
         made += self._for("offset", mean.shape)
         return made
 
+    def part(self, rows: slice, columns: slice) -> Noise:
+        """Return the noise of a window of images, for which maps are cut.
+
+        Parameters
+        ----------
+        rows, columns : slice
+
+        Returns
+        -------
+        Noise
+        """
+        parts = {name: value if np.ndim(value) == 0 else value[rows, columns] for name, value in vars(self).items()}
+        return Noise(**parts)
+
+    def require_shape(self, shape: tuple[int, ...]) -> Noise:
+        """Return it; ValueError if a map has not the height and width of images.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            Of images, height and width last.
+
+        Returns
+        -------
+        Noise
+
+        Raises
+        ------
+        ValueError
+            If a map has another shape.
+        """
+        for name in ("white", "read", "offset"):
+            if np.ndim(getattr(self, name)):
+                self._for(name, shape)
+        return self
+
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
         """Return a number, or the values for each pixel if images have this shape."""
         value: float | Array | None = getattr(self, name)

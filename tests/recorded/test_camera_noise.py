@@ -3,7 +3,7 @@
 import numpy as np
 
 import lommel as lm
-from lommel.microscopy import camera_noise
+from lommel.recorded import camera_noise
 
 
 def test_of_a_large_stack_fewer_points_do(monkeypatch):

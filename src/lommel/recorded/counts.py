@@ -1,0 +1,153 @@
+"""Images as a camera counted them: their values, and which of their pixels are known, full or left out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.recorded.noise import Noise
+from lommel.recorded.saturation import flat_top, full_value
+
+
+@dataclass(frozen=True, eq=False)
+class Counts:
+    """Recorded images and what is known of each pixel.
+
+    Attributes
+    ----------
+    values : ndarray, shape (..., height, width)
+        In the unit of the camera and of the type that was stored.
+    hidden : ndarray of bool, of the same shape
+        Pixels that are not to be used: NaN, infinite, or masked.
+    full : ndarray of bool, of the same shape
+        Others that are saturated.
+    saturation : float
+        Value from which on pixels are full; infinity for none.
+    assumed : str
+        What was assumed of saturation, or "".
+    """
+
+    values: Values
+    hidden: NDArray[np.bool_]
+    full: NDArray[np.bool_]
+    saturation: float
+    assumed: str
+
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        images: Any,
+        *,
+        sides: tuple[int, ...],
+        shape: str,
+        mask: ArrayLike | None = None,
+        saturation: float | None = None,
+        empty: bool = False,
+    ) -> Self:
+        """Return the counts of an argument: arrays, containers with a mask, or several in a list.
+
+        Parameters
+        ----------
+        name : str
+            Of the argument, in messages.
+        images : array_like or container
+            Integers or floats; masks of NumPy's and astropy's containers are honoured.
+        sides : tuple of int
+            Numbers of axes that it may have, `shape` in words.
+        mask : array_like of bool, optional
+            True for pixels that are not to be used, of the shape of `images` or of one of them.
+        saturation : float, optional
+            Value from which on pixels are full; by default see :func:`lommel.recorded.saturation.full_value`.
+        empty : bool, default False
+            Whether there may be no image at all.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is of another type or shape.
+        """
+        shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
+        if len(shapes) > 1:
+            raise ValueError(f"{name} must have one shape {shape}, got {', '.join(map(str, sorted(shapes)))}")
+        values, hidden = validation.parted(name, images)
+        if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
+            raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
+        left = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
+        if hidden is not None:
+            left |= hidden
+        if mask is not None:
+            out = validation.array("mask", mask)
+            if out.dtype != bool or out.shape not in (values.shape, values.shape[-2:]):
+                raise ValueError(
+                    f"mask must be True or False for each pixel of {name} {values.shape}, got {out.dtype} of "
+                    f"{out.shape}"
+                )
+            left |= out
+        limit, assumed = full_value([np.where(left, 0, values) if left.any() else values], saturation)
+        full = (values >= limit) & ~left
+        return cls(values, left, full, limit, assumed)
+
+    @property
+    def known(self) -> NDArray[np.bool_]:
+        """Pixels that are neither hidden nor full."""
+        return ~(self.hidden | self.full)
+
+    def filled(self) -> Array:
+        """Return the values as float64, 0 where a pixel is not known."""
+        return np.where(self.known, self.values, 0.0).astype(np.float64, copy=False)
+
+    def require_known(self, name: str, least: float = 0.0) -> Self:
+        """Return it; ValueError if an image has no pixel that is known, or less than this share of them."""
+        shares = self.known.mean(axis=(-2, -1))
+        few = np.argwhere((shares == 0.0) | (shares < least))
+        if few.size or (shares.ndim == 0 and shares == 0.0):
+            at = few[0].tolist() if few.size else []
+            count = int(self.known[*at].sum())
+            raise ValueError(
+                f"{name}{at or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
+            )
+        return self
+
+    def marked(self) -> Values:
+        """Return the values as stored if all are known, else as floats, NaN where they are not."""
+        if not (self.hidden.any() or self.full.any()):
+            return self.values
+        kind = np.float32 if self.values.dtype.itemsize <= 2 or self.values.dtype == np.float32 else np.float64
+        return np.where(self.known, self.values, kind(np.nan)).astype(kind, copy=False)
+
+    def require_light(self, name: str, what: str) -> None:
+        """Raise ValueError if the known pixels of an image are all equal."""
+        values, known = (part.reshape(-1, *self.values.shape[-2:]) for part in (self.values, self.known))
+        for place, image, good in zip(np.ndindex(*self.values.shape[:-2]), values, known, strict=True):
+            if np.ptp(image[good]) == 0:
+                where = f"{name}[{', '.join(map(str, place))}]" if place else name
+                raise ValueError(f"{where} must show {what}, got the value {image[good][0]:g} everywhere")
+
+    def __getitem__(self, at: Any) -> Counts:
+        """Return some of the images, by the axes before the last two."""
+        return Counts(self.values[at], self.hidden[at], self.full[at], self.saturation, self.assumed)
+
+
+def remarks(images: Sequence[Counts], noise: Noise, name: str) -> str:
+    """Return what is to be said of pixels: how many are left out, and which may be saturated; or ""."""
+    every = sum(each.values.size for each in images)
+    count = every - sum(int(each.known.sum()) for each in images)
+    said = f"; {count} of {every} pixels left out (masked, saturated or NaN)" if count else ""
+    for words in dict.fromkeys(each.assumed for each in images if each.assumed):
+        said += f"; {words}"
+    for k, each in enumerate(images):
+        top, equal = flat_top(each.values, each.known, noise)
+        if equal:
+            where = f" of {name} {k}" if len(images) > 1 else ""
+            return said + (
+                f"; {equal} pixels{where} have exactly the largest value, {top:.10g}: if they are saturated, state "
+                f"it (saturation={top:.10g}, --saturation {top:.10g})"
+            )
+    return said

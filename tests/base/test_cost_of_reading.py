@@ -59,7 +59,7 @@ ARGUED = {
     ("imaging/datasets.py", "open"): "to write, and pictures that it wrote itself",
     ("imaging/datasets.py", "loads"): "of what was just written as JSON",
     ("io/exr_files.py", "File"): "its header alone first, whose size is looked at",
-    ("io/recordings.py", "open"): "a folder whose descriptions were parsed by reading",
+    ("recorded/frames.py", "open"): "a folder whose descriptions were parsed by reading",
     ("microscopy/restoration.py", "open"): "a folder that it wrote itself",
     ("io/videos.py", "open"): "frame by frame, and to write",
     ("localize/molecule_files.py", "File"): "to write, in memory",

@@ -253,7 +253,7 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
         ([*GIVEN, "-o", "no/a.csv"], "Error: no/a.csv: No such file or directory"),
         (["nowhere.tif", *GIVEN[1:], "-o", "a.csv"], "Error: nowhere.tif: No such file or directory"),
         (["objective.toml", *GIVEN[1:], "-o", "a.csv"],
-         "Error: objective.toml cannot be read as a movie: its header is not that of a TIFF file"),
+         "Error: objective.toml is no TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr"),
         (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"],
          "Error: lommel localize needs a microscope, a file with a section [objective]; lens.toml has none"),
         (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"],
@@ -270,16 +270,11 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
         ([*GIVEN, "--box", "15x3", "-o", "a.csv"], "Error: --box must be at least 5 pixels a side, got 3"),
         (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"],
          "Error: the order is MOVIE LENS, the movie first, got objective.toml and then movie.tif"),
-        (["broken.tif", *GIVEN[1:], "-o", "a.csv"],
-         "Error: broken.tif cannot be read as a movie: its values must be finite, got nan in frame 2, row 3"),
         ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"],
          "Error: --read must be finite, got nan at (1, 2) of unknown.npy; a read noise of 1000 electrons tells that"),
     ],
 )  # fmt: skip
 def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):
-    broken = tifffile.imread(folder / "movie.tif").astype(np.float32)
-    broken[2, 3, 4] = np.nan
-    tifffile.imwrite(folder / "broken.tif", broken, photometric="minisblack")
     (folder / "lens.toml").write_text((ROOT / "examples" / "lenses" / "phone.toml").read_text(encoding="utf-8"))
     np.save(folder / "unknown.npy", np.where(np.arange(9).reshape(3, 3) == 5, np.nan, 1.6))
     before = sorted(path.name for path in folder.iterdir())

@@ -19,8 +19,8 @@ from PIL import Image
 import lommel as lm
 from lommel import imaging, localize, microscopy
 from lommel.io import fits_images
-from lommel.io.photos import read_images
 from lommel.lensfiles.tables import read_csv
+from lommel.recorded.frames import read_images
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)

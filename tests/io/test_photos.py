@@ -16,7 +16,8 @@ from PIL import Image, ImageOps
 from lommel import imaging
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
-from lommel.io.photos import read_images, stored
+from lommel.io.photos import stored
+from lommel.recorded.frames import read_images
 
 RNG = np.random.default_rng(4)
 GREY, COLOUR = (7, 5), (7, 5, 3)

@@ -7,7 +7,7 @@ import pytest
 import zarr
 
 import lommel as lm
-from lommel.io.recordings import open_recording
+from lommel.recorded.recordings import open_recording
 from objectives import OIL_60X
 
 SHAPE = (4, 16, 48)

@@ -30,9 +30,9 @@ from PIL import Image
 import lommel as lm
 from lommel import imaging
 from lommel.io import psf_formats
-from lommel.io.photos import read_images
 from lommel.io.psf_files import load_colours
 from lommel.lensfiles.tables import read_csv
+from lommel.recorded.frames import read_images
 
 ENOUGH = 2**28  # bytes that any file may take
 # Tags of a TIFF.

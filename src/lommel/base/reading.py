@@ -471,21 +471,27 @@ def tiff_mapped(file: Any, series: Any, path: Path, count: int) -> NDArray[Any] 
 
 
 def tiff_left_out(file: Any) -> str:
-    """Return of how many pages a description of ImageJ says less, "5 pages, of which ...", or ""."""
-    count, said = len(file.pages), math.prod(file.series[0].shape) // max(1, file.series[0].keyframe.size)
-    if not file.is_imagej or count <= max(1, said):
+    """Return of how many pages ImageJ's description says less, "5 pages, of which ...", or ""; ValueError of more."""
+    count, series = len(file.pages), file.series[0]
+    if not file.is_imagej or count <= 1:  # one page before all images, if there are more
         return ""
-    return f"{count} pages, of which its description by ImageJ says {said}"
+    stated = (file.imagej_metadata or {}).get("images", math.prod(series.shape) // max(1, series.keyframe.size))
+    if stated > count:
+        raise ValueError(f"its description by ImageJ says {stated} images; it has {count} pages")
+    return f"{count} pages, of which its description by ImageJ says {stated}" if stated < count else ""
 
 
-def is_raw(data: bytes) -> bool:
+def is_raw(data: bytes | mmap.mmap | Path) -> bool:
     """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
+    if isinstance(data, Path):
+        with data.open("rb") as file:
+            return is_raw(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
     first = next(_tiff_pages(data), {})
     preview = _one(first, 254, 0) & 1 or data[8:10] == b"CR"
     return bool(preview or 50706 in first or _one(first, 262, 1) in (32803, 34892) or _larger_below(data, first))
 
 
-def _larger_below(data: bytes, first: Tags) -> bool:
+def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
     """Return whether a page below the first is larger."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43

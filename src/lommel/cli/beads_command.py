@@ -32,9 +32,9 @@ from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.objective_field import fit_objective_field
 from lommel.estimation.phase_retrieval import label
-from lommel.io.photos import read_images
-from lommel.io.recordings import open_recording
 from lommel.localize.point_sources import find_spots
+from lommel.recorded.frames import read_images
+from lommel.recorded.recordings import open_recording
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -218,7 +218,7 @@ def _beads(
     path: Path, window: int, threshold: float, noise: Noise, saturation: float | None
 ) -> tuple[list[tuple[Values, tuple[int, int]]], tuple[int, int]]:
     """Return windows around the beads of a stack and their first pixels, one if it shows no more, and its shape."""
-    planes = read_images([path])
+    planes = read_images([path]).values
     if max(planes.shape[1:]) <= _FIELD * window:
         return [(planes, (0, 0))], planes.shape[1:]
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)

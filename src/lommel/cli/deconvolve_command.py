@@ -32,12 +32,12 @@ from lommel.cli.options import (
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
-from lommel.io import recordings
 from lommel.microscopy import RestoredStack, restore
 from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import BETWEEN, INTERRUPTED, between
+from lommel.recorded import recordings
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:

@@ -18,10 +18,10 @@ from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.phase_retrieval import label
-from lommel.io.photos import read_images
 from lommel.localize.crossings import Crossings, find_crossings
 from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import find_spots
+from lommel.recorded.frames import read_images
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ def fit_field(
     instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     with progress("reading") as started:
-        exposures = read_images(list(images))
+        exposures = read_images(list(images)).values
         out = None if masked is None else _mask(masked, exposures)
         colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
         if defocus is None and colours is None and len(exposures) > 1:
@@ -222,7 +222,7 @@ def fit_field(
 
 def _mask(path: Path, images: Values) -> NDArray[np.bool_]:
     """Return the pixels of images that a file says to leave out."""
-    found = read_images([path])
+    found = read_images([path]).values
     if found.shape[1:] != images.shape[1:] or len(found) not in (1, len(images)):
         raise ValueError(
             f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "

@@ -36,7 +36,7 @@ def camera_option(words: str) -> Option:
 
 def camera_map(text: str, name: str) -> float | Array:
     """Return the number that an option `name` states, or the map of its file."""
-    from lommel.io.photos import read_images
+    from lommel.recorded.frames import read_images
 
     try:
         return float(text)
@@ -44,7 +44,7 @@ def camera_map(text: str, name: str) -> float | Array:
         path = Path(text)
     if not path.suffix:
         raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
-    found = read_images([path])
+    found = read_images([path]).values
     if len(found) != 1:
         raise ValueError(f"--{name} must be one image, got {len(found)} in {validation.line(path)}")
     values = np.asarray(found[0], np.float64)

@@ -35,8 +35,8 @@ from lommel.localize.detection import DEFECT
 from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
 from lommel.localize.movie_fits import Recurrence, likelier
-from lommel.localize.movies import BLOCK
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.recorded.movies import BLOCK
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:

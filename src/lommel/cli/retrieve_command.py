@@ -28,8 +28,8 @@ from lommel.cli.progress import progress
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
-from lommel.io.photos import read_images
 from lommel.lensfiles.microscope_files import describes_microscope
+from lommel.recorded.frames import read_images
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -168,7 +168,8 @@ def retrieve(
     starts = given["starts"]
     with progress("reading") as started:
         files = _files(images)
-        stars = read_images(files)
+        read = read_images(files)
+        stars = read.values
         if microscope is not None and (len(stars) > 1 or step is not None):
             microscope = microscope_of(lens, **given_planes, stack=len(stars))
         if microscope is None and defocus is None and len(stars) > 1:
@@ -189,7 +190,7 @@ def retrieve(
             ),
             **given,
         )
-    names = _image_names(files, len(stars))
+    names = list(read.names)
     if output is not None:
         found.save(output)
     if figure is not None:
@@ -199,14 +200,6 @@ def retrieve(
     if microscope is not None:
         parts.append(Wrapped("Of a point, with all constants held; lommel beads estimates and tests them."))
     return Report({"images": names} | _facts(found), parts, found.converged) + made
-
-
-def _image_names(files: list[Path], count: int) -> list[str]:
-    """Return the name of the file of each image, with its place among several in one file."""
-    if len(files) == count:
-        return [path.name for path in files]
-    each = [(path.name, len(read_images([path]))) for path in files]
-    return [f"{name} [{k}]" if many > 1 else name for name, many in each for k in range(many)]
 
 
 def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:

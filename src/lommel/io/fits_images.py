@@ -10,8 +10,6 @@ import warnings
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from os import PathLike
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,7 +24,6 @@ _GZIP = b"\x1f\x8b"
 _MOST_AXES = 16
 _BLOCK, _MOST_HEADER = 2880, 2**20  # bytes
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
-_PART = re.compile(r"(?P<file>.+\.fits?(?:\.gz)?)\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 _END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
 _TIMES = 4  # of a file unpacked are in memory while its values are read
 
@@ -97,20 +94,14 @@ def read(data: bytes, most: int) -> list[Image]:
     return found
 
 
-def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
-    """Return the path of a file, and the name or number of an image in it where it ends in one, as file.fits[SCI]."""
-    found = _PART.fullmatch(str(path)) if isinstance(path, str | PathLike) and not Path(path).exists() else None
-    return (found["file"], found["part"]) if found else (path, None)
-
-
-def only(images: Sequence[Image], name: str | None) -> Values:
-    """Return the values of the image of a name or number, or of the only one; ValueError where there are more."""
+def only(images: Sequence[Image], name: str | None) -> Image:
+    """Return the image of a name or number, or the only one; ValueError where there are more."""
     called = [str(image.header.get("EXTNAME", k)).strip() for k, image in enumerate(images)]
     if name is None and len(images) == 1:
-        return images[0].values
+        return images[0]
     wanted = [k for k, own in enumerate(called) if name is not None and name.upper() in (own.upper(), str(k))]
     if len(wanted) == 1:
-        return images[wanted[0]].values
+        return images[wanted[0]]
     told = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(called, images, strict=True)]
     more = f" and {len(told) - 4} more" if len(told) > 4 else ""
     listed = ", ".join(told[:4]) + more

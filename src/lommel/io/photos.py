@@ -1,4 +1,4 @@
-"""Files of photographs with the lens data of their EXIF, of depth maps in metres, star images and focus pulls."""
+"""Files of photographs with the lens data of their EXIF, of depth maps in metres, and focus pulls."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.encoding import ENCODINGS, from_light, to_light
 from lommel.base.optional import version
-from lommel.io import exr_files, fits_images, registry
+from lommel.io import exr_files, registry
 from lommel.io.registry import Description, Format, Values
 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
@@ -93,6 +93,7 @@ class Exif:
         return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
 
 
+_FIRST = 16  # bytes that tell the kind of a file
 _SAMPLE = 2**17  # bytes that say how to compress the others
 
 
@@ -177,17 +178,12 @@ def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
 @contextmanager
 def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails."""
-    if _is_raw(source, data):
-        raise PhotoError(
-            f"{validation.line(source)} is a raw photograph, of which only a preview could be read. Develop it, "
-            "for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, output_bps=16), and "
-            "save it as TIFF"
-        )
+    require_developed(source, data)
     try:
         form = registry.identify(kind, data)
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
-    what = {"photo": f"a {form.name} photograph", "images": kind}.get(kind, f"a {kind}")
+    what = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
     try:
         yield form
     except ImportError:
@@ -196,11 +192,21 @@ def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
         raise PhotoError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
 
 
+def require_developed(source: Path, data: bytes) -> None:
+    """Raise PhotoError for a raw photograph, by its name and its contents, of which the first bytes are enough."""
+    if _is_raw(source, data):
+        raise PhotoError(
+            f"{validation.line(source)} is a raw photograph, of which only a preview could be read. Develop it, "
+            "for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, output_bps=16), and "
+            "save it as TIFF"
+        )
+
+
 def _is_raw(source: Path, data: bytes) -> bool:
     if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW) or data[4:12] == b"ftypcrx ":
         return True
     try:
-        return data.startswith(TIFF) and reading.is_raw(data)
+        return data.startswith(TIFF) and reading.is_raw(data if len(data) > _FIRST else source)
     except ValueError:
         return False  # damaged, which is reported when it is read
 
@@ -303,37 +309,6 @@ def encoded(path: str | PathLike[str], values: Values, quality: int, profile: by
     """Return the bytes of a photograph in the format of the suffix of `path`."""
     written: bytes = find(path, holding=f"of {values.dtype.name}").write(values, quality, profile)
     return written
-
-
-def read_images(paths: Sequence[str | PathLike[str]]) -> Values:
-    """Read grey images of one size and type, shape (n, height, width), from TIFF, NPY, FITS or 16-bit PNG files.
-
-    Each page of a TIFF is an image, and NPY and FITS may hold stacks; ``file.fits[SCI]`` is one of several images of
-    a FITS file. PhotoError for other contents.
-    """
-    found: list[Values] = []
-    for path in paths:
-        file, part = fits_images.part_of(path)
-        source = validation.path("paths", file)
-        data = reading.contents(source)
-        with told(source, "images", data) as form:
-            values = form.read(data) if part is None else _fits(data, part)
-            if values.ndim == 2:
-                values = values[None]
-            if values.dtype == bool:  # a mask
-                values = values.astype(np.uint8)
-            if values.ndim != 3 or 0 in values.shape or values.dtype.kind not in "iuf":
-                raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, not grey images")
-        if found and (found[0].shape[1:], found[0].dtype) != (values.shape[1:], values.dtype):
-            (_, height, width), (_, other, across) = found[0].shape, values.shape
-            raise PhotoError(
-                f"{validation.line(source)} has images of {other} x {across} {values.dtype}, those before are of "
-                f"{height} x {width} {found[0].dtype}"
-            )
-        found.append(values)
-    if not found:
-        raise ValueError("paths must name a file or several, got none")
-    return np.concatenate(found)
 
 
 _BAND = 2**20  # pixels that are converted to an array at once
@@ -474,46 +449,6 @@ def _packed(data: bytes, level: int) -> bytes:
     return pressed(data, zlib.Z_DEFAULT_STRATEGY if plain else zlib.Z_RLE)
 
 
-def _tiff(data: bytes) -> Values:
-    with reading.tiff(data) as file:
-        pages = [page for page in list[Any](file.pages) if not page.is_reduced]
-        if wrong := [page.axes for page in pages if page.axes not in ("YX", "SYX")]:
-            raise ValueError(f"a page has the axes {wrong[0]}, which is no grey image")
-        if file.is_ome or file.is_imagej:
-            return _ordered(file, pages, len(data))
-        # Three images written without metadata are planes of one page.
-        images = [page.asarray().reshape(-1, *page.shape[-2:]) for page in pages]
-    if len({image.shape[1:] for image in images}) > 1:
-        raise ValueError("its pages are of several sizes")
-    values = np.concatenate(images)
-    return values.astype(values.dtype.newbyteorder("="), copy=False)
-
-
-def _ordered(file: Any, pages: Sequence[Any], size: int) -> Values:
-    """Return the planes of the first image of a file of OME or ImageJ, of a size, in the order that it states."""
-    series = file.series[0]
-    *lead, height, width = series.shape
-    count = math.prod(lead)
-    if not series.axes.endswith("YX") or sum(side > 1 for side in lead) > 1:
-        raise ValueError(
-            f"it holds {' x '.join(map(str, series.shape))} values along {series.axes}: save one stack of planes, of "
-            "one channel and time"
-        )
-    if len(series.pages) == 1 < count:  # ImageJ keeps large stacks behind one page
-        if count * height * width * series.dtype.itemsize > size:
-            raise ValueError(f"it states {count} planes, more than it holds")
-        values = series.asarray().reshape(-1, height, width)
-    else:
-        found = list(series.pages)
-        stated = (file.imagej_metadata or {}).get("images", len(found))
-        if stated > len(found) or (len(file.series) == 1 and len(found) < len(pages)):
-            raise ValueError(f"it states {stated} planes, and holds {len(pages)}")
-        if None in found:
-            raise ValueError(f"plane {found.index(None)} of those that it states is missing")
-        values = np.stack([page.asarray().reshape(height, width) for page in found])
-    return np.asarray(values.astype(values.dtype.newbyteorder("="), copy=False))
-
-
 def read_depth(
     path: str | PathLike[str],
     *,
@@ -637,20 +572,9 @@ def _npy(data: bytes, _scale: float | None) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
-def _fits(data: bytes, part: str | None = None) -> Values:
-    return fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
-
-
 def _raster(data: bytes, _scale: float | None) -> Values:
     form = registry.identify("photo", data)
     return upright(replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form, data)[0]
-
-
-def _grey(data: bytes) -> Values:
-    values: Values = _read_png(data)[0]
-    if values.ndim != 2:
-        raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
-    return values
 
 
 def _write_pfm(values: NDArray[np.float32]) -> bytes:
@@ -658,25 +582,15 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
-_read_png, _8, _16 = partial(_read, reading.png), "of uint8", "of uint16"
-_photo, _images, _depth = (partial(Format, kind) for kind in ("photo", "images", "depth map"))
+read_png, _8, _16 = partial(_read, reading.png), "of uint8", "of uint16"
+_photo, _depth = (partial(Format, kind) for kind in ("photo", "depth map"))
 registry.register(
-    _photo((".png",), write_png, _read_png, PNG, (_8, _16), library="PIL.Image"),
+    _photo((".png",), write_png, read_png, PNG, (_8, _16), library="PIL.Image"),
     _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8,), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32"), library="tifffile"),
     _photo(
         (".exr",), exr_files.write_photo, exr_files.read_photo, exr_files.START, ("of float32",), library="OpenEXR"
     ),
-    _images((".npy",), read=lambda data: reading.npy(data, reading.MAX_PIXELS)[0], starts=(b"\x93NUMPY",)),
-    _images((".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile"),
-    _images((".png",), read=_grey, starts=PNG, library="PIL.Image"),
-    _images(
-        fits_images.SUFFIXES,
-        read=_fits,
-        starts=(b"SIMPLE  =",),
-        library="astropy",
-    ),
-    _images(fits_images.PACKED, read=_fits, starts=(b"\x1f\x8b",), library="astropy"),
     _depth((".npy",), partial(atomic.contents, np.save), _npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),

@@ -99,7 +99,8 @@ class Format:
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
-    - "images": read only, bytes to values, shape (height, width) or (n, height, width)
+    - "images": read only, (bytes, name of one of several images or None) to (values, header), values of the shape
+      (height, width) or (n, height, width), the header with the names of FITS
     - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
     - "molecules": (path, path beside it, if any) to a context manager, which yields what is called with rows and a
       ``lommel.localize.Recording`` in turn

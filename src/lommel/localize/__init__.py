@@ -5,8 +5,8 @@ from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, writer
 from lommel.localize.molecule_files import Recording
 from lommel.localize.movie_fits import localize_blocks, localize_movie
-from lommel.localize.movies import Movie, MovieError, open_movie
 from lommel.localize.table import Table
+from lommel.recorded.movies import Movie, MovieError, open_movie
 
 __all__ = [
     "Localizations",

@@ -22,8 +22,8 @@ from lommel.localize.detection import Spots, find, find_in, frame_counts
 from lommel.localize.fitting import Deviation, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
-from lommel.localize.movies import BLOCK, Movie, open_movie
 from lommel.localize.table import Table
+from lommel.recorded.movies import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _TURNS = 65, 100

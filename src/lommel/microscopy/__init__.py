@@ -1,11 +1,12 @@
 """Microscopy: confocal, two-photon, STED and light-sheet PSFs, images of beads, and deconvolution of stacks."""
 
-from lommel.io.recordings import Recording, RecordingError, open_recording
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.modalities import bead, confocal, light_sheet, sted, two_photon
 from lommel.microscopy.restoration import RestoredChannel, RestoredStack, restore
 from lommel.microscopy.stack_blur import StackBlur
 from lommel.recorded.camera_noise import estimate_noise
+from lommel.recorded.frames import RecordingError
+from lommel.recorded.recordings import Recording, open_recording
 
 __all__ = [
     "Recording",

@@ -22,8 +22,6 @@ from lommel.base.unfinished import Unfinished
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, TotalVariation
-from lommel.io import recordings
-from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
@@ -34,8 +32,10 @@ from lommel.microscopy.stack_steps import STACK_MISFIT, Background, Counted, Mov
 from lommel.microscopy.total_variation import walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.recorded import recordings
 from lommel.recorded.camera_noise import contradiction, measured_noise
 from lommel.recorded.noise import Noise
+from lommel.recorded.recordings import Recording
 from lommel.recorded.saturation import full_value
 from lommel.show import restored as pictures
 
@@ -303,7 +303,7 @@ def restore(
     TypeError, ValueError
         If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
         stack is thinner than three planes; if another call writes to `out`;
-        :class:`lommel.io.recordings.RecordingError` for files.
+        :class:`lommel.recorded.recordings.RecordingError` for files.
     OSError, ImportError
         If a file cannot be read or written, or a library for it is not installed.
 
@@ -369,7 +369,7 @@ def restore(
             if made[-1].stopped == INTERRUPTED:
                 break
         values = target.finish(" ".join(notes), len(made))
-    return RestoredStack(values, tuple(made), replace(described, closed=None), tuple(notes))
+    return RestoredStack(values, tuple(made), described, tuple(notes))
 
 
 def _silent(*_: object) -> None:

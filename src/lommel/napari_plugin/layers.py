@@ -8,9 +8,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lommel.io.recordings import open_recording
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
+from lommel.recorded.recordings import open_recording
 
 LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
 """Data, options and type of a layer."""

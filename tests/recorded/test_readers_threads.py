@@ -12,8 +12,8 @@ import pytest
 import tifffile
 
 from lommel.base import reading
-from lommel.io.recordings import open_recording, save_stack
 from lommel.localize import open_movie
+from lommel.recorded.recordings import open_recording, save_stack
 
 STACK = np.random.default_rng(0).integers(0, 60000, (24, 64, 64)).astype(np.uint16)
 
@@ -116,5 +116,5 @@ def test_a_part_of_a_stack_is_read_as_that_of_an_array(tmp_path):
             np.testing.assert_array_equal(stack[at], STACK[at])
         assert sum(1 for _ in stack) == 24
         for beyond in (24, -25):
-            with pytest.raises(IndexError, match="plane must be from 0 to 23"):
+            with pytest.raises(IndexError, match="out of bounds for axis 0 with size 24"):
                 stack[beyond]

@@ -102,24 +102,29 @@ def refused(path: Path) -> str:
 def test_what_is_no_movie_is_told(tmp_path):
     path = tmp_path / "movie.tif"
     path.write_bytes(b"")
-    assert "its header is not that of a TIFF file" in refused(path)
+    assert "movie.tif is empty" in refused(path)
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
-    assert "its header is not that of a TIFF file" in refused(path)
+    assert "movie.tif: " in refused(path)
+    path.write_bytes(b"GIF89a" + bytes(100))
+    assert "movie.tif is no TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" in refused(path)
     path.write_bytes(b"II*\0" + bytes(12))
     assert "it has no page" in refused(path)
     tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")
-    assert "its axes are QYXS (4 x 8 x 8 x 3), not frames, rows and columns in grey" in refused(path)
+    assert "it holds colours (RGB), 4 x 8 x 8 x 3 along QYXS; save each channel in grey" in refused(path)
     tifffile.imwrite(path, np.zeros((2, 3, 8, 8), np.uint8), ome=True, metadata={"axes": "TZYX"})
-    assert "its axes are TZYX" in refused(path)
+    assert (
+        "it holds 2 x 3 x 8 x 8 values along TZYX: save one stack of images, of one channel and time point"
+        in refused(path)
+    )
     tifffile.imwrite(path, np.zeros((4, 8, 8), np.complex64), photometric="minisblack")
-    assert "holds complex64" in refused(path) or "neither integers nor floats" in refused(path)
+    assert "must hold real numbers, got complex64" in refused(path)
     with tifffile.TiffWriter(path) as file:
         file.write(np.zeros((3, 8, 8), np.uint8), photometric="minisblack")
         file.write(np.zeros((3, 9, 9), np.uint8), photometric="minisblack")
-    assert "it holds 2 series of images, 3 x 8 x 8 and 3 x 9 x 9; save the movie alone" in refused(path)
+    assert "it holds 2 images (3 x 8 x 8, 3 x 9 x 9): name one, as in movie.tif[0]" in refused(path)
     with pytest.raises(FileNotFoundError, match="nowhere"):
         open_movie(tmp_path / "nowhere.tif")
-    with pytest.raises(IsADirectoryError):
+    with pytest.raises(MovieError, match="no OME-Zarr"):
         open_movie(tmp_path)
     with pytest.raises(TypeError, match="path must be"):
         open_movie(5)
@@ -149,7 +154,7 @@ def test_damaged_frames_are_told_with_their_number(way, tmp_path):
     else:
         data[count : count + 4] = struct.pack("<I", size // 2)
     path.write_bytes(bytes(data))
-    assert "frame 3 cannot be read" in refused(path)
+    assert "movie.tif: page 3: " in refused(path)
 
 
 def test_frames_that_inflate_to_more_than_they_are_take_no_memory(tmp_path):
@@ -171,7 +176,7 @@ def test_frames_that_inflate_to_more_than_they_are_take_no_memory(tmp_path):
     assert first != where[0]
     tracemalloc.start()
     try:
-        assert "frame 1 cannot be read: a part of it inflates to more than" in refused(path)
+        assert "page 1: a part of it inflates to more than" in refused(path)
         assert tracemalloc.get_traced_memory()[1] < 4e6
     finally:
         tracemalloc.stop()

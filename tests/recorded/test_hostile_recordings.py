@@ -11,8 +11,8 @@ import pytest
 import tifffile
 
 from lommel.base import reading
-from lommel.io.recordings import RecordingError, open_recording
 from lommel.localize import MovieError, open_movie
+from lommel.recorded.recordings import RecordingError, open_recording
 
 BOMB = zlib.compress(bytes(2**23), 9)
 PLANE = zlib.compress(bytes(64 * 64))

@@ -11,8 +11,8 @@ import tifffile
 import zarr
 
 from lommel import example_files, load_microscope, localize, microscopy
-from lommel.io import recordings
-from lommel.io.recordings import RecordingError, open_recording, save_stack
+from lommel.recorded import metadata
+from lommel.recorded.recordings import RecordingError, open_recording, save_stack
 
 STACK = np.arange(2 * 5 * 8 * 9, dtype=np.uint16).reshape(2, 5, 8, 9)
 SIZES = {
@@ -143,9 +143,9 @@ LENGTHS = {
 
 def test_all_units_of_the_ome_schema_are_known():
     for unit, metres in LENGTHS.items():
-        assert recordings._length(repr(3e-7 / metres), unit, "µm") == pytest.approx(3e-7), unit
+        assert metadata.length(repr(3e-7 / metres), unit, "µm") == pytest.approx(3e-7), unit
     for unit in ("micrometer", "Micron", "\\u00B5m", "decimeter", "nanometres", "foot", "angstrom"):
-        assert isinstance(recordings._length(0.5, unit), float), unit
+        assert isinstance(metadata.length(0.5, unit), float), unit
 
 
 def test_a_step_in_decimetres_is_that(tmp_path):
@@ -214,7 +214,8 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         file.write(STACK[0], photometric="minisblack", metadata={"axes": "ZYX", "Name": "stack", **SIZES})
     with open_recording(path) as found:
         assert found.notes[0] == (
-            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; image= takes another."
+            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; image=, or "
+            "two.ome.tif[0], takes another."
         )
         assert found.step == pytest.approx(2e-7)
         np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 import zarr
 
-from lommel.io import zarr_chunks
-from lommel.io.recordings import RecordingError, open_recording
+from lommel.recorded import zarr_chunks
+from lommel.recorded.recordings import RecordingError, open_recording
 
 STACK = np.random.default_rng(0).integers(1, 60000, (4, 16, 20)).astype(np.uint16)
 PACKERS = {

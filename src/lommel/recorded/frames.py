@@ -1,0 +1,547 @@
+"""Images of a file or an array, read when they are asked for, by several threads at once, with what is said of them.
+
+Files are TIFF (plain, ImageJ, OME-TIFF, also of several files), folders of OME-Zarr, FITS, NPY and PNG.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import optional, reading, validation
+from lommel.base.arrays import Values
+from lommel.base.validation import line, shown
+from lommel.io import fits_images, photos, registry
+from lommel.io.registry import Format
+from lommel.recorded import metadata, zarr_chunks
+from lommel.recorded.metadata import Found
+
+_JSON = 2**24  # bytes of a description that are parsed
+_DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
+_CHANNELS = 4096  # of an OME-Zarr
+_PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
+UNKNOWN = "Q"
+"""Letter of an axis of which the file does not say what it is."""
+
+
+class RecordingError(ValueError):
+    """A file that cannot be read as images; the message names it and says what to do."""
+
+
+class Planes(Protocol):
+    """Images of one size, each read on its own."""
+
+    sides: tuple[int, int]
+    dtype: np.dtype[Any]
+
+    @property
+    def stored(self) -> int:
+        """Bytes of the files that hold them, which bound the memory that they may take."""
+
+    def plane(self, number: int) -> Values:
+        """Return one image, of this type and with these sides."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Frames:
+    """Images along named axes, which stay where they are until they are read.
+
+    Made by :func:`open_frames`. Indices and slices along all axes, and NumPy and dask, read them.
+
+    Attributes
+    ----------
+    axes : str
+        A letter for each axis: T, C, Z, Q for one that is unknown, and YX at the end.
+    shape : tuple of int
+    dtype : dtype
+        As stored, in the byte order of this machine.
+    said : dict
+        What the file says, by name, see :mod:`lommel.recorded.metadata`.
+    by : str
+        Who says so: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
+    path : Path or None
+    notes : tuple of str
+        What was chosen and what was left out, in sentences.
+    left_out : str
+        Pages that the description of the file does not count, in words, or "".
+    """
+
+    planes: Planes
+    numbers: NDArray[np.intp]  # of planes along the axes before the last two
+    axes: str
+    said: Found = field(default_factory=dict)
+    by: str = ""
+    path: Path | None = None
+    notes: tuple[str, ...] = ()
+    left_out: str = ""
+    closed: Any = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:  # noqa: D102
+        return self.numbers.shape + self.planes.sides
+
+    @property
+    def dtype(self) -> np.dtype[Any]:  # noqa: D102
+        return self.planes.dtype
+
+    @property
+    def ndim(self) -> int:
+        """Number of axes."""
+        return self.numbers.ndim + 2
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __getitem__(self, at: Any) -> Values:
+        given = at if isinstance(at, tuple) else (at,)
+        if any(one is Ellipsis for one in given):
+            k = next(k for k, one in enumerate(given) if one is Ellipsis)
+            given = given[:k] + (slice(None),) * (self.ndim - len(given) + 1) + given[k + 1 :]
+        lead = self.numbers.ndim
+        chosen, part = self.numbers[given[:lead]], given[lead:]
+        if np.ndim(chosen) == 0:
+            plane = self.planes.plane(int(chosen))
+            return plane[part] if part else plane
+        sides = np.broadcast_to(np.int8(0), self.planes.sides)[part].shape
+        whole = np.empty((*chosen.shape, *sides), self.dtype)
+        for place, one in np.ndenumerate(chosen):
+            whole[place] = self.planes.plane(int(one))[part]
+        return whole
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
+        out = self[...]
+        return out if dtype is None else out.astype(dtype)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file."""
+        if self.closed is not None:
+            self.closed()
+
+    def along(self, order: str) -> Frames:
+        """Return the images with these axes, by letters that end in YX; those that it lacks have one image."""
+        numbers, axes = self.numbers, self.axes[:-2]
+        for letter in order[:-2]:
+            if letter not in axes:
+                numbers, axes = numbers[..., None], axes + letter
+        return replace(self, numbers=numbers.transpose([axes.index(letter) for letter in order[:-2]]), axes=order)
+
+    def one_of(self, letter: str, place: int) -> Frames:
+        """Return the images at one place of an axis."""
+        axis = self.axes.index(letter)
+        numbers = np.take(self.numbers, place, axis=axis)
+        return replace(self, numbers=numbers, axes=self.axes.replace(letter, ""))
+
+    def as_stack(self) -> Frames:
+        """Return the images along their only axis; RecordingError if they have several."""
+        if sum(side > 1 for side in self.numbers.shape) > 1:
+            sizes = " x ".join(map(str, self.shape))
+            raise RecordingError(
+                f"{self.name}: it holds {sizes} values along {self.axes}: save one stack of images, of one channel "
+                "and time point"
+            )
+        lead = [letter for letter, side in zip(self.axes, self.numbers.shape, strict=False) if side > 1]
+        return replace(self, numbers=self.numbers.reshape(-1), axes=f"{lead[0] if lead else UNKNOWN}YX")
+
+    @property
+    def name(self) -> str:
+        """Name in messages."""
+        return "the array" if self.path is None else line(self.path)
+
+
+class _Held:
+    """Images of an array of any package that NumPy can read parts of."""
+
+    stored = 2**62  # it is in memory, or mapped
+
+    def __init__(self, values: Any, name: str) -> None:
+        self._values, self._name = values, name
+        self._lead = tuple(values.shape[:-2])
+        self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
+        self.dtype = np.dtype(values.dtype).newbyteorder("=")
+
+    def plane(self, number: int) -> Values:
+        """Return one image."""
+        at = tuple(int(k) for k in np.unravel_index(number, self._lead)) if self._lead else ...
+        found = validation.array(self._name, self._values[at])  # of dask, masked or not is known now
+        return found.astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
+
+
+class _Pages:
+    """Pages of a TIFF file."""
+
+    def __init__(self, path: Path, series: Any) -> None:
+        self._path, self._pages = path, series.pages
+        self.sides: tuple[int, int] = tuple(series.shape[-2:])
+        self.dtype = np.dtype(series.dtype).newbyteorder("=")
+        self._lock = threading.Lock()  # pages share a handle
+
+    @property
+    def stored(self) -> int:
+        """Bytes of the file, or of all those of an OME-TIFF."""
+        handles = {page.parent.filehandle for page in self._pages if page is not None}
+        return sum(int(handle.size) for handle in handles)
+
+    def plane(self, number: int) -> Values:
+        """Return one image."""
+        with told_of(self._path, f"page {number}: "), self._lock:
+            page = self._pages[number]
+            if page is None:
+                raise ValueError("it is missing: the file is cut off, or others of its OME-TIFF are not beside it")
+            return reading.tiff_values(page, self.sides, self.dtype)
+
+
+class _Chunked:
+    """Images in an array of Zarr, whose chunks are read once for an image and its neighbours in them."""
+
+    def __init__(self, path: Path, array: Any) -> None:
+        self._path, self._array = path, array
+        self._lead = tuple(array.shape[:-2])
+        self.sides: tuple[int, int] = (int(array.shape[-2]), int(array.shape[-1]))
+        self.dtype = np.dtype(array.dtype).newbyteorder("=")
+        reading.pixels(*self.sides[::-1])
+        self.chunks = zarr_chunks.Chunks(path, array)
+        self._deep: int = array.chunks[-3] if self._lead else 1  # images along the last axis that are read at once
+        self._block: tuple[int, Values] | None = None
+        self._lock = threading.Lock()
+
+    @property
+    def stored(self) -> int:
+        """Bytes of all chunks."""
+        return self.chunks.check([range(side) for side in self._array.shape])[1]
+
+    def plane(self, number: int) -> Values:
+        """Return one image."""
+        with told_of(self._path, f"plane {number}: "), self._lock:  # each chunk is read once
+            return self._read(number)
+
+    def _read(self, number: int) -> Values:
+        *at, last = np.unravel_index(number, self._lead) if self._lead else (0,)
+        first = int(last) - int(last) % self._deep
+        key = number - int(last) + first
+        block = self._block
+        if block is None or block[0] != key:
+            self._block = None
+            ends = [range(int(one), int(one) + 1) for one in at]
+            if self._lead:
+                ends.append(range(first, min(first + self._deep, self._lead[-1])))
+            places = [*ends, *map(range, self.sides)]
+            memory, held = self.chunks.check(places)
+            if self._deep > 1 and not reading.affords(memory, held):
+                self._deep = 1
+                return self._read(number)
+            reading.afford(memory, held)
+            part = self._array[tuple(slice(one.start, one.stop) for one in places)]
+            self._block = block = key, np.asarray(part, self.dtype).reshape(-1, *self.sides)
+        return np.array(block[1][number - key])
+
+
+def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = None, name: str = "images") -> Frames:
+    """Open the images of a file, or of an array.
+
+    Parameters
+    ----------
+    path : path, array_like or Frames
+        A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content; of several
+        images in a file ``file.fits[SCI]`` or ``file.tif[1]`` is one. Or an array of NumPy, dask, Zarr or xarray.
+    image : int, optional
+        Which image of a TIFF file that holds several, from 0; by default of OME-TIFF that of the most values.
+    name : str, default "images"
+        Of an array, in messages.
+
+    Returns
+    -------
+    Frames
+
+    Raises
+    ------
+    RecordingError
+        If the file is damaged, larger than its size allows, holds colours (RGB), or several images of which none is
+        named.
+    TypeError, ValueError
+        If an argument is out of range.
+    OSError, ImportError
+        If the file cannot be read, or a library for it is not installed.
+    """
+    if isinstance(path, Frames):
+        return path
+    if not isinstance(path, str | PathLike):
+        values = path if hasattr(path, "shape") and hasattr(path, "dtype") else validation.array(name, path)
+        validation.refuse_masked(name, values)
+        return _of_array(values, name)
+    given, part = part_of(path)
+    where = validation.path("path", given)
+    if where.is_dir():
+        with told_of(where):
+            return _zarr(where)
+    start = reading.start(where, 16)
+    photos.require_developed(where, start)
+    if start.startswith(photos.TIFF):
+        if part is not None:
+            if not part.isdecimal():
+                raise ValueError(f"{line(where)} has images by number, as in {where.name}[0], got {shown(part)}")
+            image = int(part)
+        return _tiff(where, image)
+    with told_of(where):
+        return _whole(where, part)
+
+
+def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
+    """Return the path of a file, and the name or number of an image in it where it ends in one, as file.fits[SCI]."""
+    found = _PART.fullmatch(str(path)) if not Path(path).exists() else None
+    return (found["file"], found["part"]) if found else (path, None)
+
+
+@contextmanager
+def told_of(path: Path, part: str = "") -> Iterator[None]:
+    """Tell the errors of libraries, of any kind, in a sentence that names the file."""
+    try:
+        with reading.quietly():
+            yield
+    except (RecordingError, ImportError):
+        raise
+    except Exception as error:
+        if isinstance(error, OSError) and error.filename is not None:
+            raise
+        raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
+
+
+def _of_array(values: Any, name: str) -> Frames:
+    """Return the images of an array, whose axes are unknown."""
+    sides = tuple(int(side) for side in values.shape)
+    require_numbers(name, values.dtype)
+    if len(sides) < 2 or 0 in sides:
+        raise ValueError(f"{name} must have images of one pixel or more, (..., height, width), got the shape {sides}")
+    lead = sides[:-2]
+    numbers = np.arange(math.prod(lead)).reshape(lead)
+    return Frames(_Held(values, name), numbers, f"{UNKNOWN * len(lead)}YX")
+
+
+def require_numbers(name: str, dtype: Any) -> None:
+    """Raise TypeError if values are no real numbers."""
+    if np.dtype(dtype).kind not in "iufb":
+        raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
+
+
+def _whole(path: Path, part: str | None) -> Frames:
+    """Return the images of a file that is read at once."""
+    data = reading.contents(path)
+    try:
+        form = registry.identify("images", data)
+    except ValueError:
+        what = "is no TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" if data else "is empty"
+        raise RecordingError(f"{line(path)} {what}") from None
+    values, header = form.read(data, part)
+    if values.ndim > 3 or values.dtype.kind not in "iufb":
+        raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, not grey images")
+    made = _of_array(values, "it")
+    return replace(made, said=metadata.of_fits(header), by="FITS" if header else "", path=path)
+
+
+def _tiff(path: Path, image: int | None) -> Frames:
+    optional.require("tifffile", "reading TIFF files needs", "images")
+    with told_of(path):
+        file, errors = reading.tiff_on_disk(path)
+        try:
+            if errors:
+                raise ValueError(f"it is cut off or damaged: {validation.brief(re.sub('^<.*?> ', '', errors[0]))}")
+            return _of_tiff(path, file, image)
+        except BaseException:
+            file.close()
+            raise
+
+
+def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
+    notes: list[str] = []
+    every = file.series
+    place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
+    series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
+    if len(every) > 1 and image is None:
+        sides = ", ".join(" x ".join(map(str, one.shape)) for one in every[:4]) + ", ..." * (len(every) > 4)
+        if not file.is_ome:
+            raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
+        notes.append(
+            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; image=, or "
+            f"{path.name}[0], takes another."
+        )
+    letters: str = series.axes
+    page = series.keyframe
+    if "S" in letters and letters != "SYX":  # three images that some programs write as the planes of one
+        raise ValueError(
+            f"it holds colours (RGB), {' x '.join(map(str, series.shape))} along {letters}; save each channel in grey"
+        )
+    sizes = [
+        (letter if letter in "TCZ" else UNKNOWN, side)
+        for letter, side in zip(letters[:-2], series.shape[:-2], strict=True)
+        if side != 1
+    ]
+    require_numbers("it", series.dtype)
+    lead = tuple(side for _, side in sizes)
+    count = math.prod(lead)
+    mapped = reading.tiff_mapped(file, series, path, count)
+    by, found = "", {}
+    if file.is_ome:
+        by, found = "OME", metadata.of_ome(file, place)
+    elif file.is_imagej:
+        by, found = "ImageJ", metadata.of_imagej(file)
+    if mapped is None and "S" in letters:
+        mapped = reading.tiff_values(page, tuple(series.shape), np.dtype(series.dtype))
+    planes = _Pages(path, series) if mapped is None else _Held(mapped, "it")
+    left = reading.tiff_left_out(file)
+    if left:
+        notes.append(f"The file holds {left}; the others were left out.")
+    axes = "".join(letter for letter, _ in sizes) + "YX"
+    numbers = np.arange(count).reshape(lead)
+    return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
+
+
+def _zarr(path: Path) -> Frames:
+    zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
+    try:
+        _look(path, "")
+        group = zarr.open(zarr_chunks.store(path), mode="r")
+    except Exception as error:  # of any kind
+        raise ValueError(f"no OME-Zarr: {reading.reason(error)}") from None
+    if not hasattr(group, "attrs") or hasattr(group, "dtype"):
+        raise ValueError("it is an array without OME metadata; pass zarr.open(...) and pixel=")
+    attributes = dict(group.attrs)
+    told = attributes.get("ome", attributes)
+    try:
+        scales = told["multiscales"][0]
+        names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
+        units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
+        first = scales["datasets"][0]
+        _look(path, f"{first['path']}/")
+        array = group[first["path"]]
+        moves = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+        scale = np.ones(len(names))
+        for move in moves:
+            if move.get("type") == "scale":
+                scale = scale * np.asarray(move["scale"], float)
+    except Exception as error:  # of any kind
+        raise ValueError(f"its multiscales are not those of an OME-Zarr ({reading.reason(error)})") from None
+    order = "".join(names).upper()
+    if not re.fullmatch(r"[TCZ]*YX", order) or len(order) != array.ndim or len(set(order)) != len(order):
+        raise ValueError(f"its axes are {shown(order)}, not some of t, c, z, y, x in this order")
+    require_numbers("it", array.dtype)
+    if "C" in order and (count := array.shape[order.index("C")]) > _CHANNELS:
+        raise ValueError(f"it has {count} channels; the limit is {_CHANNELS}")
+    found = metadata.of_zarr(
+        {"omero": told.get("omero", attributes.get("omero"))},
+        {letter: float(value) for letter, value in zip(order, scale, strict=True)},
+        dict(zip(order, units, strict=True)),
+    )
+    planes = _Chunked(path, array)
+    missing, total = planes.chunks.missing()
+    notes = [
+        f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
+        "empty, or the copy is not complete."
+    ] * (missing > 0)
+    lead = array.shape[:-2]
+    reading.afford(64 * math.prod(lead), reading.MEMORY)  # a number of each image
+    return Frames(planes, np.arange(math.prod(lead)).reshape(lead), order, found, "OME-Zarr", path, tuple(notes))
+
+
+def _look(folder: Path, below: str) -> None:
+    """Parse the descriptions in a folder of Zarr, as zarr will; ValueError or OSError if it would cost too much."""
+    for name in _DESCRIPTIONS:
+        if zarr_chunks.regular(folder, below + name) is not None:
+            try:
+                reading.json(reading.contents(folder / below / name, _JSON))
+            except ValueError as error:
+                raise ValueError(f"{name}: {reading.reason(error)}") from None
+
+
+def _npy(data: bytes, _part: str | None) -> fits_images.Image:
+    return fits_images.Image(reading.npy(data, reading.MAX_PIXELS)[0], {})
+
+
+def _png(data: bytes, _part: str | None) -> fits_images.Image:
+    values: Values = photos.read_png(data)[0]
+    if values.ndim != 2:
+        raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
+    return fits_images.Image(values, {})
+
+
+def _fits(data: bytes, part: str | None) -> fits_images.Image:
+    return fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+
+
+_images = partial(Format, "images")
+registry.register(
+    _images((".npy",), read=_npy, starts=(b"\x93NUMPY",)),
+    _images((".png",), read=_png, starts=photos.PNG, library="PIL.Image"),
+    _images(fits_images.SUFFIXES, read=_fits, starts=(b"SIMPLE  =",), library="astropy"),
+    _images(fits_images.PACKED, read=_fits, starts=(b"\x1f\x8b", b"BZh"), library="astropy"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Images:
+    """Images of several files of one size and type.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    names : tuple of str
+        Of each, by its file and its place in there.
+    said : dict
+        What the first file says.
+    notes : tuple of str
+    """
+
+    values: Values
+    names: tuple[str, ...]
+    said: Found
+    notes: tuple[str, ...]
+
+
+def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
+    """Read grey images of one size and type from files, each an image or a stack in the order that it states.
+
+    RecordingError, OSError or ImportError as :func:`open_frames`.
+    """
+    found: list[Values] = []
+    names: list[str] = []
+    said: Found = {}
+    notes: list[str] = []
+    for path in paths:
+        with open_frames(path) as opened:
+            stack = opened.as_stack()
+            if stack.left_out:
+                raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
+            with told_of(stack.path or Path()):
+                reading.afford(2.0 * math.prod(stack.shape) * stack.dtype.itemsize, stack.planes.stored)
+            values = stack[...]
+        if values.dtype == bool:  # a mask
+            values = values.astype(np.uint8)
+        if found and (found[0].shape[1:], found[0].dtype) != (values.shape[1:], values.dtype):
+            (_, height, width), (_, other, across) = found[0].shape, values.shape
+            raise RecordingError(
+                f"{stack.name} has images of {other} x {across} {values.dtype}, those before are of "
+                f"{height} x {width} {found[0].dtype}"
+            )
+        own = Path(path).name
+        names += [own] if len(values) == 1 else [f"{own} [{k}]" for k in range(len(values))]
+        said = said or stack.said
+        notes += stack.notes
+        found.append(values)
+    if not found:
+        raise ValueError("paths must name a file or several, got none")
+    return Images(np.concatenate(found), tuple(names), said, tuple(notes))

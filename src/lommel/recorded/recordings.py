@@ -1,0 +1,355 @@
+"""Stacks that microscopes recorded: OME-TIFF, TIFF of ImageJ and OME-Zarr, read lazily with their metadata."""
+
+from __future__ import annotations
+
+import errno
+import re
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from os import PathLike
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import atomic, optional, reading, validation
+from lommel.base.arrays import Values
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, open_frames
+from lommel.recorded.metadata import Unusable
+
+_JSON = 2**24  # bytes of a description that are parsed
+_CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
+_SHARE = 1e-4  # of lengths that count as equal
+_LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
+_SIDES = 1e-12, 1e-3  # metres, of voxels
+_WAVES = 1e-7, 1e-4  # metres, of light in microscopes: 0.52 nm is a wavelength in micrometres whose unit is wrong
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording:
+    """A stack that a microscope recorded, with what its file says of it; values stay on the disk until they are read.
+
+    Made by :func:`lommel.microscopy.open_recording`.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Channels, planes, height, width.
+    dtype : dtype
+        Of the values as they are stored.
+    pixel : float or None
+        Side of a pixel in the sample, metres; None if the file does not say.
+    step : float or None
+        Distance between planes, metres of the stage, not negative; None if the file does not say.
+    names : tuple of str
+        Of the channels.
+    emission, excitation : tuple of float or None
+        Wavelength of each channel, metres.
+    NA, magnification, immersion : float or None
+        Of the objective, if the file says so.
+    path : Path or None
+    frames : Frames
+        What reads the planes.
+    notes : tuple of str
+        What was taken from the file, and what it lacks, in sentences.
+    unusable : dict
+        Lengths that the file states but that cannot be used, such as 0, in its words; by "pixel", "step", or
+        "emission" and "excitation" with the number of the channel, such as "emission 0".
+    """
+
+    frames: Frames
+    pixel: float | None = None
+    step: float | None = None
+    names: tuple[str, ...] = ()
+    emission: tuple[float | None, ...] = ()
+    excitation: tuple[float | None, ...] = ()
+    NA: float | None = None
+    magnification: float | None = None
+    immersion: float | None = None
+    path: Path | None = None
+    notes: tuple[str, ...] = ()
+    unusable: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def shape(self) -> tuple[int, int, int, int]:  # noqa: D102
+        channels, planes = self.frames.numbers.shape
+        return (channels, planes, *self.frames.planes.sides)
+
+    @property
+    def dtype(self) -> np.dtype[Any]:  # noqa: D102
+        return self.frames.dtype
+
+    def __repr__(self) -> str:
+        channels, planes, height, width = self.shape
+        name = "array" if self.path is None else self.path.name
+        sides = "without voxel sizes"
+        if self.pixel is not None and self.step is not None:
+            sides = f"pixels of {format_length(self.pixel)}, {format_length(self.step)} apart"
+        many = f"{channels} channels of " if channels > 1 else ""
+        return f"<Recording {name!r}: {many}{planes} planes of {height} x {width}, {self.dtype}, {sides}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file."""
+        self.frames.close()
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
+        if self.shape[0] != 1:
+            raise ValueError(f"the recording has {self.shape[0]} channels: take one by stack(channel)")
+        return np.asarray(self.stack(), dtype)
+
+    def stack(self, channel: int = 0) -> Frames:
+        """Return a channel as a stack of shape (planes, height, width), read by indices and slices.
+
+        Parameters
+        ----------
+        channel : int, default 0
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such channel; RecordingError, when it is read, if the file is damaged.
+        """
+        number = validation.integer("channel", channel, least=0, most=self.shape[0] - 1)
+        return self.frames.one_of("C", number)
+
+
+def open_recording(
+    path: str | PathLike[str] | ArrayLike | Recording,
+    *,
+    time: int | None = None,
+    axes: str | None = None,
+    image: int | None = None,
+) -> Recording:
+    """Open a stack that a microscope recorded, with its voxel sizes, channels and wavelengths.
+
+    Parameters
+    ----------
+    path : path or array_like
+        An OME-TIFF file, another TIFF file (ImageJ's voxel sizes are read), a folder of OME-Zarr (OME-NGFF 0.4 or
+        0.5); or an array of NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height,
+        width).
+    time : int, optional
+        Which time point, from 0; needed where the file holds several.
+    axes : str, optional
+        Letters of the axes, such as "ZYX" or "CZYX", where the file does not state them or is wrong.
+    image : int, optional
+        Which image of a TIFF file that holds several, from 0; by default that of the most values.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    RecordingError
+        If the file is damaged, holds colours (RGB), several time points without `time`, or axes that are unknown.
+    TypeError, ValueError
+        If an argument is out of range.
+    OSError, ImportError
+        If the file cannot be read, or tifffile or zarr is not installed.
+
+    See Also
+    --------
+    lommel.microscopy.restore
+    """
+    if isinstance(path, Recording):
+        return path
+    if axes is not None and (not isinstance(axes, str) or not re.fullmatch(r"[TCZ]*YX", axes)):
+        raise ValueError(f'axes must be letters of TCZYX that end in YX, such as "ZYX", got {shown(axes)}')
+    for name, place in (("time", time), ("image", image)):
+        if place is not None:
+            validation.integer(name, place, least=0, most=validation.MAX_VALUES)
+    frames = open_frames(path, image=image, name="stack")
+    try:
+        return _recording(_with_axes(frames, axes, time))
+    except BaseException:
+        frames.close()
+        raise
+
+
+def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
+    """Return images along C and Z, at one time point."""
+    name, lead = frames.name, frames.numbers.shape
+    if axes is None and frames.path is None and not frames.by:
+        if len(lead) not in (1, 2):
+            raise ValueError(
+                "stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
+                f"{frames.shape}"
+            )
+        axes = "CZYX"[-frames.ndim :]
+    if axes is not None:
+        long = tuple(side for side in lead if side != 1)
+        kept = lead if len(lead) == len(axes) - 2 else long
+        if len(kept) != len(axes) - 2:
+            raise RecordingError(f"{name}: axes={axes!r} does not fit its shape {frames.shape}")
+        frames = replace(frames, numbers=frames.numbers.reshape(kept), axes=axes)
+    order = [letter for letter, side in zip(frames.axes, frames.numbers.shape, strict=False) if side != 1]
+    if UNKNOWN in order:
+        count = frames.numbers.shape[frames.axes.index(UNKNOWN)]
+        raise RecordingError(
+            f"{name}: what its axis of {count} images is, the file does not say; state it, such as "
+            'axes="ZYX" for planes along z'
+        )
+    if "T" in frames.axes:
+        count = frames.numbers.shape[frames.axes.index("T")]
+        if "T" in order and "Z" not in order and time is None:
+            raise RecordingError(
+                f"{name}: it is a time series of {count} images without planes along z; if these are planes, "
+                'state axes="ZYX"'
+            )
+        if count > 1 and time is None:
+            raise RecordingError(
+                f"{name}: it holds {count} time points; say which with time=, from 0 to {count - 1}, or restore each "
+                "in turn"
+            )
+        frames = frames.one_of("T", validation.integer("time", time or 0, least=0, most=count - 1))
+    return frames.along("CZYX")
+
+
+def _recording(frames: Frames) -> Recording:
+    """Return a recording with what its file says, checked."""
+    count, said, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
+    unusable: dict[str, str] = {}
+
+    def checked(key: str, words: str, value: Any, limits: tuple[float, float] | None) -> float | None:
+        if isinstance(value, float) and limits is not None and not limits[0] < value < limits[1]:
+            value = Unusable(f"{value:g} m")
+        if not isinstance(value, Unusable):
+            return None if value is None else float(value)
+        unusable[key] = value.words
+        notes.append(f"The file says {words} {value.words}, which cannot be used.")
+        return None
+
+    sides = {
+        key: checked("pixel" if key == "down" else key, words, said.get(key), _SIDES)
+        for key, words in _LENGTHS.items()
+    }
+    across, down = sides["pixel"], sides["down"]
+    if across and down and abs(across - down) > _SHARE * across:
+        raise RecordingError(
+            f"{frames.name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it "
+            "to square ones"
+        )
+    found = {"pixel": None if "pixel" in unusable else across, "step": sides["step"]}
+    parts = (("pixel", "pixels"), ("step", "planes apart"))
+    taken = [f"{format_length(length)} {of}" for key, of in parts if (length := found[key]) is not None]
+    if taken:
+        notes.append(f"From the {frames.by} metadata of the file: {', '.join(taken)}.")
+    waves: dict[str, tuple[float | None, ...]] = {}
+    for key in ("emission", "excitation"):
+        each = (list(said.get(key, [])) + [None] * count)[:count]
+        waves[key] = tuple(
+            checked(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES) for k, wave in enumerate(each)
+        )
+    lens = {key: checked(key, f"{key}", said.get(key), None) for key in ("NA", "magnification", "immersion")}
+    given = said.get("names", [])
+    names = tuple((given[k] if k < len(given) else None) or f"channel {k}" for k in range(count))
+    return Recording(
+        frames, found["pixel"], found["step"], names, waves["emission"], waves["excitation"],
+        lens["NA"], lens["magnification"], lens["immersion"], frames.path, tuple(notes), unusable,
+    )  # fmt: skip
+
+
+def save_stack(path: Path, values: Values, recording: Recording, description: str = "") -> None:
+    """Write a stack, of shape (channels, planes, height, width), with the metadata of its recording, atomically.
+
+    As OME-TIFF where the name ends in .tif or .tiff, as OME-Zarr (0.4) where it ends in .zarr.
+    """
+    if kind_of(path) == "zarr":
+        atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, path.stem, description))
+    else:
+        atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
+
+
+def kind_of(path: Path, recording: str | Path | None = None) -> str:
+    """Return the format of a stack that can be written, unless that would replace the recording it was made from.
+
+    ValueError for these, and for other formats; FileExistsError for a folder of something else; ImportError without
+    the library.
+    """
+    if recording is not None and path.resolve() == Path(recording).resolve():
+        raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
+    name = path.name.lower()
+    if name.endswith(".zarr"):
+        optional.require("zarr", "writing OME-Zarr needs", "zarr")
+        require_own(path)
+        return "zarr"
+    if name.endswith((".tif", ".tiff")):
+        optional.require("tifffile", "writing OME-TIFF needs", "images")
+        return "tiff"
+    raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {shown(path.name)}")
+
+
+def require_own(path: Path) -> None:
+    """Raise FileExistsError if a path holds anything but a stack that was written here, which may be replaced."""
+    own = not (path.exists() or path.is_symlink())
+    if not own:
+        with suppress(OSError, ValueError):
+            own = "lommel" in reading.json(reading.contents(path / ".zattrs", _JSON))
+    if not own:
+        raise FileExistsError(errno.EEXIST, "holds no restored stack, and is not replaced", str(path))
+
+
+def _fill_tiff(target: Path, values: Values, recording: Recording, description: str) -> None:
+    import tifffile
+
+    fields: dict[str, Any] = {"axes": "CZYX", "Description": description}
+    for key, letters in (("pixel", "XY"), ("step", "Z")):
+        if (value := getattr(recording, key)) is not None:
+            for letter in letters:
+                fields[f"PhysicalSize{letter}"] = float(f"{1e6 * value:.12g}")
+                fields[f"PhysicalSize{letter}Unit"] = "µm"
+    channel: dict[str, Any] = {"Name": list(recording.names)}
+    for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
+        waves = getattr(recording, key)
+        if waves and all(wave is not None for wave in waves):
+            channel |= {name: [float(f"{1e9 * wave:.12g}") for wave in waves], f"{name}Unit": ["nm"] * len(waves)}
+    fields["Channel"] = channel
+    big = values.nbytes > 2**32 - 2**25
+    tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=big)
+
+
+def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: str, description: str = "") -> Any:
+    """Return the array of a new OME-Zarr (0.4) of float32, of shape (channels, planes, height, width)."""
+    import zarr
+
+    group = zarr.create_group(str(folder), zarr_format=2)
+    sides = [1.0]
+    known_sides = (recording.step, recording.pixel, recording.pixel)
+    sides += [1.0 if value is None else float(f"{1e6 * value:.12g}") for value in known_sides]
+    known = recording.pixel is not None and recording.step is not None
+    space = [{"name": name, "type": "space"} | ({"unit": "micrometer"} if known else {}) for name in "zyx"]
+    group.attrs["multiscales"] = [
+        {
+            "version": "0.4",
+            "name": name,
+            "axes": [{"name": "c", "type": "channel"}, *space],
+            "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": sides}]}],
+        }
+    ]
+    channels: list[Any] = [{"label": name, "active": True, "color": "FFFFFF"} for name in recording.names]
+    for each, wave in zip(channels, recording.emission, strict=False):
+        if wave is not None:
+            each["emission_wavelength"] = float(f"{1e9 * wave:.12g}")
+    group.attrs["omero"] = {"channels": channels}
+    group.attrs["lommel"] = {"description": description}
+    chunks = (1, *(min(most, side) for most, side in zip(_CHUNK, shape[1:], strict=True)))
+    return group.create_array(
+        "0", shape=shape, dtype="float32", chunks=chunks, chunk_key_encoding={"name": "v2", "separator": "/"}
+    )
+
+
+def _fill_zarr(folder: Path, values: Values, recording: Recording, name: str, description: str) -> None:
+    array = new_zarr(folder, values.shape, recording, name, description)
+    for channel in range(values.shape[0]):
+        for plane in range(0, values.shape[1], _CHUNK[0]):
+            array[channel, plane : plane + _CHUNK[0]] = values[channel, plane : plane + _CHUNK[0]]

@@ -6,7 +6,7 @@ import json
 import logging
 import re
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,6 +14,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import tifffile
+from astropy.io import fits
+from PIL import Image
 
 import containers
 from lommel import microscopy
@@ -176,16 +178,15 @@ def once(key: str, find: Callable[[], Answer]) -> dict[str, Any]:
     return EXPECTED[key]
 
 
-def cases(names: list[tuple[str, str]], faults: dict[tuple[str, str], str]) -> list[Any]:
+def cases(names: Sequence[tuple[str, ...]], faults: Mapping[Any, str]) -> list[Any]:
     """Return cases of a command and a container, marked where they fail."""
     stray = set(faults) - set(names)
     assert not stray, stray
-    return [
-        pytest.param(
-            *each, marks=pytest.mark.xfail(reason=faults[each], raises=AssertionError) if each in faults else (), id=" - ".join(each)
-        )
-        for each in names
-    ]
+    return [pytest.param(*each, marks=failing(faults.get(each)), id=" - ".join(each)) for each in names]
+
+
+def failing(reason: str | None) -> Any:
+    return () if reason is None else pytest.mark.xfail(reason=reason, raises=AssertionError)
 
 
 def keyed(reason: str, commands: str, names: list[str]) -> dict[tuple[str, str], str]:
@@ -260,21 +261,7 @@ REFUSED = {
 @pytest.mark.xfail(reason="a thumbnail that comes first is fitted", raises=AssertionError)
 def test_one_image_behind_a_thumbnail_is_the_one_that_is_fitted(folder, call_lommel):
     """Of images one by one, nothing counts them."""
-    options = [
-        "star.toml",
-        "--defocus=4",
-        "--white",
-        "0.5",
-        "--read",
-        "2",
-        "--offset",
-        "100",
-        "--terms",
-        "5",
-        "--starts",
-        "1",
-        "--json",
-    ]
+    options = [*options_of("retrieve"), "--defocus", "4", "--json"]
     found = []
     for name, write in (("plain", containers.tiff), ("thumbnail", containers.thumbnail)):
         (folder / name).mkdir()
@@ -312,16 +299,10 @@ def test_frames_and_channels_are_planes_where_there_are_no_others(command, name,
     equal(answer.facts, expected, 1e-6)
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        pytest.param(
-            command,
-            marks=pytest.mark.xfail(reason="the refusal has no way out") if command in READ_IMAGES.split() else (),
-        )
-        for command in IMAGES
-    ],
-)
+NO_WAY = {(command,): "the refusal has no way out" for command in READ_IMAGES.split()}
+
+
+@pytest.mark.parametrize("command", cases([(command,) for command in IMAGES], NO_WAY))
 def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, caplog):
     words = containers.set_of_ome(IMAGES[command](), folder)
     (folder / "plane-1.ome.tif").unlink()
@@ -329,7 +310,7 @@ def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, c
     assert WAY.search(answer.refusal), answer.refusal
 
 
-@pytest.mark.xfail(reason="the option takes lengths with a unit alone, and another line of output names no option", raises=AssertionError)
+@pytest.mark.xfail(reason="what is asked for is refused, for it has no unit", raises=AssertionError)
 def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
     words = [*containers.ome(stack(), folder, axes="CYX"), *options_of("deconvolve"), "--json"]
     told = answered(call_lommel("deconvolve", *words, folder=folder), folder, caplog).refusal
@@ -338,7 +319,7 @@ def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
     assert "without a unit" not in after
 
 
-@pytest.mark.xfail(reason="the note names the argument of a function, for which the command has no option", raises=AssertionError)
+@pytest.mark.xfail(reason="the note names an argument, which is no option", raises=AssertionError)
 def test_what_deconvolve_says_of_several_images_names_an_option(folder, call_lommel):
     words = [*containers.thumbnail(stack(), folder), *options_of("deconvolve")]
     told = call_lommel("deconvolve", *words, folder=folder).stdout
@@ -377,8 +358,6 @@ def test_the_largest_number_of_16_bits_is_saturated_in_any_file(name, folder, ca
 
 
 def test_the_blank_of_fits_is_as_unknown_as_nan(folder, call_lommel):
-    from astropy.io import fits
-
     images = stars().astype(np.int32)
     images[1, 12, 12] = -7
     made = fits.PrimaryHDU(images)
@@ -390,6 +369,64 @@ def test_the_blank_of_fits_is_as_unknown_as_nan(folder, call_lommel):
         for name in ("blank.fits", "nan.npy")
     )
     assert blank["coefficients"] == nan["coefficients"]
+
+
+MASKS = {
+    "npy of bool": lambda mask, path: np.save(path.with_suffix(".npy"), mask),
+    "npy, Fortran order": lambda mask, path: np.save(path.with_suffix(".npy"), np.asfortranarray(mask)),
+    "npy of float64": lambda mask, path: np.save(path.with_suffix(".npy"), mask.astype(float)),
+    "tiff of bool": lambda mask, path: tifffile.imwrite(path.with_suffix(".tif"), mask, photometric="minisblack"),
+    "tiff of bits": lambda mask, path: Image.fromarray(mask).save(path.with_suffix(".tif")),
+    "tiff of 0 and 255": lambda mask, path: tifffile.imwrite(path.with_suffix(".tif"), 255 * mask.astype(np.uint8)),
+    "png of bits": lambda mask, path: Image.fromarray(mask).save(path.with_suffix(".png")),
+    "png of 0 and 255": lambda mask, path: Image.fromarray(255 * mask.astype(np.uint8)).save(
+        path.with_suffix(".png")
+    ),
+    "fits": lambda mask, path: fits.PrimaryHDU(mask.astype(np.uint8)).writeto(path.with_suffix(".fits")),
+    "fits.gz": lambda mask, path: fits.PrimaryHDU(mask.astype(np.int16)).writeto(path.with_suffix(".fits.gz")),
+}
+
+
+@pytest.mark.parametrize("name", MASKS)
+def test_a_mask_in_any_file_leaves_out_the_same_pixels(name, folder, call_lommel):
+    np.save(folder / "sky.npy", sky())
+    mask = np.zeros(sky().shape[1:], dtype=bool)
+    mask[16, 17:19] = mask[31] = True
+    (folder / "masks").mkdir()
+    MASKS[name](mask, folder / "masks" / "mask")
+    (path,) = (folder / "masks").iterdir()
+    words = ["sky.npy", *options_of("fit-field"), "--mask", path, "--json"]
+    found = json.loads(call_lommel("fit-field", *words, folder=folder).stdout)
+    np.save(folder / "sky.npy", np.where(mask, np.nan, sky()))
+    expected = once("masked sky", lambda: Answer(json.loads(call_lommel(
+        "fit-field", "sky.npy", *options_of("fit-field"), "--json", folder=folder
+    ).stdout), ""))  # fmt: skip
+    assert found["left_out"] == 3 * mask.sum()
+    assert found["waves"] == expected["waves"]
+
+
+MAPS = [
+    "npy",
+    "npy, Fortran order",
+    "npy, big-endian",
+    "tiff",
+    "tiff, deflate",
+    "fits",
+    "fits.gz",
+    "fits, SCI after ERR",
+]
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_a_map_of_the_camera_in_any_file_is_the_same(name, folder, call_lommel, caplog):
+    level = np.full((1, *movie().shape[1:]), 100, np.uint16)
+    level[:, :, ::2] += 3
+    (folder / "map").mkdir()
+    (offset,) = containers.BARE[name](level, folder / "map")
+    words = [*containers.tiff(movie(), folder), *options_of("localize"), "--offset", offset, "--json"]
+    answer = answered(call_lommel("localize", *words, folder=folder), folder, caplog)
+    assert answer.facts is not None, answer.refusal
+    assert answer.facts["table.csv"] == once("map", lambda: answer)["table.csv"]
 
 
 # ------------------------------------------------------------------------------------- photographs and depth maps

@@ -165,7 +165,7 @@ def set_of_ome(values: np.ndarray, folder: Path, *, all_named: bool = False) -> 
 def ome_zarr(values: np.ndarray, folder: Path, version: int = 2, *, axes: str = "zyx", **options: Any) -> list[str]:
     """Write an OME-Zarr, 0.4 by Zarr's format 2 and 0.5 by its format 3."""
     path, words = _one(folder, "a.ome.zarr")
-    group = zarr.create_group(str(path), zarr_format=version)  # type: ignore[arg-type]
+    group = zarr.create_group(str(path), zarr_format=version)
     lead = len(axes) - 3
     chunks = (1,) * lead + (2, *(min(16, side) for side in values.shape[1:]))
     if version == 2:
@@ -251,7 +251,7 @@ def rice(values: np.ndarray, folder: Path) -> list[str]:
 def npy(values: np.ndarray, folder: Path, order: str = "C", dtype: str = "<u2") -> list[str]:
     """Write NPY."""
     path, words = _one(folder, "a.npy")
-    np.save(path, np.asarray(values.astype(dtype), order=order))  # type: ignore[call-overload]
+    np.save(path, np.asarray(values.astype(dtype), order=order))
     return words
 
 
@@ -518,7 +518,7 @@ _MM = ["--depth-scale", "0.001"]
 
 
 def _depth_npy(values: np.ndarray, folder: Path, dtype: str = "<f8", order: str = "C") -> list[str]:
-    return _written(np.save, folder / "depth.npy", np.asarray(values.astype(dtype), order=order))  # type: ignore[call-overload]
+    return _written(np.save, folder / "depth.npy", np.asarray(values.astype(dtype), order=order))
 
 
 def _depth_tiff(values: np.ndarray, folder: Path, **options: Any) -> list[str]:

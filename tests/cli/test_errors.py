@@ -45,7 +45,7 @@ NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 BAD = [
     ("paint {phone}", "No such command 'paint'"),
     ("psf", "Missing argument 'LENS'"),
-    ("psf {phone} {phone}", "unexpected extra argument"),
+    ("psf {phone} {phone}", "too many files: give LENS"),
     ("psf {phone} --sharp", "No such option '--sharp'"),
     ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
     ("info folder.tif", "'folder.tif' is a directory"),

@@ -253,7 +253,7 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
         ([*GIVEN, "-o", "no/a.csv"], "Error: no/a.csv: No such file or directory"),
         (["nowhere.tif", *GIVEN[1:], "-o", "a.csv"], "Error: nowhere.tif: No such file or directory"),
         (["objective.toml", *GIVEN[1:], "-o", "a.csv"],
-         "Error: objective.toml is no TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr"),
+         "Error: objective.toml is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr"),
         (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"],
          "Error: lommel localize needs a microscope, a file with a section [objective]; lens.toml has none"),
         (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"],

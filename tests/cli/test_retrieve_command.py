@@ -169,7 +169,7 @@ def test_the_figure_has_the_unit_and_the_files(folder, call_lommel, monkeypatch)
         ),
         (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
         (["pages.tif", "lens.toml", "--read", "2", "--plot", "fit.gif"], "a figure must end in .png"),
-        (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is no TIFF, FITS"),
+        (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a TIFF, FITS"),
         (["lens.toml", "pages.tif", "--read", "2"], "pages.tif is an image, not a lens file"),
     ],
 )

@@ -215,33 +215,6 @@ MASKS: dict[str, Callable[[np.ndarray, np.ndarray], Any]] = {
     ],
 }  # fmt: skip
 PHOTOGRAPHS = "imaging.depth_from_defocus"
-NO_SHAPE = "the refusal of NDData says that it has no dimensions"
-AS_MANY = "the refusal says that there are as many photographs as there are"
-PLAIN_FAULTS = {
-    **{(door, "NDData"): NO_SHAPE for door in DOORS if door.startswith("imaging.") and door != PHOTOGRAPHS},
-    **{(door, "NDData"): NO_SHAPE for door in ("lommel.fit_beads", "microscopy.estimate_noise")},
-    **dict.fromkeys(
-        [(PHOTOGRAPHS, kind) for kind in ("dask", "xarray", "xarray of dask", "zarr", "hdf5", "NDData", "CCDData")],
-        AS_MANY,
-    ),
-    **dict.fromkeys(
-        [(PHOTOGRAPHS, kind) for kind in ("Fortran order", "list of Fortran order")],
-        "refused in words of the core, of an order that is right",
-    ),
-}
-LAZY = [kind for kind in MASKS if kind.startswith(("dask", "list of dask"))]
-MASK_FAULTS = {
-    **{
-        (door, kind): "masked values count as if they were not" for door in DOORS for kind in LAZY
-        if door != PHOTOGRAPHS and ("depth_of_field" not in door or "list" in kind)
-    },
-    (PHOTOGRAPHS, "list of dask of np.ma"): "masked values count as if they were not",
-    **{("lommel.fit_beads", kind): NO_SHAPE for kind in ("NDData", "NDData, flags")},
-    **{
-        (PHOTOGRAPHS, kind): AS_MANY for kind in MASKS
-        if kind.startswith(("NDData", "CCDData", "xarray", "dask"))
-    },
-}  # fmt: skip
 REFUSED = {
     "objects": "must hold (real numbers|unsigned integers or floats|metres)",
     "NDData": "must hold (real numbers|unsigned integers or floats|metres)",
@@ -249,14 +222,8 @@ REFUSED = {
 DASK_PAIR = "must both be dask arrays if one is"
 
 
-def marked(fault: str | None) -> Any:
-    return () if fault is None else pytest.mark.xfail(reason=fault, raises=AssertionError)
-
-
-def cases(kinds: dict[str, Any], faults: dict[tuple[str, str], str]) -> list[Any]:
-    names = [(door, kind) for door in DOORS for kind in kinds]
-    assert not set(faults) - set(names)
-    return [pytest.param(*each, id=" - ".join(each), marks=marked(faults.get(each))) for each in names]
+def cases(kinds: dict[str, Any]) -> list[Any]:
+    return [pytest.param(door, kind, id=f"{door} - {kind}") for door in DOORS for kind in kinds]
 
 
 def ask(door: str, given: Any) -> tuple[np.ndarray | None, str]:
@@ -290,7 +257,7 @@ def without(door: str) -> np.ndarray | None:
     return found
 
 
-@pytest.mark.parametrize(("door", "kind"), cases(PLAIN, PLAIN_FAULTS))
+@pytest.mark.parametrize(("door", "kind"), cases(PLAIN))
 def test_any_array_has_the_same_answer(door, kind):
     found, refusal = ask(door, PLAIN[kind](DOORS[door].values()))
     if found is None:
@@ -300,7 +267,7 @@ def test_any_array_has_the_same_answer(door, kind):
         np.testing.assert_array_equal(found, plain(door))
 
 
-@pytest.mark.parametrize(("door", "kind"), cases(MASKS, MASK_FAULTS))
+@pytest.mark.parametrize(("door", "kind"), cases(MASKS))
 def test_what_is_masked_in_any_array_is_left_out_or_refused(door, kind):
     known = without(door)
     found, refusal = ask(door, MASKS[kind](*spoilt(door)))

@@ -6,7 +6,7 @@ import json
 import logging
 import re
 import subprocess
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -178,19 +178,9 @@ def once(key: str, find: Callable[[], Answer]) -> dict[str, Any]:
     return EXPECTED[key]
 
 
-def cases(names: Sequence[tuple[str, ...]], faults: Mapping[Any, str]) -> list[Any]:
-    """Return cases of a command and a container, marked where they fail."""
-    stray = set(faults) - set(names)
-    assert not stray, stray
-    return [pytest.param(*each, marks=failing(faults.get(each)), id=" - ".join(each)) for each in names]
-
-
-def failing(reason: str | None) -> Any:
-    return () if reason is None else pytest.mark.xfail(reason=reason, raises=AssertionError)
-
-
-def keyed(reason: str, commands: str, names: list[str]) -> dict[tuple[str, str], str]:
-    return {(command, name): reason for command in commands.split() for name in names}
+def cases(names: Sequence[tuple[str, ...]]) -> list[Any]:
+    """Return cases of a command and a container."""
+    return [pytest.param(*each, id=" - ".join(each)) for each in names]
 
 
 # ---------------------------------------------------------------------------------------- stacks, stars and movies
@@ -198,25 +188,6 @@ def keyed(reason: str, commands: str, names: list[str]) -> dict[tuple[str, str],
 ZARRS = [name for name in containers.ALL if name.startswith("ome-zarr")]
 SEVERAL = ["tiffs", "pngs", "npys", "fitses", "ome-tiff of several files, all named"]
 NO_TIFF = [name for name in containers.BARE if name.startswith(("np", "fits", "hdf5")) and name not in SEVERAL]
-READ_IMAGES = "retrieve beads fit-field"
-STACK_FAULTS = {
-    **keyed("a thumbnail that comes first is taken for the images", READ_IMAGES, ["ome-tiff, a thumbnail first"]),
-    **keyed("the brackets of file.fits[SCI] are taken for a pattern", "retrieve", ["fits, SCI after ERR"]),
-    **keyed("what tifffile says of LZW is passed on", " ".join(IMAGES), ["tiff, lzw"]),
-    **keyed(
-        "other files of an OME-TIFF are not read, and the refusal has no way out", READ_IMAGES,
-        ["ome-tiff of several files", "ome-tiff of several files, all named"],
-    ),
-    **keyed("the refusal of a folder of OME-Zarr has no way out", f"{READ_IMAGES} localize", ZARRS),
-    **keyed("the refusal of a compressed TIFF speaks of a header of FITS", READ_IMAGES, ["tiff.gz"]),
-    **keyed("the refusal of more axes has no way out", READ_IMAGES, ["npy of five axes"]),
-    **keyed("the refusal of colours has no way out", READ_IMAGES, ["tiff in colour"]),
-    **keyed("the refusal of what is no TIFF has no way out", "deconvolve localize", [*NO_TIFF, "tiff.gz"]),
-    **keyed("the refusal of a file for each plane has no way out", "deconvolve localize", SEVERAL),
-    **keyed(
-        "the refusal of a file for each plane has no way out", "beads", [one for one in SEVERAL if "ome" not in one]
-    ),
-}  # fmt: skip
 
 
 def options_of(command: str) -> list[str]:
@@ -235,7 +206,7 @@ def ask(command: str, name: str, folder: Path, call: Call, log: pytest.LogCaptur
 
 
 @pytest.mark.parametrize(
-    ("command", "name"), cases([(command, name) for command in IMAGES for name in containers.ALL], STACK_FAULTS)
+    ("command", "name"), cases([(command, name) for command in IMAGES for name in containers.ALL])
 )
 def test_images_in_any_file_have_the_same_answer_or_a_way_out(command, name, folder, call_lommel, caplog):
     answer = ask(command, name, folder, call_lommel, caplog)
@@ -258,7 +229,6 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.xfail(reason="a thumbnail that comes first is fitted", raises=AssertionError)
 def test_one_image_behind_a_thumbnail_is_the_one_that_is_fitted(folder, call_lommel):
     """Of images one by one, nothing counts them."""
     options = [*options_of("retrieve"), "--defocus", "4", "--json"]
@@ -299,10 +269,7 @@ def test_frames_and_channels_are_planes_where_there_are_no_others(command, name,
     equal(answer.facts, expected, 1e-6)
 
 
-NO_WAY = {(command,): "the refusal has no way out" for command in READ_IMAGES.split()}
-
-
-@pytest.mark.parametrize("command", cases([(command,) for command in IMAGES], NO_WAY))
+@pytest.mark.parametrize("command", list(IMAGES))
 def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, caplog):
     words = containers.set_of_ome(IMAGES[command](), folder)
     (folder / "plane-1.ome.tif").unlink()
@@ -310,7 +277,6 @@ def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, c
     assert WAY.search(answer.refusal), answer.refusal
 
 
-@pytest.mark.xfail(reason="what is asked for is refused, for it has no unit", raises=AssertionError)
 def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
     words = [*containers.ome(stack(), folder, axes="CYX"), *options_of("deconvolve"), "--json"]
     told = answered(call_lommel("deconvolve", *words, folder=folder), folder, caplog).refusal
@@ -319,7 +285,6 @@ def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
     assert "without a unit" not in after
 
 
-@pytest.mark.xfail(reason="the note names an argument, which is no option", raises=AssertionError)
 def test_what_deconvolve_says_of_several_images_names_an_option(folder, call_lommel):
     words = [*containers.thumbnail(stack(), folder), *options_of("deconvolve")]
     told = call_lommel("deconvolve", *words, folder=folder).stdout
@@ -486,11 +451,8 @@ PHOTO_CASES = [
     for name in table
 ]
 
-LZW = STACK_FAULTS["retrieve", "tiff, lzw"]
-PHOTO_FAULTS = keyed(LZW, "blur restore", ["grey, tiff, lzw", "coloured, tiff, lzw"])
 
-
-@pytest.mark.parametrize(("command", "name"), cases(PHOTO_CASES, PHOTO_FAULTS))
+@pytest.mark.parametrize(("command", "name"), cases(PHOTO_CASES))
 def test_a_photograph_in_any_file_has_the_same_answer_or_a_way_out(command, name, folder, call_lommel, caplog):
     kind, _, container = name.partition(", ")
     values, table = (grey(), containers.GREY) if kind == "grey" else (coloured(), containers.COLOUR)
@@ -515,13 +477,9 @@ def test_a_photograph_in_any_file_has_the_same_answer_or_a_way_out(command, name
 
 
 DEPTH_CASES = [(command, name) for command in PHOTO_OPTIONS for name in containers.DEPTHS]
-DEPTH_FAULTS = {
-    **keyed(LZW, "blur restore", ["tiff of float32, lzw", "tiff in mm, lzw"]),
-    **keyed("the refusal of colours has no way out", "blur restore", ["pfm in colour"]),
-}
 
 
-@pytest.mark.parametrize(("command", "name"), cases(DEPTH_CASES, DEPTH_FAULTS))
+@pytest.mark.parametrize(("command", "name"), cases(DEPTH_CASES))
 def test_a_depth_map_in_any_file_has_the_same_answer_or_a_way_out(command, name, folder, call_lommel, caplog):
     words = containers.raster(grey(), folder)
     for key, write in ((f"{command} depth", containers.DEPTHS["npy"]), ("", containers.DEPTHS[name])):
@@ -538,15 +496,7 @@ def test_a_depth_map_in_any_file_has_the_same_answer_or_a_way_out(command, name,
     np.testing.assert_allclose(light, LIGHT[f"{command} depth"], rtol=0.0, atol=1e-6)
 
 
-PAIR_FAULTS = {
-    ("depth", "tiff, lzw"): LZW,
-    **keyed("each of three equal channels counts for itself: the standard deviation is too small", "depth", [
-        name for name in IN_COLOUR if name != "gif"
-    ]),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize(("command", "name"), cases([("depth", name) for name in containers.GREY], PAIR_FAULTS))
+@pytest.mark.parametrize(("command", "name"), cases([("depth", name) for name in containers.GREY]))
 def test_a_pair_of_photographs_in_any_file_has_the_same_depth_or_a_way_out(
     command, name, folder, call_lommel, caplog
 ):

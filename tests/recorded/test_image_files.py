@@ -65,11 +65,11 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
         file.write(STACK[0], photometric="minisblack")
         file.write(STACK[0, :, :3], photometric="minisblack")
     for names, said in [
-        (("a.npy", "wide.npy"), r"wide.npy has images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
+        (("a.npy", "wide.npy"), r"wide.npy: images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
         (("a.npy", "float.npy"), r"images of 3 x 4 float64, those before are of 3 x 4 uint16"),
         (("line.npy",), r"line.npy: it must have images of one pixel or more, .*, got the shape \(4,\)"),
         (("complex.npy",), "not grey images"),
-        (("text.tif",), "is no TIFF"),
+        (("text.tif",), "is not a TIFF"),
         (("sizes.tif",), r"sizes.tif: it holds 2 images \(3 x 4, 3 x 3\): name one, as in sizes.tif\[0\]"),
     ]:
         with pytest.raises(RecordingError, match=said):

@@ -214,8 +214,8 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         file.write(STACK[0], photometric="minisblack", metadata={"axes": "ZYX", "Name": "stack", **SIZES})
     with open_recording(path) as found:
         assert found.notes[0] == (
-            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; image=, or "
-            "two.ome.tif[0], takes another."
+            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; "
+            "two.ome.tif[0] is another."
         )
         assert found.step == pytest.approx(2e-7)
         np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])

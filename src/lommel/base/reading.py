@@ -21,8 +21,10 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -437,8 +439,9 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDAr
     part = math.prod(page.chunks) * dtype.itemsize
     if part > max(4 * size, 2**20 * dtype.itemsize):
         raise ValueError(f"it has parts of {part} bytes for {size}")
-    if kind.compression == 1 and sum(page.databytecounts) < size:
-        raise ValueError(f"its {size} bytes are {sum(page.databytecounts)} in the file")
+    needed = count * kind.bitspersample // 8
+    if kind.compression == 1 and sum(page.databytecounts) < needed:
+        raise ValueError(f"its {needed} bytes are {sum(page.databytecounts)} in the file")
     closed = handle.closed  # one of several files, of which few can be open
     if closed:
         handle.open()
@@ -448,10 +451,34 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDAr
                 handle.seek(place)
                 if not inflates_within(handle.read(held), max(size, part)):
                     raise ValueError(f"a part of it inflates to more than {size} bytes")
-        return np.asarray(page.asarray()).reshape(shape)
+        return tiff_array(page).reshape(shape)
     finally:
         if closed:
             handle.close()
+
+
+def tiff_array(page: Any) -> NDArray[Any]:
+    """Return the values of a page, of LZW by Pillow where tifffile cannot; ValueError where neither can."""
+    if page.compression != _LZW or find_spec("imagecodecs"):
+        return np.asarray(page.asarray())
+    from PIL.TiffImagePlugin import TiffImageFile
+
+    if (image := _UNPACKED.get(page.parent)) is None:
+        page.parent.filehandle.seek(0)
+        image = _UNPACKED[page.parent] = TiffImageFile(page.parent.filehandle)
+    dtype = np.dtype(page.dtype).newbyteorder("=")
+    try:
+        image.seek(page.index)
+        values = np.asarray(image)
+    except (OSError, SyntaxError, TypeError) as error:  # TypeError: of a page below another
+        raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
+    if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
+        raise ValueError(f"LZW of {dtype} needs the package imagecodecs; install it, or save the file with deflate")
+    return values.astype(dtype, copy=False)
+
+
+_LZW = 5
+_UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files as Pillow has them open
 
 
 def tiff_mapped(file: Any, series: Any, path: Path, count: int) -> NDArray[Any] | None:

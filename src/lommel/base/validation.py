@@ -167,9 +167,10 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 def array(name: str, value: ArrayLike) -> NDArray[Any]:
     """Return `value` as an array; TypeError where something of it is masked, for arrays do not keep that."""
-    refuse_masked(name, value)
+    held = computed(value)
+    refuse_masked(name, held)
     try:
-        return np.asarray(value)
+        return np.asarray(held)
     except (ValueError, TypeError, OverflowError):  # a ragged sequence, or what is no array at all
         return np.asarray(None)
 
@@ -185,6 +186,7 @@ def parted(name: str, value: object) -> tuple[NDArray[Any], NDArray[np.bool_] | 
 
     TypeError if it holds something else, ValueError if masked containers in a list have several shapes.
     """
+    value = computed(value)
     if not _masked(value):
         return number_array(name, cast(ArrayLike, value)), None
     if isinstance(value, list | tuple):
@@ -199,6 +201,20 @@ def parted(name: str, value: object) -> tuple[NDArray[Any], NDArray[np.bool_] | 
 
 
 _NUMBERS = (float, int, np.ndarray, np.float64, str)  # which have no mask, and are many
+
+
+def computed(value: Any) -> Any:
+    """Return a value, or the array of a container whose mask, if any, is known once it is computed, as of dask."""
+    if type(value) in _NUMBERS or isinstance(value, np.ndarray):
+        return value
+    if isinstance(value, list | tuple):
+        return value if all(type(part) in _NUMBERS for part in value) else [computed(part) for part in value]
+    if getattr(value, "mask", None) is not None or type(value).__module__.partition(".")[0] == "lommel":
+        return value
+    if callable(compute := getattr(value, "compute", None)) and hasattr(value, "dask"):
+        return compute()
+    held = getattr(value, "data", None)  # of astropy's NDData without a mask
+    return held if isinstance(held, np.ndarray) and hasattr(value, "mask") else value
 
 
 def _masked(value: object) -> bool:

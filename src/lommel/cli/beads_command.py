@@ -16,11 +16,11 @@ from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_facts, noise_in_words, noise_of
 from lommel.cli.options import (
-    FILE,
     JSON,
     MICROMETRES,
     NANOMETRES,
     OUTPUT,
+    PATH,
     Option,
     command,
     documented,
@@ -33,8 +33,8 @@ from lommel.estimation.beads import fit_beads
 from lommel.estimation.objective_field import fit_objective_field
 from lommel.estimation.phase_retrieval import label
 from lommel.localize.point_sources import find_spots
-from lommel.recorded.frames import read_images
-from lommel.recorded.recordings import open_recording
+from lommel.recorded.frames import read_each
+from lommel.recorded.metadata import Unusable
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ _MOST = 20  # beads
 
 
 @command(
-    click.Argument(["stacks"], type=FILE, nargs=-1, required=True),
+    click.Argument(["stacks"], type=PATH, nargs=-1, required=True),
     LENS,
     Option("--step", type=NANOMETRES, required=True,
            help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
@@ -142,19 +142,20 @@ def beads(
     camera = noise_facts(options, microscope.camera, noise)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     notes.append(noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"))
-    notes += [note for path in stacks if (note := _other_step(path, step))]
     with progress("reading") as started:
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
         sizes: set[tuple[int, int]] = set()
-        for path in stacks:
-            cut, size = _beads(path, window, threshold, noise, saturation)
+        for stack in read_each(stacks):
+            file = stack.names[0].removesuffix(" [0]")
+            notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
+            cut, size = _beads(file, stack.values, window, threshold, noise, saturation)
             sizes.add(size)
             for k, (one, corner) in enumerate(cut):
                 windows.append(one)
                 corners.append(corner)
-                names.append(f"{path.name} [{k}]")
+                names.append(f"{file} [{k}]")
         planes = len(windows[0])
         if any(len(each) != planes for each in windows):
             raise ValueError("stacks must have the same number of planes, all --step apart")
@@ -201,30 +202,26 @@ def beads(
     return Report(facts, _parts(found, names, corners, notes), found.converged) + files
 
 
-def _other_step(path: Path, step: float) -> str:
-    """Return a sentence where a file states another step between planes than `step`, or ""."""
-    try:
-        with open_recording(path) as recording:
-            stated = recording.step
-    except (OSError, ValueError):  # no stack that states anything
-        return ""
-    if stated is None or abs(abs(step) / stated - 1.0) < 0.01:
-        return ""
-    said = f"{path.name} states planes {format_length(stated, digits=4)} apart"
-    return f"{said}; --step {format_length(step, digits=4)} was taken."
+def _other_step(file: str, stated: object, step: float) -> list[str]:
+    """Return a sentence where a file states another step between planes than `step`, or what is no step."""
+    taken = f"--step {format_length(step, digits=4)} was taken."
+    if isinstance(stated, Unusable):
+        return [f"{file} states planes {stated.words} apart, which cannot be used; {taken}"]
+    if not isinstance(stated, float) or abs(abs(step) / stated - 1.0) < 0.01:
+        return []
+    return [f"{file} states planes {format_length(stated, digits=4)} apart; {taken}"]
 
 
 def _beads(
-    path: Path, window: int, threshold: float, noise: Noise, saturation: float | None
+    file: str, planes: Values, window: int, threshold: float, noise: Noise, saturation: float | None
 ) -> tuple[list[tuple[Values, tuple[int, int]]], tuple[int, int]]:
     """Return windows around the beads of a stack and their first pixels, one if it shows no more, and its shape."""
-    planes = read_images([path]).values
     if max(planes.shape[1:]) <= _FIELD * window:
         return [(planes, (0, 0))], planes.shape[1:]
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
-        raise ValueError(f"{line(path)}: no isolated bead; {spots.message}: {advice}")
+        raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
     first = spots.places - np.array(spots.windows.shape[-2:]) // 2
     cut = [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
     return cut, spots.shape

@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.units import parse_length
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, PATH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
@@ -39,7 +39,7 @@ _LISTED = 12  # stars left out, that are printed one by one
 
 
 @command(
-    click.Argument(["images"], type=FILE, nargs=-1, required=True),
+    click.Argument(["images"], type=PATH, nargs=-1, required=True),
     LENS,
     Option("--targets", type=click.Choice(("star", "pinhole", "crossing")), default="star",
            help="What the images show: stars, round holes of one size, or a checkerboard, of which the crossings are "

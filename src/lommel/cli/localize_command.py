@@ -16,10 +16,10 @@ from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, camera_map, microscope_of, noise_of
 from lommel.cli.options import (
-    FILE,
     JSON,
     MICROMETRES,
     OUTPUT,
+    PATH,
     WINDOW,
     Option,
     command,
@@ -63,7 +63,7 @@ _CAMERA = under(
 
 
 @command(
-    click.Argument(["movie"], type=FILE),
+    click.Argument(["movie"], type=PATH),
     LENS,
     Option("-o", "--output", "outputs", type=OUTPUT, required=True, multiple=True,
            help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),

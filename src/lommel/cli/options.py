@@ -138,6 +138,17 @@ def under(heading: str, *listed: Option) -> list[Option]:
 class Command(click.Command):
     """A command whose ``--help`` lists its options under headings, the most common first."""
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse the command line; too many files are told with what is taken."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.UsageError as error:
+            if not error.message.startswith("Got unexpected extra argument"):
+                raise
+            names = " ".join((one.name or "").upper() for one in self.params if isinstance(one, click.Argument))
+            way = f"give {names}, one each; images of several files are to be saved as one stack, such as a TIFF"
+            raise click.UsageError(f"too many files: {way}", ctx) from None
+
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options."""
         rows: dict[str, list[tuple[str, str]]] = {}
@@ -302,7 +313,7 @@ def with_options(message: str) -> str:
     first = message.partition(" must ")[0]
     if context and first in flags and context.get_parameter_source(first) is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
-    message = _NAMED.sub(renamed, message)
+    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", _NAMED.sub(renamed, message))
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )

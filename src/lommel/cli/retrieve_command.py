@@ -22,14 +22,14 @@ from lommel.cli.instruments import (
     microscope_of,
     noise_of,
 )
-from lommel.cli.options import FILE, JSON, OUTPUT, Command, Option, command, documented, plot_option, under
+from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
 from lommel.lensfiles.microscope_files import describes_microscope
-from lommel.recorded.frames import read_images
+from lommel.recorded.frames import part_of, read_images
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def _is_number(word: str) -> bool:
 
 
 @command(
-    click.Argument(["images"], type=FILE, nargs=-1, required=True),
+    click.Argument(["images"], type=PATH, nargs=-1, required=True),
     LENS,
     Option("--defocus", metavar="NUMBERS",
            help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
@@ -233,7 +233,7 @@ def _files(paths: tuple[Path, ...]) -> list[Path]:
     """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
     found: list[Path] = []
     for path in paths:
-        if path.exists() or not set("*?[") & set(path.name):
+        if path.exists() or part_of(path)[1] is not None or not set("*?[") & set(path.name):
             found.append(path)
         elif several := sorted(path.parent.glob(path.name)):
             found += several

@@ -472,15 +472,15 @@ def fit_beads(
         if len(images) < _PLANES:
             raise ValueError(
                 f"stacks must have at least {_PLANES} planes above and below focus, got {len(images)}: fewer do not "
-                "tell aberrations from the place of the bead"
+                "tell aberrations from the place of the bead; give all planes as one stack"
             )
         if places.shape != (len(images),):
             raise ValueError(f"z must have a position for each of {len(images)} planes, got shape {places.shape}")
         electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
         made.append(Stack.of(electrons, read, counts.known, places))
         recorded.append(counts)
-        if np.shape(each)[-2:] != np.shape(given[0])[-2:]:
-            raise ValueError(f"stacks must have windows of one shape, got {np.shape(each)} of stacks[{k}]")
+        if counts.values.shape[-2:] != recorded[0].values.shape[-2:]:
+            raise ValueError(f"stacks must have windows of one shape, got {counts.values.shape} of stacks[{k}]")
     apart = np.diff(places)
     if not (np.all(apart > 0.0) or np.all(apart < 0.0)):
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
@@ -540,9 +540,10 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
 
 def _stacks(stacks: Any) -> list[Any]:
     """Return the stacks, one or several."""
-    if isinstance(stacks, list | tuple) and len(stacks) and np.ndim(stacks[0]) == 3:
+    stacks = validation.computed(stacks)
+    if isinstance(stacks, list | tuple) and len(stacks) and len(_shape(stacks[0])) == 3:
         return list(stacks)
-    dimensions = np.ndim(stacks)
+    dimensions = len(_shape(stacks))
     if dimensions == 4:
         return list(stacks)
     if dimensions != 3:
@@ -551,6 +552,11 @@ def _stacks(stacks: Any) -> list[Any]:
             f"dimension{'s' * (dimensions != 1)}"
         )
     return [stacks]
+
+
+def _shape(held: Any) -> tuple[int, ...]:
+    """Return the shape of an array, or of a container that NumPy makes none of."""
+    return tuple(held.shape) if hasattr(held, "shape") else np.shape(getattr(held, "data", held))
 
 
 def _depths(depth: Any, radius: float, count: int) -> list[float]:

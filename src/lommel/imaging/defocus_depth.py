@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -212,24 +212,34 @@ def depth_from_defocus(
         raise ValueError(
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
-    if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lenses):
-        count = len(photographs) if hasattr(photographs, "__len__") else validation.shown(photographs)
+    given = list(photographs) if isinstance(photographs, list | tuple) else _apart(photographs)
+    if len(given) != len(lenses):
+        count = len(given) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
     validation.instance("noise", noise, Noise)
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
     ends, vergence = ranged(between, lenses, pitch, candidates, _MOST)
-    stored = {f"photographs[{k}]": validation.array(f"photographs[{k}]", one) for k, one in enumerate(photographs)}
-    for name, one in stored.items():
-        require_image(name, one.shape)
-    if len({one.shape for one in stored.values()}) > 1:
-        shapes = ", ".join(str(one.shape) for one in stored.values())
+    if saturation is not None:
+        validation.real("saturation", saturation, above=0.0)
+    shape = "(height, width) or (height, width, channels)"
+    counts = []
+    for k, one in enumerate(given):
+        counts.append(Counts.of(f"photographs[{k}]", one, sides=(2, 3), shape=shape, saturation=saturation))
+        require_image(f"photographs[{k}]", counts[k].values.shape)
+    if len({one.values.shape for one in counts}) > 1:
+        shapes = ", ".join(str(one.values.shape) for one in counts)
         raise ValueError(f"photographs must be of one shape, got {shapes}")
-    first = stored["photographs[0]"]
+    first = counts[0].values
+    if wavelengths is None and all(_is_grey(one.values) for one in counts):  # stored three times, it was counted once
+        counts = [one[..., 0] for one in counts]
     electrons, known = zip(
-        *(_electrons(name, one, encoding, noise, saturation) for name, one in stored.items()), strict=True
+        *(_electrons(f"photographs[{k}]", one, encoding, noise) for k, one in enumerate(counts)), strict=True
     )
-    images, valid = np.stack(electrons, axis=1).astype(np.float32), np.all(known, axis=0)
+    images, valid = (
+        np.stack(electrons, axis=1).astype(np.float32, order="C"),
+        np.ascontiguousarray(np.all(known, axis=0)),
+    )
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
     registered = Registration(magnification, lenses, valid.shape, processors())
@@ -243,7 +253,7 @@ def depth_from_defocus(
     mean, exposed = float(means[0]), tuple((means / means[0]).tolist())
     exposed = exposed if exposures is None else relative_exposures(exposures, len(lenses))
     images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
-    channels = Settings(wavelengths=wavelengths).channels(first.shape, lenses[0].wavelength)
+    channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
     spectra = [((each, 1.0),) if isinstance(each, float) else tuple(each) for each in channels]
     block = BLOCK if width >= _LEAST_OF_BLOCK else BLOCK // 2
     sizes = width, block, block, processors()
@@ -258,7 +268,8 @@ def depth_from_defocus(
 
     def sharpen(filled: Array) -> Values:
         place = np.asarray((1.0 / filled - vergence[0]) / step, dtype=np.float32)
-        light = np.moveaxis(noise.image(_sharp(engine, images, valid, place)), 0, 2).reshape(first.shape)
+        light = np.moveaxis(noise.image(_sharp(engine, images, valid, place)), 0, 2)
+        light = np.broadcast_to(light, (*valid.shape, *first.shape[2:])) if first.ndim == 3 else light[..., 0]
         if first.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
         elif encoding == "srgb":
@@ -329,14 +340,22 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
     return out
 
 
-def _electrons(
-    name: str, values: Values, encoding: str, noise: Noise, saturation: float | None
-) -> tuple[Array, NDArray[np.bool_]]:
+def _apart(photographs: Any) -> list[Any]:
+    """Return the photographs of one array or container, with their masks; none if it has no axis for them."""
+    values, hidden = validation.parted("photographs", photographs)
+    if values.ndim < 3:
+        return []
+    return list(values if hidden is None else np.ma.masked_array(values, mask=hidden))
+
+
+def _is_grey(values: Values) -> bool:
+    """Return whether a photograph has three channels, which are equal."""
+    return values.ndim == 3 and values.shape[2] == 3 and bool((values == values[..., :1]).all())
+
+
+def _electrons(name: str, counts: Counts, encoding: str, noise: Noise) -> tuple[Array, NDArray[np.bool_]]:
     """Return the electrons of one photograph, channels first, and its known pixels."""
-    if saturation is not None:
-        validation.real("saturation", saturation, above=0.0)
-    shape = "(height, width) or (height, width, channels)"
-    counts = Counts.of(name, values, sides=(2, 3), shape=shape, saturation=saturation)
+    values = counts.values
     pixels: NDArray[np.bool_] = np.asarray(counts.known.reshape(*values.shape[:2], -1).all(axis=2))
     light = to_light(name, np.where(counts.known, values, values.dtype.type(0)), encoding, np.float64)
     planes = noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0))

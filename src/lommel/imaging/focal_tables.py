@@ -199,7 +199,7 @@ def focal_tables(
     squares = [s for s in (1, 2, 4) if s <= block]
     models = [model_of(s) for s in squares]
     tenth = len(models[0].vergence) // 10
-    inner = slice(tenth, -tenth)
+    inner = slice(tenth, -tenth or None)
     bounds = [_bound(model)[inner] * s for model, s in zip(models, squares, strict=True)]
     best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
     for taps, degree, left, median, most_over in _TRIED:

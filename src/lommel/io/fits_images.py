@@ -1,7 +1,8 @@
-"""FITS images and tables, plain or compressed by gzip; their sizes are checked before they are decoded."""
+"""FITS images and tables, plain or compressed by gzip or bzip2; their sizes are checked before they are decoded."""
 
 from __future__ import annotations
 
+import bz2
 import gzip
 import io
 import math
@@ -19,8 +20,8 @@ from lommel.io.registry import Description, Values
 
 SUFFIXES = (".fits", ".fit")
 PACKED = (".fits.gz", ".fit.gz")
+PACKED_STARTS = (b"\x1f\x8b", b"BZh")
 
-_GZIP = b"\x1f\x8b"
 _MOST_AXES = 16
 _BLOCK, _MOST_HEADER = 2880, 2**20  # bytes
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
@@ -131,16 +132,20 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
 
 
 def is_fits(data: bytes) -> bool:
-    """Return whether data begin as a FITS file, or as one compressed by gzip."""
-    return data.startswith((b"SIMPLE  =", _GZIP))
+    """Return whether data begin as a FITS file, or as one compressed by gzip or bzip2."""
+    return data.startswith((b"SIMPLE  =", *PACKED_STARTS))
 
 
 def _unpacked(data: bytes) -> bytes:
     """Return the contents of a file, unpacked as far as its headers say."""
-    packed, parts, at = data.startswith(_GZIP), list[bytes](), 0
-    source = gzip.GzipFile(fileobj=io.BytesIO(data)) if packed else io.BytesIO(data)
+    packed, parts, at = data.startswith(PACKED_STARTS), list[bytes](), 0
+    source: Any = io.BytesIO(data)
+    if packed:
+        source = gzip.GzipFile(fileobj=source) if data.startswith(PACKED_STARTS[0]) else bz2.BZ2File(source)
     try:
         block = source.read(_BLOCK)
+        if packed and not block.startswith(b"SIMPLE"):
+            raise ValueError("what is packed in it is no FITS file; unpack it")
         while not at or block.startswith(b"XTENSION"):
             start, cards = at, dict[str, int]()
             while True:

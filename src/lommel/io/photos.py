@@ -372,7 +372,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes 
             raise ValueError("it has alpha or other further channels; flatten it first")
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
-        values, axes, profile = page.asarray(), page.axes, page.iccprofile
+        values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
     if values.shape != page.shape:
         raise ValueError(
             f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"

@@ -107,6 +107,7 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
     """Return local means, squares of the noise there, and which share of the squares are independent ones."""
     from scipy.ndimage import convolve1d, uniform_filter
 
+    stack = validation.computed(stack)
     validation.refuse_masked("stack", stack)
     shape = np.shape(stack)
     if len(shape) != 3:

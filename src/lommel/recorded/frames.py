@@ -160,6 +160,11 @@ class Frames:
         return replace(self, numbers=self.numbers.reshape(-1), axes=f"{lead[0] if lead else UNKNOWN}YX")
 
     @property
+    def files(self) -> set[str]:
+        """The files of an OME-TIFF of several; none otherwise."""
+        return self.planes.files if isinstance(self.planes, _Pages) else set()
+
+    @property
     def name(self) -> str:
         """Name in messages."""
         return "the array" if self.path is None else line(self.path)
@@ -187,7 +192,7 @@ class _Pages:
     """Pages of a TIFF file."""
 
     def __init__(self, path: Path, series: Any) -> None:
-        self._path, self._pages = path, series.pages
+        self._path, self._pages, self._several = path, series.pages, series.is_multifile
         self.sides: tuple[int, int] = tuple(series.shape[-2:])
         self.dtype = np.dtype(series.dtype).newbyteorder("=")
         self._lock = threading.Lock()  # pages share a handle
@@ -195,8 +200,16 @@ class _Pages:
     @property
     def stored(self) -> int:
         """Bytes of the file, or of all those of an OME-TIFF."""
-        handles = {page.parent.filehandle for page in self._pages if page is not None}
-        return sum(int(handle.size) for handle in handles)
+        return sum(int(handle.size) for handle in self._handles())
+
+    @property
+    def files(self) -> set[str]:
+        """The files, where there are several."""
+        found = {str(handle.path) for handle in self._handles()} if self._several else set()
+        return found if len(found) > 1 else set()
+
+    def _handles(self) -> set[Any]:
+        return {page.parent.filehandle for page in self._pages if page is not None}
 
     def plane(self, number: int) -> Values:
         """Return one image."""
@@ -345,11 +358,17 @@ def _whole(path: Path, part: str | None) -> Frames:
     try:
         form = registry.identify("images", data)
     except ValueError:
-        what = "is no TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" if data else "is empty"
+        what = (
+            "is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr; save it as one of these"
+            if data
+            else "is empty"
+        )
         raise RecordingError(f"{line(path)} {what}") from None
     values, header = form.read(data, part)
     if values.ndim > 3 or values.dtype.kind not in "iufb":
-        raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, not grey images")
+        raise ValueError(
+            f"it holds {values.dtype} of the shape {values.shape}, not grey images; save one stack of them"
+        )
     made = _of_array(values, "it")
     return replace(made, said=metadata.of_fits(header), by="FITS" if header else "", path=path)
 
@@ -377,8 +396,8 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
         if not file.is_ome:
             raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
         notes.append(
-            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; image=, or "
-            f"{path.name}[0], takes another."
+            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; "
+            f"{path.name}[{0 if place else 1}] is another."
         )
     letters: str = series.axes
     page = series.keyframe
@@ -488,7 +507,7 @@ registry.register(
     _images((".npy",), read=_npy, starts=(b"\x93NUMPY",)),
     _images((".png",), read=_png, starts=photos.PNG, library="PIL.Image"),
     _images(fits_images.SUFFIXES, read=_fits, starts=(b"SIMPLE  =",), library="astropy"),
-    _images(fits_images.PACKED, read=_fits, starts=(b"\x1f\x8b", b"BZh"), library="astropy"),
+    _images(fits_images.PACKED, read=_fits, starts=fits_images.PACKED_STARTS, library="astropy"),
 )
 
 
@@ -512,17 +531,17 @@ class Images:
     notes: tuple[str, ...]
 
 
-def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
-    """Read grey images of one size and type from files, each an image or a stack in the order that it states.
+def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
+    """Yield the grey images of each file, an image or a stack in the order that it states.
 
-    RecordingError, OSError or ImportError as :func:`open_frames`.
+    Of the files of one OME-TIFF the first has all. RecordingError, OSError or ImportError as :func:`open_frames`.
     """
-    found: list[Values] = []
-    names: list[str] = []
-    said: Found = {}
-    notes: list[str] = []
+    done: set[str] = set()
     for path in paths:
         with open_frames(path) as opened:
+            if opened.files and opened.files <= done:
+                continue
+            done |= opened.files
             stack = opened.as_stack()
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
@@ -531,17 +550,27 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
             values = stack[...]
         if values.dtype == bool:  # a mask
             values = values.astype(np.uint8)
-        if found and (found[0].shape[1:], found[0].dtype) != (values.shape[1:], values.dtype):
-            (_, height, width), (_, other, across) = found[0].shape, values.shape
-            raise RecordingError(
-                f"{stack.name} has images of {other} x {across} {values.dtype}, those before are of "
-                f"{height} x {width} {found[0].dtype}"
-            )
         own = Path(path).name
-        names += [own] if len(values) == 1 else [f"{own} [{k}]" for k in range(len(values))]
-        said = said or stack.said
-        notes += stack.notes
-        found.append(values)
+        names = [own] if len(values) == 1 else [f"{own} [{k}]" for k in range(len(values))]
+        yield Images(values, tuple(names), stack.said, stack.notes)
+
+
+def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
+    """Return the images of files as of :func:`read_each`; they must be of one size and type."""
+    found = list(read_each(paths))
     if not found:
         raise ValueError("paths must name a file or several, got none")
-    return Images(np.concatenate(found), tuple(names), said, tuple(notes))
+    kinds = [(one.values.shape[1:], one.values.dtype) for one in found]
+    for one, ((height, width), dtype) in zip(found, kinds, strict=True):
+        if ((height, width), dtype) != kinds[0]:
+            (first, across), before = kinds[0]
+            raise RecordingError(
+                f"{one.names[0]}: images of {height} x {width} {dtype}, those before are of {first} x {across} "
+                f"{before}"
+            )
+    return Images(
+        np.concatenate([one.values for one in found]),
+        tuple(name for one in found for name in one.names),
+        found[0].said,
+        tuple(note for one in found for note in one.notes),
+    )

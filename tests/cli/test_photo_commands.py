@@ -49,8 +49,14 @@ BAD = [
     ),
     ("blur nowhere.png depth.npy lens.toml -o out.png", "nowhere.png: No such file or directory"),
     ("blur broken.png depth.npy lens.toml -o out.png", "broken.png cannot be read as a PNG photograph"),
-    ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha; flatten it first"),
-    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF or EXR file"),
+    (
+        "blur alpha.png depth.npy lens.toml -o out.png",
+        "it has alpha, and is not opaque everywhere; put it on a background",
+    ),
+    (
+        "blur lens.toml depth.npy lens.toml -o out.png",
+        "lens.toml is not a PNG, JPEG, TIFF, EXR, WEBP, BMP or HEIC file",
+    ),
     ("blur photo.png lens.toml lens.toml -o out.png", "lens.toml is not a NPY, PFM, TIFF, PNG or EXR file"),
     (
         "blur photo.png small.npy lens.toml -o out.png",
@@ -253,7 +259,87 @@ def test_maps_that_look_like_inverse_depth_are_told(call_lommel, folder):
     np.save(folder / "inverse.npy", np.maximum(0.3, DEPTH.min() / DEPTH))
     told = ran(call_lommel("blur", "photo.png", "inverse.npy", *GIVEN, "-o", "a.png", folder=folder)).splitlines()
     assert told[2].endswith(" to 1 m, focus 2 m")
-    assert "the farthest depth is exactly 1: maps of 0 to 1, such as inverse depth, are not in metres" in told
+    note = (
+        "note: the farthest depth of inverse.npy is exactly 1: maps of 0 to 1, such as inverse depth, are not in "
+        "metres; --inverse-depth states the distances at 1 and at 0"
+    )
+    assert " ".join(line.strip() for line in told).endswith(note)
+
+
+def test_inverse_depth_disparity_and_other_sizes_are_as_in_python(call_lommel, folder):
+    stored = np.round(255 * (1.0 / DEPTH - 1.0 / 2.3) / (1.0 / 1.8 - 1.0 / 2.3)).astype(np.uint8)
+    Image.fromarray(stored).save(folder / "inverse.png")
+    Image.fromarray(np.round(8000 / DEPTH).astype(np.uint16)).save(folder / "disparity.png")
+    Image.fromarray(stored[1::2, 1::2]).save(folder / "half.png")
+    ways = {
+        "inverse.png": (("--inverse-depth", "1.8m", "2.3m"), 1.0 / (stored / 255 * (1 / 1.8 - 1 / 2.3) + 1 / 2.3)),
+        "disparity.png": (("--disparity", "8000", "0"), 8000.0 / np.round(8000 / DEPTH)),
+    }
+    for name, (options, depth) in ways.items():
+        told = ran(call_lommel("blur", "photo.png", name, *GIVEN, *options, "-o", "a.png", folder=folder))
+        low, high = depth.min(), depth.max()
+        assert told.splitlines()[2] == f"depth {low:.4g} m to {high:.4g} m, focus 2 m"
+        found = np.asarray(Image.open(folder / "a.png")).astype(int)
+        assert np.abs(found - expected(depth=depth)).max() <= 1
+    resampled = ("--inverse-depth", "1.8m", "2.3m", "--resample", "nearest")
+    ran(call_lommel("blur", "photo.png", "half.png", *GIVEN, *resampled, "-o", "b.png", folder=folder))
+    half = np.repeat(np.repeat(ways["inverse.png"][1][1::2, 1::2], 2, axis=0), 2, axis=1)
+    assert np.abs(np.asarray(Image.open(folder / "b.png")).astype(int) - expected(depth=half)).max() <= 1
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "error"),
+    [
+        ("half.npy", (), 'got 18 x 15, of the same aspect ratio; --resample "nearest" resamples it'),
+        ("depth.npy", ("--depth-scale", "1", "--inverse-depth", "1m", "2m"),
+         "give one of --depth-scale, --inverse-depth and --disparity"),
+        ("depth.npy", ("--inverse-depth", "2m", "1m"), "--inverse-depth must be > 2 metres, got 1"),
+        ("depth.npy", ("--inverse-depth", "1m", "2m"), "must hold 0 to 1 for --inverse-depth, got 1.9 to 2.2"),
+        ("depth.npy", ("--disparity", "1", "-2"), "must hold finite disparities > 2 (the offset is -2), got"),
+        ("depth.png", (), "for millimetres, or --inverse-depth or --disparity"),
+    ],
+)  # fmt: skip
+def test_maps_that_are_no_metres_are_refused_with_the_way_out(call_lommel, folder, name, options, error):
+    np.save(folder / "half.npy", DEPTH[::2, ::2])
+    result = call_lommel("blur", "photo.png", name, *GIVEN, *options, "-o", "a.png", folder=folder)
+    assert result.returncode == 2
+    assert error in result.stderr
+
+
+def test_depth_out_of_unit_and_light_beyond_white_are_told(call_lommel, folder):
+    np.save(folder / "mm.npy", 1000.0 * DEPTH)
+    tifffile.imwrite(folder / "float.tif", PHOTO.astype(np.float32), photometric="rgb")
+    told = ran(call_lommel("blur", "float.tif", "mm.npy", *GIVEN, "-o", "a.tif", folder=folder))
+    words = " ".join(line.strip() for line in told.splitlines())
+    assert f"note: there is light of {PHOTO.max()} times white, which is 1 in floats" in words
+    assert "note: all of the depth, 1900 m to 2200 m, is beyond the hyperfocal distance, 15.68 m" in words
+    assert words.count("note: ") == 2
+    found = json.loads(
+        ran(call_lommel("blur", "float.tif", "mm.npy", *GIVEN, "--json", "-o", "b.tif", folder=folder))
+    )
+    assert len(found["notes"]) == 2
+    np.save(folder / "km.npy", 0.001 * DEPTH)
+    failed = call_lommel("blur", "photo.png", "km.npy", *GIVEN, "-o", "c.png", folder=folder)
+    assert failed.returncode == 2
+    assert "Note: all of the depth, 1.9 mm to 2.2 mm, is within the focal length, 50 mm" in failed.stderr
+    assert failed.stderr.splitlines()[-1].startswith("Error: ")
+
+
+def test_the_camera_and_the_date_stay_with_the_photo(call_lommel, folder):
+    tags = Image.Exif()
+    tags[0x010F], tags[0x0132], tags[0x0112] = "Canon", "2026:01:02 03:04:05", 1
+    tags[0x8769] = {0xA434: "50mm f/2"}
+    Image.fromarray(PHOTO).save(folder / "dated.jpg", exif=tags.tobytes())
+    for name in ("a.jpg", "a.png", "a.tif"):
+        ran(call_lommel("blur", "dated.jpg", "depth.npy", *GIVEN, "-o", name, folder=folder))
+        with Image.open(folder / name) as file:
+            found = file.getexif()
+            assert (found[0x010F], found[0x0132]) == ("Canon", "2026:01:02 03:04:05")
+            assert found.get_ifd(0x8769)[0xA434] == "50mm f/2"
+    pull = (*GIVEN, "--focus-to", "2.1m", "--frames", "2", "-o", "p-%d.jpg")
+    ran(call_lommel("blur", "dated.jpg", "depth.npy", *pull, folder=folder))
+    with Image.open(folder / "p-2.jpg") as file:
+        assert file.getexif()[0x010F] == "Canon"
 
 
 @pytest.mark.parametrize(

@@ -60,10 +60,11 @@ def test_sharp_video_is_nearer_to_the_scene_and_keeps_bits_times_and_light(folde
     result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
-    assert lines[1].startswith("96 x 96 pixels of 4 um; focus 1.8 m at f/8, depth 1.5 m: blur of up to ")
-    assert lines[2].startswith("3 frames in ")
-    assert lines[2].endswith("frames/s; ended: the end")
-    assert lines[3:] == ["frames dropped: 2", "wrote o.mkv"]
+    assert lines[1].startswith("96 x 96 pixels of 4 um; f/8, blur of up to ")
+    assert lines[2] == "depth 1.5 m, focus 1.8 m"
+    assert lines[3].startswith("3 frames in ")
+    assert lines[3].endswith("frames/s; ended: the end")
+    assert lines[4:] == ["frames dropped: 2", "wrote o.mkv"]
     sharp, times = frames_of(folder / "o.mkv")
     assert sharp.dtype == np.uint16
     assert times == pytest.approx([0.0, 0.04, 0.16])
@@ -101,7 +102,30 @@ def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     words = ["photo.tif", "lens.toml", "--depth", "depth.tif", "--encoding", "linear", *DEEP, "-o", "sharp.tif"]
     result = call_lommel("sharpen", *words, folder=folder)
     assert result.returncode == 0, result.stderr
-    assert "depth not known at 8.3 % of the map, taken from the nearest pixel" in result.stdout
+    assert "\ndepth 1.5 m, focus 1.8 m, 8.3 % unknown\n" in result.stdout
+    sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
+    assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
+
+
+def test_a_depth_map_of_half_the_size_is_resampled_where_asked(folder, call_lommel):
+    lm.imaging.write_photo(folder / "photo.tif", frames()[0] / 65535.0, encoding="linear", dtype=np.uint16)
+    np.save(folder / "depth.npy", np.full((SIDE // 2, SIDE // 2), round(1000 * AT), np.uint16))
+    words = [
+        "photo.tif",
+        "lens.toml",
+        "--depth",
+        "depth.npy",
+        "--depth-scale",
+        "0.001",
+        "--encoding",
+        "linear",
+        *DEEP,
+    ]
+    refused = call_lommel("sharpen", *words, "-o", "sharp.tif", folder=folder)
+    assert refused.returncode == 2
+    assert '(96, 96) or (24, 24), got (48, 48); --resample "nearest" takes the nearest' in refused.stderr
+    result = call_lommel("sharpen", *words, "--resample", "nearest", "-o", "sharp.tif", folder=folder)
+    assert "\ndepth 1.5 m, focus 1.8 m\n" in result.stdout
     sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
     assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
 
@@ -141,7 +165,7 @@ def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):
         (["clip.mkv", "--at", "1m", "-o", "o.png"], "--output must end in .mkv, .mp4 for video, got '.png'"),
         (["no.mkv", "--at", "1m", "-o", "o.mkv"], "no.mkv: No such file or directory"),
         (["lens.toml", "--at", "1m", "-o", "o.mkv"], "lens.toml holds no video"),
-        (["clip.mkv", "--depth", "d.tif", "-o", "o.mkv"], "depth must "),
+        (["clip.mkv", "--depth", "d.tif", "-o", "o.mkv"], "d.tif must have the shape (96, 96) or (24, 24)"),
     ],
 )
 def test_mistakes_are_told_and_nothing_is_written(words, said, folder, call_lommel):

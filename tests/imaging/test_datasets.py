@@ -151,6 +151,10 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "x", noise=lm.Noise(read=1.0))
     with pytest.raises(ValueError, match="psfs must be 0 with energy=1"):
         rendered(files, "x", energy=1.0)
+    with pytest.raises(ValueError, match=r"^depth_scale must be > 0 metres per level, got 0"):
+        rendered(files, "x", depth_scale=0.0)
+    with pytest.raises(ValueError, match="give one of `depth_scale`, `inverse_depth` and `disparity`"):
+        rendered(files, "x", depth_scale=1.0, inverse_depth=(1.0, 2.0))
     with pytest.raises(ValueError, match="f_number must rise"):
         LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)
     with pytest.raises(ValueError, match="focus_distance must exceed the focal length"):
@@ -165,7 +169,7 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
     assert len(list((files / "y").glob("*.json"))) == 5  # those before it are kept
     np.save(files / "depths" / "c.npy", np.ones((4, 5)))
     (files / "depths" / "c.png").unlink()
-    with pytest.raises(ValueError, match="must have the size of the photo, 26 x 20, got 5 x 4"):
+    with pytest.raises(ValueError, match="must have the size of the upright photo, 26 x 20, got 5 x 4"):
         rendered(files, "z")
 
 
@@ -238,6 +242,40 @@ def test_the_command_leaves_out_what_it_cannot_use_and_says_so(files):
     nothing = subprocess.run(run, cwd=files, capture_output=True, text=True, check=False)
     assert nothing.returncode == 2
     assert "no picture could be rendered: depths/a.tif" in nothing.stderr
+
+
+def test_the_command_tells_depth_foci_and_what_can_hardly_be_meant(files, call_lommel):
+    depth = np.where(np.arange(SHAPE[1]) < 10, 1000.0, 1800.0) * np.ones(SHAPE)
+    depth[0, :13] = -1.0
+    lm.imaging.write_photo(files / "photos" / "c.png", np.zeros((*SHAPE, 3)))
+    np.save(files / "depths" / "c.npy", depth)
+    command = ["blur", "--batch", "photos", "depths", "--focal-length", "50mm", "--f-number", "8", "--focus", "1.2m"]
+    more = ["--pixel", "30um", "--psfs", "0", "--unknown", "-1", "--missing", "nearest", "-o", "set"]
+    made = call_lommel(*command, *more, folder=files)
+    lines = made.stdout.splitlines()
+    assert lines[0] == f"depth 1 m to 1800 m, focus 1.2 m, {100.0 * 13 / 520 / 3:.2g} % unknown"
+    # 50^2 / (8 * 0.06) + 50 mm.
+    text = "note: photos/c.png: all of the depth, 1000 m to 1800 m, is beyond the hyperfocal distance, 5.258 m"
+    assert " ".join(line.strip() for line in lines[3:]).startswith(text)
+    facts = json.loads((files / "set" / "000002.json").read_text())
+    assert (facts["depth_range"], facts["depth_unknown"]) == ([1000.0, 1800.0], pytest.approx(13 / 520))
+
+
+def test_maps_of_inverse_depth_and_half_the_size_are_rendered(files):
+    for stem in ("a", "b"):
+        (files / "depths" / f"{stem}.tif").unlink()
+        Image.fromarray(np.full((10, 13), 51, np.uint8)).save(files / "depths" / f"{stem}.png")
+    with pytest.raises(ValueError, match=r'26 x 20, got 13 x 10, of the same aspect ratio; resample="nearest"'):
+        rendered(files, "refused", inverse_depth=(1.0, 4.0))
+    with pytest.warns(UserWarning, match=r"[ab]\.png: all of the depth, 400 m, is beyond the hyperfocal"):
+        rendered(files, "far", disparity=(51 * 400.0, 0.0), resample="nearest")
+    made = rendered(files, inverse_depth=(1.0, 4.0), resample="nearest")
+    metres = 1.0 / (0.2 / 1.0 + 0.8 / 4.0)  # a fifth of the way in dioptres
+    for picture in made:
+        np.testing.assert_allclose(np.load(picture.files[2]), np.full(SHAPE, metres), rtol=1e-6)
+    assert json.loads((files / "set" / "dataset.json").read_text())["inverse_depth"] == [1.0, 4.0]
+    with pytest.raises(ValueError, match=r"other arguments \(inverse_depth\)"):
+        rendered(files, inverse_depth=(1.0, 5.0), resample="nearest")
 
 
 def test_zarr_groups_hold_the_same_pictures(files):

@@ -79,10 +79,11 @@ def test_objects_at_infinity_are_the_limit_of_far_ones():
     assert np.abs(a - SCENE).max() > 0.1
 
 
-@pytest.mark.parametrize("kind", [np.int32, np.uint8, np.float32])
-def test_depth_may_be_in_whole_metres(kind):
+def test_depth_may_be_of_any_floats():
     depth = np.where(np.arange(60) < 30, 2, 5) * np.ones((50, 1))
-    a, b = (depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear").values for d in (depth, depth.astype(kind)))
+    a, b = (
+        depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear").values for d in (depth, depth.astype(np.float16))
+    )
     assert np.array_equal(a, b)
 
 
@@ -142,7 +143,7 @@ def test_gaps_in_the_depth_are_filled_as_asked():
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
-        ({"depth": np.full(SCENE.shape, True)}, TypeError, "depth must hold metres, got bool"),
+        ({"depth": np.full(SCENE.shape, True)}, TypeError, "depth must hold metres in floats, got bool"),
         ({"image": SCENE.astype(np.int64)}, TypeError, "image must hold unsigned integers or floats, got int64"),
         ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
         ({"energy": 0.99995}, ValueError, "energy must be <= 0.9999, or 1 for the whole PSF, got 0.99995"),

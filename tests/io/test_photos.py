@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import struct
+import sys
 import zlib
 from contextlib import suppress
 
@@ -175,16 +176,16 @@ def tiff(values: np.ndarray, **options: object) -> bytes:
     ("data", "message"),
     [
         (b"", "is empty"),
-        (b"GIF89a", "is not a PNG, JPEG, TIFF or EXR file"),
+        (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR, WEBP, BMP or HEIC file"),
         (png()[:43], "cannot be read as a PNG photograph"),
-        (png(mode="RGBA"), "it has alpha; flatten it first"),
+        (png(mode="RGBA"), "it has alpha, and is not opaque everywhere; put it on a"),
         (png(mode="LA"), "it has alpha"),
         (png(transparency=(0, 0, 0)), "it has alpha"),
         (png(save_all=True, append_images=[Image.new("RGB", (9, 8), "red")]), "an animation of 2 frames"),
         (tiff(np.zeros((2, 8, 9), np.uint8), photometric="minisblack"), "it has 2 pages"),
         (
             tiff(np.zeros((8, 9, 4), np.uint8), photometric="rgb", extrasamples=["unassalpha"]),
-            "it has alpha or other",
+            "it has alpha",
         ),
         (tiff(np.zeros((8, 9), np.uint8), photometric="miniswhite"), "MINISWHITE, neither grey nor RGB"),
         (tiff(np.zeros((8, 9), np.int32), photometric="minisblack"), "int32, neither uint8"),
@@ -207,6 +208,121 @@ def test_a_file_cut_off_anywhere_is_never_a_photograph_of_other_values(tmp_path,
         (tmp_path / "cut").write_bytes(data[:length])
         with suppress(PhotoError):
             np.testing.assert_array_equal(read_photo(tmp_path / "cut").values, whole)
+
+
+def chunked(values: np.ndarray, kind: int) -> bytes:
+    """A PNG of 16 bits by the standard alone."""
+
+    def chunk(name: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    height, width = values.shape[:2]
+    lines = b"".join(b"\0" + np.ascontiguousarray(row).astype(">u2").tobytes() for row in values)
+    head = struct.pack(">IIBBBBB", width, height, 16, kind, 0, 0, 0)
+    parts = (b"IHDR", head), (b"IDAT", zlib.compress(lines)), (b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
+@pytest.mark.parametrize("suffix", ["png", "tif", "webp"])
+@pytest.mark.parametrize("colour", [True, False])
+def test_alpha_that_is_opaque_everywhere_is_left_out(tmp_path, dtype, suffix, colour):
+    if (suffix, dtype) not in [("png", np.uint8), ("png", np.uint16), ("webp", np.uint8)] and suffix != "tif":
+        return
+    full = 1.0 if dtype == np.float32 else np.iinfo(dtype).max
+    own = RNG.integers(0, 256, (7, 5, 3 if colour else 1)).astype(dtype) / dtype(full if dtype == np.float32 else 1)
+    stored = np.concatenate([own * 1, np.full((7, 5, 1), full)], axis=2).astype(dtype)
+    # Of 16 bits one has the highest byte, the other the lowest.
+    for alpha in (full, 0.999 if dtype == np.float32 else full - 1, full - 256 if dtype == np.uint16 else 0):
+        stored[6, 4, -1] = alpha
+        path = tmp_path / f"a.{suffix}"
+        if suffix == "tif":
+            tifffile.imwrite(
+                path, stored, photometric="rgb" if colour else "minisblack", extrasamples=["unassalpha"],
+                planarconfig="contig",
+            )  # fmt: skip
+        elif dtype == np.uint16:
+            path.write_bytes(chunked(stored, 6 if colour else 4))
+        else:
+            options = {"lossless": True, "exact": True} if suffix == "webp" else {}
+            Image.fromarray(stored, None if colour else "LA").save(path, **options)
+        if alpha == full:
+            found = read_photo(path).values
+            wanted = own if colour else own[..., 0]
+            if suffix == "webp" and not colour:  # which has no grey
+                wanted = np.repeat(own, 3, axis=2)
+            assert found.dtype == dtype
+            np.testing.assert_array_equal(found, wanted)
+        else:
+            with pytest.raises(
+                PhotoError, match=r"is not opaque everywhere; .* magick IN -background black -flatten"
+            ):
+                read_photo(path)
+
+
+@pytest.mark.parametrize("mode", ["P", "RGB", "L"])
+def test_a_transparent_colour_that_no_pixel_has_is_no_alpha(tmp_path, mode):
+    picture = Image.fromarray(RNG.integers(0, 200, (8, 8)).astype(np.uint8)).convert(mode)
+    absent = {"P": bytes(256 * [255]), "RGB": (255, 3, 7), "L": 233}[mode]
+    picture.save(tmp_path / "a.png", transparency=absent)
+    np.testing.assert_array_equal(
+        read_photo(tmp_path / "a.png").values, np.asarray(picture.convert("RGB" if mode == "P" else mode))
+    )
+    present = {"P": bytes(256), "RGB": picture.convert("RGB").getpixel((2, 3)), "L": picture.getpixel((2, 3))}[mode]
+    picture.save(tmp_path / "a.png", transparency=present)
+    with pytest.raises(PhotoError, match="is not opaque everywhere"):
+        read_photo(tmp_path / "a.png")
+
+
+@pytest.mark.parametrize("orientation", [1, 6])
+def test_webp_and_bmp_are_read(tmp_path, orientation):
+    values = RNG.integers(0, 256, (40, 30, 3)).astype(np.uint8)
+    Image.fromarray(values).save(tmp_path / "a.webp", lossless=True, exif=exif(orientation, focal=4.25))
+    found = read_photo(tmp_path / "a.webp")
+    np.testing.assert_array_equal(found.values, values if orientation == 1 else np.rot90(values, -1))
+    assert found.exif.focal_length == pytest.approx(4.25e-3)
+    smooth = np.add.outer(np.arange(40), 2 * np.arange(30)).astype(np.uint8)
+    Image.fromarray(smooth).convert("RGB").save(tmp_path / "b.webp", quality=95)  # VP8, without a canvas
+    assert np.abs(read_photo(tmp_path / "b.webp").values.astype(int) - smooth[..., None]).max() <= 6
+    for one in (values, values[..., 0], values[..., 0] > 128):
+        Image.fromarray(one).save(tmp_path / "a.bmp")
+        np.testing.assert_array_equal(read_photo(tmp_path / "a.bmp").values, one * (255 if one.dtype == bool else 1))
+
+
+def test_webp_and_bmp_that_are_none_are_refused(tmp_path):
+    frames = [Image.new("RGB", (9, 8), colour) for colour in ("red", "blue")]
+    frames[0].save(tmp_path / "a.webp", save_all=True, append_images=frames[1:])
+    with pytest.raises(PhotoError, match="it is an animation of 2 frames"):
+        read_photo(tmp_path / "a.webp")
+    (tmp_path / "b").write_bytes(b"RIFF\0\0\0\0WAVEfmt " + bytes(40))
+    with pytest.raises(PhotoError, match="cannot be read as a WEBP photograph: it is no WebP"):
+        read_photo(tmp_path / "b")
+    frames[0].save(tmp_path / "c.bmp")
+    data = (tmp_path / "c.bmp").read_bytes()
+    (tmp_path / "c.bmp").write_bytes(data[:-1])
+    with pytest.raises(PhotoError, match="9 x 8 pixels are more than the file holds"):
+        read_photo(tmp_path / "c.bmp")
+    frames[0].convert("P").save(tmp_path / "d.bmp")
+    data = bytearray((tmp_path / "d.bmp").read_bytes())
+    data[30] = 1  # RLE
+    (tmp_path / "d.bmp").write_bytes(data)
+    with pytest.raises(PhotoError, match="it is compressed; save it as PNG"):
+        read_photo(tmp_path / "d.bmp")
+
+
+def test_heic_is_read_by_the_package_that_can(tmp_path, monkeypatch):
+    heif = pytest.importorskip("pillow_heif")
+    smooth = np.stack([np.add.outer(np.arange(64), c * np.arange(48)) for c in (1, 2, 3)], axis=2).astype(np.uint8)
+    heif.from_pillow(Image.fromarray(smooth)).save(tmp_path / "a.heic", quality=95, exif=exif(6, focal=4.25))
+    found = read_photo(tmp_path / "a.heic")
+    assert np.abs(found.values.astype(int) - np.rot90(smooth, -1)).mean() < 3.0
+    assert found.exif.focal_length == pytest.approx(4.25e-3)
+    heif.from_pillow(Image.fromarray(smooth)).save(tmp_path / "b.heic", quality=95)
+    assert np.abs(read_photo(tmp_path / "b.heic").values.astype(int) - smooth).mean() < 3.0
+    for name in ("pillow_heif", "pillow_heif.as_plugin"):
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(ImportError, match=r"the format HEIC needs pillow_heif: pip install pillow-heif"):
+        read_photo(tmp_path / "a.heic")
 
 
 def test_cmyk_is_refused(tmp_path):

@@ -413,7 +413,7 @@ FOCI = [
     "--candidates",
     "20",
 ]
-IN_COLOUR = ["png, a palette", "gif", *(name for name in containers.GREY if "in colour" in name)]
+IN_COLOUR = ["webp", "png, a palette", "gif", *(name for name in containers.GREY if "in colour" in name)]
 
 
 def photograph(

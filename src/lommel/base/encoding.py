@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel.base import validation
+from lommel.base import notes, validation
 from lommel.base.arrays import Values
 
 ENCODINGS = ("linear", "srgb")
+
+_BRIGHT = 10.0  # times white, above which light is told: few scenes have it, and levels that became floats do
 
 _PART = 2**16  # values that are encoded at once, so that what is between stays in a cache
 
@@ -52,13 +54,25 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
             raise ValueError(f"{name} must be finite, got {values[~np.isfinite(light)].flat[0]}")
     else:
         raise TypeError(f"{name} must hold unsigned integers or floats, got {values.dtype}")
-    if encoding == "linear":
-        return np.asarray(light)
-    if light.size and float(light.min()) < 0.0:
-        raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
-    low = light <= 0.04045
-    decoded = np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4)
-    return np.asarray(decoded, dtype=dtype)
+    if encoding == "srgb":
+        if light.size and float(light.min()) < 0.0:
+            raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
+        low = light <= 0.04045
+        light = np.asarray(np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4), dtype=dtype)
+    return np.asarray(light)
+
+
+def scene_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
+    """Return linear light as :func:`to_light`, of a scene: a UserWarning tells of more than ten times white."""
+    light = to_light(name, values, encoding, dtype)
+    tell_of_light(light)
+    return light
+
+
+def tell_of_light(light: Values) -> None:
+    """Give a UserWarning if there is light of more than ten times white."""
+    if light.size and (peak := float(np.max(light))) > _BRIGHT:
+        notes.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide them by their white")
 
 
 def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:

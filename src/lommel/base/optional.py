@@ -11,6 +11,7 @@ _NOT_LOCKED = ("torch", "cupy")
 _TO_INSTALL = {
     "OpenEXR": "openexr",
     "PIL": "pillow",
+    "pillow_heif": "pillow-heif",
     "cv2": "opencv-python-headless",
     "dask": '"dask[array]"',
 }

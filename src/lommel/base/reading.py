@@ -30,6 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.optional import library
 
 if TYPE_CHECKING:
     import zipfile
@@ -276,6 +277,55 @@ def jpeg(data: bytes) -> Any:
     afford(width * height * (7.0 + kept), len(data))
     if scans > _SCANS and width * height * scans > 2**28 + 2**10 * len(data):
         raise ValueError(f"it has {width} x {height} pixels in {scans} scans")
+    return file
+
+
+def webp(data: bytes) -> Any:
+    """Return a WebP file as Pillow opens it, none of it decoded; ValueError if it is another file in RIFF."""
+    kind = data[12:16] if data[8:12] == b"WEBP" else b""
+    if kind not in (b"VP8X", b"VP8L", b"VP8 ") or len(data) < 30:
+        raise ValueError("it is no WebP")
+    if kind == b"VP8X":
+        width, height = (1 + int.from_bytes(data[at : at + 3], "little") for at in (24, 27))
+    else:
+        sides = int.from_bytes(data[21:25], "little") if kind == b"VP8L" else 0
+        width, height = 1 + (sides & 0x3FFF), 1 + (sides >> 14 & 0x3FFF)
+        if kind == b"VP8 ":
+            width, height = (side & 0x3FFF for side in struct.unpack_from("<HH", data, 26))
+    pixels(width, height)
+    afford(18.0 * width * height, len(data))  # two canvases, one decoded, its copy, and ours
+    from PIL.WebPImagePlugin import WebPImageFile
+
+    return WebPImageFile(io.BytesIO(data))
+
+
+def bmp(data: bytes) -> Any:
+    """Return a BMP file as Pillow opens it, none of it decoded, if it is not compressed and all of it is there."""
+    from PIL.BmpImagePlugin import BmpImageFile
+
+    file: Any = BmpImageFile(io.BytesIO(data))
+    pixels(*file.size)
+    (decoder, _, start, settings), *_ = file.tile
+    if decoder != "raw":
+        raise ValueError("it is compressed; save it as PNG")
+    if start + settings[1] * file.size[1] > len(data):
+        raise ValueError(f"{file.size[0]} x {file.size[1]} pixels are more than the file holds")
+    return file
+
+
+HEIC = tuple(
+    struct.pack(">I", size) + b"ftyp" + brand
+    for size in range(16, 68, 4)
+    for brand in (b"heic", b"heix", b"mif1", b"msf1")
+)
+"""The first bytes of HEIC files."""
+
+
+def heic(data: bytes) -> Any:
+    """Return a HEIC file as Pillow opens it by pillow-heif, none of it decoded."""
+    file = library("pillow_heif.as_plugin", "HEIC files need", "heic").HeifImageFile(io.BytesIO(data))
+    pixels(*file.size)
+    afford(12.0 * file.size[0] * file.size[1], len(data))
     return file
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path
 from typing import Any
 
 import click
 
+from lommel.base.units import format_length
+from lommel.cli.depth_maps import depth_line, depth_values, finite
 from lommel.cli.options import Option, documented, with_options
 from lommel.cli.output import Facts, Report
 from lommel.cli.progress import progress
@@ -56,18 +59,20 @@ def render(out: Path, given: Facts) -> Report:
     options: dict[str, Any] = {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
     for name in ("seed", "copies", "workers", "form", "psfs", "shard", "encoding"):
         options[name] = given.pop(name)
-    options["depth_scale"], options["zero_is_unknown"] = given.pop("depth_scale"), given.pop("zero_unknown")
-    options["unknown"] = given.pop("unknown")
+    values: dict[str, Any] = {**depth_values(given)}
+    options |= {"depth_scale": values.pop("scale"), "inverse_depth": values.pop("inverse"), **values}
     Settings(**given)
     start, made = time.perf_counter(), 0
     done = total = 0
     failed: list[Facts] = []
+    seen: list[Facts] = []
     try:
         with progress("reading") as started:
             for picture in render_dataset(photos, depths, out, lenses, on_error="skip", **options, **given):
                 done, total = picture.done, picture.total
                 if picture.failure is None:
                     made += 1
+                    seen.append(picture.facts)
                     started(f"picture {done} of {total}", done / total)
                     continue
                 reason = with_options(picture.failure)
@@ -84,6 +89,14 @@ def render(out: Path, given: Facts) -> Report:
     facts = {"output": str(out), "rendered": made, "seconds": seconds, "failed": failed}
     said = f"{made} pictures rendered in {seconds:.3g} s" if made or failed else "all pictures were there"
     lines = [said, f"folder {out}"]
+    if seen:
+        shares = [each["depth_unknown"] for each in seen]
+        ends = [float(end) for each in seen for end in each["depth_range"]] or [math.nan]
+        foci = [float(each["focus_distance"]) for each in seen]
+        focus = " to ".join(map(format_length, dict.fromkeys((min(foci), max(foci)))))
+        share = sum(shares) / len(shares)
+        facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": share}
+        lines.insert(0, depth_line(min(ends), max(ends), share, f"focus {focus}"))
     if failed:
         lines.append(f"{len(failed)} of {total} pictures left out; mend their files and give the same command again")
     return Report(facts, lines, converged=not failed)

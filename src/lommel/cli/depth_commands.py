@@ -12,10 +12,11 @@ import numpy as np
 
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
+from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
-from lommel.cli.photo_commands import NOISE, finite, read_as
+from lommel.cli.photo_commands import NOISE, read_as
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo

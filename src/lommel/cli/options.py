@@ -8,8 +8,9 @@ import inspect
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable
-from contextlib import suppress
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
@@ -194,14 +195,18 @@ def command(
 
     def made(function: Callable[..., Report | None]) -> Command:
         def guarded(as_json: bool = False, **given: Any) -> None:
+            said: list[str] = []
             if sys.stdout is None:  # the caller has closed it
                 sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
             try:
                 if given.get("figure") is not None:  # before anything is computed
                     figure_format(given["figure"])
                 _keep_what_is_read(params, given)
-                report = function(**given)
+                with _noted(said):
+                    report = function(**given)
                 if report is not None:
+                    if said:
+                        report += Report({"notes": [*report.facts.get("notes", []), *said]}, _printed("note", said))
                     report.print(as_json=as_json)
                 sys.stdout.flush()  # now, where a failure can still be reported
                 if report is not None and not report.converged:
@@ -214,6 +219,8 @@ def command(
             except Exception as error:
                 if os.environ.get("LOMMEL_TRACEBACK"):
                     raise
+                for line in _printed("Note", said):
+                    click.echo(line, err=True)
                 click.echo(f"Error: {_message(error)}", err=True)
                 try:
                     sys.stdout.flush()
@@ -228,6 +235,32 @@ def command(
         return kind(function.__name__, params=list(params), help=text, callback=guarded)
 
     return made
+
+
+_NOTES = 5  # that are printed
+
+
+def _printed(word: str, said: list[str]) -> list[str]:
+    """Return the lines of the first notes, and of how many more there are."""
+    more = [f"{len(said) - _NOTES} more, which --json lists"] if len(said) > _NOTES else []
+    return [f"{word}: {note}" for note in [*said[:_NOTES], *more]]
+
+
+@contextmanager
+def _noted(said: list[str]) -> Iterator[None]:
+    """Add the notes of the library, its UserWarnings, to a list, each once."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", UserWarning)
+        others = warnings.showwarning
+
+        def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:
+            if not issubclass(category, UserWarning):
+                others(message, category, *where, **more)
+            elif (note := with_options(str(message))) not in said:
+                said.append(note)
+
+        warnings.showwarning = show
+        yield
 
 
 def _discard_output() -> None:
@@ -286,7 +319,9 @@ def _hint(error: OSError) -> str:
 
 
 # Arguments whose options have other names.
-_CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown", "time": "--time"}
+_CALLED = {
+    "scale": "--depth-scale", "inverse": "--inverse-depth", "zero_is_unknown": "--zero-unknown", "time": "--time"
+}  # fmt: skip
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
 # "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
@@ -297,7 +332,8 @@ def with_options(message: str) -> str:
     context = click.get_current_context(silent=True)
     params = context.command.params if context else ()
     flags = {part.name: max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
-    flags |= {word: flag for word, flag in _CALLED.items() if flag in flags.values()}
+    own = {flag: name for name, flag in flags.items()}
+    flags |= {word: flag for word, flag in _CALLED.items() if flag in own}
     names = {kind.__name__: name for name, kind in METHODS.items()}
     of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 
@@ -311,7 +347,8 @@ def with_options(message: str) -> str:
         return found[0]
 
     first = message.partition(" must ")[0]
-    if context and first in flags and context.get_parameter_source(first) is ParameterSource.COMMANDLINE:
+    given = context.get_parameter_source(own[flags[first]] or "") if context and first in flags else None
+    if given is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", _NAMED.sub(renamed, message))
     return re.sub(

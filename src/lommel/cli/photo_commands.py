@@ -18,7 +18,8 @@ from click.core import ParameterSource
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli import dataset
+from lommel.cli import dataset, depth_maps
+from lommel.cli.depth_maps import depth_facts, finite
 from lommel.cli.instruments import CAMERA, noise_of
 from lommel.cli.options import (
     FILE,
@@ -50,12 +51,13 @@ from lommel.imaging import (
 )
 from lommel.imaging import restore as restored
 from lommel.imaging.settings import BORDERS, MISSING, Settings
-from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_photo
+from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_like
 from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
+    from lommel.io.depth_maps import DepthKeywords
     from lommel.lensfiles.camera import Camera
 
 _AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
@@ -73,12 +75,6 @@ _ARGUMENTS = [
     click.Argument(["lens"], type=FILE, required=False),
 ]
 _FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
-UNKNOWN = Option(
-    "--unknown",
-    type=float,
-    multiple=True,
-    help="Treat this stored value of the depth map, such as -1 or 255, as unknown.",
-)
 NOISE = [
     Option(
         "--white",
@@ -116,9 +112,7 @@ _COMMON = [
         "Photo and depth map",
         Option("--encoding", type=click.Choice(["srgb", "linear"]),
                help="Encoding of the photo's values; by default integers are sRGB and floats are linear."),
-        Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
-        Option("--zero-unknown", is_flag=True, help="Treat depth 0 as unknown."),
-        UNKNOWN,
+        *depth_maps.OPTIONS,
         documented(Settings, "missing", type=click.Choice(MISSING)),
     ),
     *under(
@@ -174,9 +168,10 @@ def blur(
 ) -> Report:
     """Blur a photo by its depth map or over a lens field.
 
-    PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB. DEPTH is a depth map of the same size, the distance of each point
-    from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without a lens file LENS,
-    focal length and f-number come from the options or from the photo's EXIF; those that contradict it are refused.
+    PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
+    distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
+    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF; those that contradict
+    it are refused.
 
     The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
     coma, astigmatism and other terms with a direction.
@@ -250,10 +245,7 @@ def _through_field(output: Path, given: Facts) -> Report:
         options = {name: given[name] for name in _OF_BLUR if name in stated}
         made = field_photograph(light, field, pitch, encoding="linear", **options)
         seconds = time.perf_counter() - start
-        profile = picture.profile if encoding == picture.encoding else None
-        clipped = write_photo(
-            output, made.values, encoding=encoding, dtype=dtype, quality=given["quality"], profile=profile
-        )
+        clipped = write_like(picture, output, made.values, encoding=encoding, dtype=dtype, quality=given["quality"])
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     moved = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
@@ -303,7 +295,7 @@ def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], fr
                 shares.append(clipped)
                 yield values
 
-        files = write_frames(output, made(), fps=fps, quality=job.quality)
+        files = write_frames(output, made(), fps=fps, quality=job.quality, exif=job.picture.exif)
         seconds = time.perf_counter() - start
     foci = [finite(lens.focus_distance) for lens in lenses]
     facts, lines = _worst(photographs, shares)
@@ -371,9 +363,10 @@ def restore(
 ) -> Report:
     """Deblur a photo with a known depth map and lens.
 
-    PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same
-    size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or
-    EXR. Without a lens file LENS, focal length and f-number come from the options or from the photo's EXIF.
+    PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
+    map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
+    NPY, PFM, PNG or EXR. Without a lens file LENS, focal length and f-number come from the options or from the
+    photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo.
@@ -447,11 +440,6 @@ def _method(
     return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
 
 
-def finite(distance: float) -> float | str:
-    """Return a distance as JSON can hold it."""
-    return distance if math.isfinite(distance) else "infinity"
-
-
 @contextmanager
 def terminated_as_interrupted() -> Iterator[None]:
     """Clean up after a SIGTERM as after Ctrl-C."""
@@ -485,9 +473,7 @@ class Job:
     pixel_from_exif: bool
     no_exif: bool
     encoding: str | None
-    depth_scale: float | None
-    zero_unknown: bool
-    unknown: tuple[float, ...]
+    values: DepthKeywords
     bits: str | None
     quality: int
     settings: Settings
@@ -495,6 +481,8 @@ class Job:
     @classmethod
     def of(cls, given: Facts, output: Path, *, one_file: bool = False) -> Self:
         """Read the files that the options of a command name."""
+        given = given.copy()
+        given["values"] = depth_maps.depth_values(given)
         own = {field.name for field in fields(cls)}
         settings = Settings(**{name: value for name, value in given.items() if name not in own})
         arguments = {name: value for name, value in given.items() if name in own}
@@ -503,15 +491,7 @@ class Job:
     def __post_init__(self) -> None:
         self.picture = read_photo(self.photo, self.encoding)
         self.light = self.picture.light()
-        self.distance = read_depth(
-            self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown, unknown=self.unknown
-        )
-        height, width = self.light.shape[:2]
-        if self.distance.shape != (height, width):
-            raise ValueError(
-                f"{self.depth} must have the size of the upright photo, {width} x {height}, "
-                f"got {self.distance.shape[1]} x {self.distance.shape[0]}"
-            )
+        self.distance = read_depth(self.depth, shape=self.light.shape, **self.values)
         if self.pixel_from_exif:
             if self.pixel is not None:
                 raise ValueError("give one of --pixel and --pixel-from-exif")
@@ -601,10 +581,8 @@ class Job:
 
     def write(self, light: NDArray[Any]) -> float:
         """Write the result and return the clipped fraction of its values."""
-        # A profile of other values than these would be wrong.
-        profile = self.picture.profile if self.stored_as == self.picture.encoding else None
-        return write_photo(
-            self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=self.quality, profile=profile
+        return write_like(
+            self.picture, self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=self.quality
         )
 
     def report(
@@ -632,21 +610,9 @@ class Job:
             of_depth(focus),
             *lines,
         ]
-        if self.depth_scale is None and known["depth"][1] == 1.0:
-            lines.append("the farthest depth is exactly 1: maps of 0 to 1, such as inverse depth, are not in metres")
         if facts["clipped"]:
             lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
         return Report(common | facts, lines) + written(files)
-
-
-def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
-    """Return the range of a depth map and the share that is not known, and a line of them around a focus."""
-    known = distance[~np.isnan(distance)]
-    low, high = (float(end(known)) if known.size else math.nan for end in (np.min, np.max))
-    share = 1.0 - known.size / distance.size
-    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": share}
-    where = " to ".join(format_length(end) for end in dict.fromkeys((low, high))) if known.size else "not known"
-    return facts, lambda focus: f"depth {where}, {focus}" + (f", {100.0 * share:.2g} % unknown" if share else "")
 
 
 def read_as(picture: Picture, given: str | None) -> str:

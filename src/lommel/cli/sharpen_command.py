@@ -11,20 +11,26 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 import numpy as np
 
+from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.encoding import from_light
+from lommel.base.encoding import from_light, tell_of_light
 from lommel.base.units import format_length
+from lommel.cli import depth_maps
+from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Option, command, under
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.photo_commands import NOISE, UNKNOWN, finite, output_type
+from lommel.cli.photo_commands import NOISE, output_type
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
-from lommel.imaging import LiveSharpen, read_depth, read_photo, write_photo
+from lommel.imaging import LiveSharpen, read_depth, read_photo
+from lommel.imaging.blur import tell_of_depths
+from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
 from lommel.io.registry import Values, formats, suffixes
 
 if TYPE_CHECKING:
+    from lommel.io.depth_maps import DepthKeywords
     from lommel.lensfiles.camera import Camera
     from lommel.optics.lens import Lens
 
@@ -51,9 +57,7 @@ class Clip(NamedTuple):
     Option("--depth", "map_", type=FILE, metavar="FILE",
            help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not "
            "known it is that of the nearest pixel."),
-    Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
-    Option("--zero-unknown", is_flag=True, help="Treat depth 0 as unknown."),
-    UNKNOWN,
+    *depth_maps.OPTIONS,
     JSON,
     *under(
         "Camera",
@@ -71,15 +75,12 @@ def sharpen(
     output: Path,
     at: float | None,
     map_: Path | None,
-    depth_scale: float | None,
-    zero_unknown: bool,
-    unknown: tuple[float, ...],
     focus: float | None,
     f_number: float | None,
     camera: Camera | None,
     pixel: float | None,
     encoding: str | None,
-    **noise: Any,
+    **given: Any,
 ) -> Report:
     """Sharpen video or a photo of known depth.
 
@@ -98,18 +99,16 @@ def sharpen(
     instrument = radial_instrument(lens, camera, pixel)
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
     one = one if focus is None else one.focused(focus)
-    distance: float | Array
-    if map_ is None:
-        assert at is not None
-        distance, lost_depth = at, 0.0
-    else:
-        found = read_depth(map_, scale=depth_scale, zero_is_unknown=zero_unknown, unknown=unknown)
-        distance, lost_depth = fill_missing(found, "nearest"), float(np.isnan(found).mean())
+    values = depth_maps.depth_values(given)
     stop, count = Stop(), 0
     with Status() as status, ExitStack() as stack:
         status.step("reading")
-        opened = _clip(clip, output, noise, instrument.camera, encoding, status, stack)
+        opened = _clip(clip, output, given, instrument.camera, encoding, status, stack)
         shape, coding, frames, write, video = opened
+        found = np.array([[at]]) if map_ is None else _map(map_, values, shape[:2])
+        distance: float | Array = fill_missing(found, "nearest") if at is None else at
+        if map_ is not None:
+            tell_of_depths(one, instrument.side, distance)
         if coding.guess:
             status.tell(coding.guess)
         status.step("computing the filters")
@@ -131,6 +130,7 @@ def sharpen(
         if not count:
             raise ValueError(f"no frame was read: {ended}")
     height, width = shape[:2]
+    of_depth, line = depth_maps.depth_facts(found)
     ends = [float(np.min(distance)), float(np.max(distance))]
     blur = float(np.max(2.0 * one.pupil(np.array(ends)).geometric_radius())) / instrument.side
     facts = {
@@ -141,21 +141,19 @@ def sharpen(
         "f_number": one.f_number,
         "focal_length": one.focal_length,
         "between": [finite(each) for each in ends],
-        "unknown": lost_depth,
+        "unknown": of_depth["depth_unknown"],
         "blur": blur,
         "frames": count,
         "seconds": seconds,
         "ended": ended,
     }
-    where = format_length(ends[0]) if ends[0] == ends[1] else " to ".join(map(format_length, ends))
     lines = [
         coding.words,
         *([coding.guess] if coding.guess else []),
-        f"{width} x {height} pixels of {format_length(instrument.side)}; focus {format_length(one.focus_distance)} "
-        f"at f/{one.f_number:.3g}, depth {where}: blur of up to {blur:.3g} pixels",
+        f"{width} x {height} pixels of {format_length(instrument.side)}; f/{one.f_number:.3g}, blur of up to "
+        f"{blur:.3g} pixels",
+        line(f"focus {format_length(one.focus_distance)}"),
     ]
-    if lost_depth:
-        lines.append(f"depth not known at {100.0 * lost_depth:.2g} % of the map, taken from the nearest pixel")
     if video is not None:
         bits, lossy = coding.compressed(video.bits, mean)
         lines += [lossy] if lossy else []
@@ -165,6 +163,18 @@ def sharpen(
         lines.append(f"frames dropped: {video.dropped}{refused}")
     files = written([output])
     return Report(facts | files.facts, [*lines, *files.parts], converged=lost is None)
+
+
+def _map(path: Path, values: DepthKeywords, shape: tuple[int, ...]) -> Array:
+    """Return a depth map of the size of frames or, unless it is to be resampled, of their blocks."""
+    found = read_depth(path, shape=None if values["resample"] is None else shape, **values)
+    sizes = shape, (shape[0] // BLOCK, shape[1] // BLOCK)
+    if found.shape not in sizes:
+        raise ValueError(
+            f"{validation.line(path)} must have the shape {sizes[0]} or {sizes[1]}, got {found.shape}; "
+            '`resample` "nearest" takes the nearest of one of the same aspect ratio'
+        )
+    return found
 
 
 def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first: Values) -> LiveSharpen:
@@ -198,13 +208,14 @@ def _clip(
         photos.find(output, "--output")
         picture = read_photo(clip, encoding)
         values = picture.values
+        if values.dtype.kind == "f":
+            tell_of_light(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         coding = coding_of(levels, values.dtype, picture.encoding, noise, camera, encoding)
         dtype, stored_as = output_type(picture, output, None)
-        profile = picture.profile if stored_as == picture.encoding else None
 
         def save(light: Values, _: float) -> None:
-            write_photo(output, light, encoding=stored_as, dtype=dtype, profile=profile)
+            photos.write_like(picture, output, light, encoding=stored_as, dtype=dtype)
 
         return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
     form = videos.find(output, "--output")

@@ -21,10 +21,11 @@ from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
 from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_facts
+from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import JSON, OUTPUT, Option, command, documented, under, with_options
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.photo_commands import NOISE, finite
+from lommel.cli.photo_commands import NOISE
 from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict

@@ -16,7 +16,9 @@ from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
 from lommel.imaging.restoration import Restoration, restore, restore_with
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
-from lommel.io.photos import Exif, PhotoError, Picture, read_depth, read_photo, write_depth, write_photo
+from lommel.io.depth_maps import read_depth, write_depth
+from lommel.io.exif import Exif
+from lommel.io.photos import PhotoError, Picture, read_photo, write_photo
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [

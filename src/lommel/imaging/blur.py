@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import notes, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
+from lommel.base.units import format_length
 from lommel.core import engine
 from lommel.estimation.round_lenses import require_round
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
@@ -103,6 +104,7 @@ class DepthBlur(LinearBlur):
         self.border, self.energy = settings.border, settings.energy
         self.dtype, self.threads = cast("np.dtype[np.floating]", settings.dtype), settings.threads or 0
         self.place(depth)
+        tell_of_depths(lens, self.pixel, depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
         largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
@@ -311,8 +313,7 @@ def require_lens(lens: Any, order: str) -> None:
 def require_depth(depth: ArrayLike) -> Array:
     """Return depth as float64; raise TypeError or ValueError unless it is an image of metres above 0."""
     distances = validation.array("depth", depth)
-    if distances.dtype.kind not in "iuf":
-        raise TypeError(f"depth must hold metres, got {distances.dtype}")
+    require_metres(distances.dtype)
     if distances.ndim != 2 or 0 in distances.shape:
         raise ValueError(f"depth must have the shape (height, width), got {distances.shape}")
     metres = distances.astype(np.float64, copy=False)
@@ -322,6 +323,32 @@ def require_depth(depth: ArrayLike) -> Array:
             raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
+
+
+def require_metres(kind: np.dtype[Any]) -> None:
+    """Raise TypeError unless depth is in floats: integers are levels, of a scale that only their author knows."""
+    if kind.kind != "f":
+        raise TypeError(
+            f"depth must hold metres in floats, got {kind}; for levels of a millimetre give 0.001 * depth"
+        )
+
+
+_IN_FOCUS = 2.0  # pixels, the largest blur that `lommel info` calls sharp
+
+
+def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
+    """Warn where all finite distances are such that they can hardly be metres before this lens."""
+    distances = np.asarray(depth, dtype=np.float64)
+    low, high = (float(end(distances, initial=other)) for end, other in ((np.min, math.inf), (np.max, 0.0)))
+    hyperfocal = lens.focal_length * (1.0 + lens.aperture_diameter / (_IN_FOCUS * pixel))
+    if hyperfocal < low < math.inf:
+        where = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on it"
+    elif high < lens.focal_length:
+        where = f"within the focal length, {format_length(lens.focal_length)}"
+    else:
+        return
+    ends = " to ".join(format_length(end) for end in dict.fromkeys((low, high)))
+    notes.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
 
 
 _ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9

@@ -6,9 +6,11 @@ import io
 import json
 import math
 import os
+import re
 import signal
 import tarfile
 import threading
+import warnings
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import suppress
@@ -20,7 +22,7 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import atomic, reading, unfinished, validation
+from lommel.base import atomic, notes, reading, unfinished, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.checksums import of_file
 from lommel.base.encoding import ENCODINGS, from_light
@@ -31,7 +33,8 @@ from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
 from lommel.imaging.settings import Keywords, Settings, spectra
 from lommel.io import exr_files
-from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, read_photo, write_tiff
+from lommel.io.depth_maps import DepthValues, read_depth
+from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_photo, write_tiff
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.noise import Noise
@@ -42,6 +45,7 @@ FORMATS = ("png", "tif", "exr", "zarr")
 ON_ERROR = ("raise", "skip")
 """What becomes of a photo or depth map that cannot be used."""
 
+_CALLED = {"scale": "depth_scale", "inverse": "inverse_depth"}  # of depth maps, among other arguments
 _RECORD = "dataset.json"
 _FORMAT = 2
 _PARTS = "parts"
@@ -207,16 +211,16 @@ class _Job:
     form: str
     encoding: str | None
     psfs: int
-    depth_scale: float | None
-    zero_is_unknown: bool
-    unknown: tuple[float, ...]
+    values: DepthValues
     settings: Settings
 
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> dict[str, Any]:
         """Return the arguments that the pictures depend on, as JSON holds them."""
-        plain = {name: value for name, value in vars(self).items() if name not in ("lenses", "noise", "settings")}
-        if not self.unknown:
-            del plain["unknown"]  # as sets that were begun before there were such values
+        apart = ("lenses", "noise", "settings", "values")
+        plain = {name: value for name, value in vars(self).items() if name not in apart}
+        stored = {_CALLED.get(name, name): value for name, value in vars(self.values).items()}
+        known = ("depth_scale", "zero_is_unknown")  # in sets that were begun before there were the others
+        plain |= {name: value for name, value in stored.items() if value or name in known}
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
         given = plain | {
@@ -246,8 +250,11 @@ def render_dataset(
     encoding: str | None = None,
     psfs: int = 32,
     depth_scale: float | None = None,
+    inverse_depth: tuple[float, float] | None = None,
+    disparity: tuple[float, float] | None = None,
     zero_is_unknown: bool = False,
     unknown: Sequence[float] = (),
+    resample: str | None = None,
     on_error: str = "raise",
     workers: int = 1,
     **options: Unpack[Keywords],
@@ -290,12 +297,10 @@ def render_dataset(
         Encoding of the photos; by default integers are sRGB and floats are linear.
     psfs : int, default 32
         Number of PSFs of a picture, 2 to 4096, at equal steps of C_d over its scene, or 0 for none.
-    depth_scale : float, optional
-        Metres per level of depth maps of integers, which need it.
-    zero_is_unknown : bool, default False
-        Whether the depth 0 means unknown; see `missing`.
-    unknown : sequence of float, optional
-        Other stored values of depth maps that mean unknown, such as (-1, 255).
+    depth_scale, inverse_depth : optional
+        As `scale` and `inverse` of :func:`lommel.imaging.read_depth`: what makes metres of the values of depth maps.
+    disparity, zero_is_unknown, unknown, resample : optional
+        As of :func:`lommel.imaging.read_depth`; see `missing` for what is unknown.
     on_error : {"raise", "skip"}, default "raise"
         Whether a photo or depth map that cannot be used ends the iteration, or is yielded with the reason as
         `failure`, and the others are rendered. The next call tries it again. Its shard stays open: the other
@@ -353,6 +358,11 @@ def render_dataset(
         library("OpenEXR", "EXR files need", "exr")
     if form == "zarr":
         library("zarr", "Zarr groups need", "zarr")
+    try:
+        values = DepthValues(depth_scale, inverse_depth, disparity, zero_is_unknown, unknown, resample)
+    except (TypeError, ValueError) as error:
+        said = re.sub(r"\b(scale|inverse)\b", lambda found: _CALLED[found[0]], str(error))
+        raise type(error)(said) from None
     job = _Job(
         lenses=lenses,
         seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
@@ -361,11 +371,7 @@ def render_dataset(
         form=validation.choice("form", form, FORMATS),
         encoding=encoding,
         psfs=psfs,
-        depth_scale=None
-        if depth_scale is None
-        else validation.real("depth_scale", depth_scale, above=0.0, unit="metres per level"),
-        zero_is_unknown=validation.truth("zero_is_unknown", zero_is_unknown),
-        unknown=tuple(validation.real_array("unknown", unknown).ravel().tolist()),
+        values=values,
         settings=settings,
     )
     pairs = pair_files(photos, depths)
@@ -470,8 +476,10 @@ def _missing(
             _pack(folder, index, shard, total)
     make = partial(_write, job, where, shard is not None, skip)
 
-    def told(number: int, files: list[str], facts: dict[str, Any], failure: str | None) -> Rendered:
+    def told(number: int, files: list[str], facts: dict[str, Any], failure: str | None, said: list[str]) -> Rendered:
         nonlocal done
+        for note in said:
+            notes.tell(note)
         if failure is not None:
             return Rendered(number, done, total, (), facts, failure)
         done += 1
@@ -493,7 +501,7 @@ def _missing(
 
 def _by_processes(
     make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
-) -> Iterator[tuple[int, list[str], dict[str, Any], str | None]]:
+) -> Iterator[tuple[int, list[str], dict[str, Any], str | None, list[str]]]:
     """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
     from multiprocessing import get_context
 
@@ -559,17 +567,23 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
 
 def _write(
     job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path
-) -> tuple[list[str], dict[str, Any], str | None]:
-    """Render a picture and write its files; return their names, the facts, and why it was skipped."""
+) -> tuple[list[str], dict[str, Any], str | None, list[str]]:
+    """Render a picture and write its files; return their names, the facts, why it was skipped, and notes on it."""
+    said: list[str] = []
     try:
-        files, facts = _render(job, number, photo, depth)
+        with warnings.catch_warnings(record=True) as seen:
+            warnings.simplefilter("always", UserWarning)
+            try:
+                files, facts = _render(job, number, photo, depth)
+            finally:
+                said += [f"{validation.line(photo)}: {each.message}" for each in seen]
     except (ValueError, OSError) as error:
         named = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
         if skip:
             reason = str(error) if named else f"{validation.line(photo)}: {error}"
             if isinstance(error, OSError) and error.filename:
                 reason = f"{validation.line(error.filename)}: {error.strerror}"
-            return [], {"photo": photo.name, "depth": depth.name}, reason
+            return [], {"photo": photo.name, "depth": depth.name}, reason, said
         if named:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
@@ -583,7 +597,7 @@ def _write(
                 target = folder / f"{key}.{name}"
                 target.parent.mkdir(parents=True, exist_ok=True)  # of a Zarr array
                 put(target, data)
-    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None
+    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None, said
 
 
 def _tar(files: dict[str, bytes]) -> bytes:
@@ -603,13 +617,9 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     sums = [of_file(photo), of_file(depth)]
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
-    metres = read_depth(depth, scale=job.depth_scale, zero_is_unknown=job.zero_is_unknown, unknown=job.unknown)
-    height, width = light.shape[:2]
-    if metres.shape != (height, width):
-        raise ValueError(
-            f"{validation.line(depth)} must have the size of the photo, {width} x {height}, "
-            f"got {metres.shape[1]} x {metres.shape[0]}"
-        )
+    metres = read_depth(depth, shape=light.shape, **vars(job.values))
+    known = metres[~np.isnan(metres)]
+    ends = [float(end(known)) for end in (np.min, np.max)] if known.size else []
     metres = np.asarray(fill_missing(metres, job.settings.missing), dtype=np.float64)
     channels = job.settings.channels(light.shape, lens.wavelength)
     blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
@@ -629,6 +639,8 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "sensor_distance": lens.sensor_distance,
         "spherical": float(np.asarray(lens.aberrations.spherical)),
         "pixel": pixel,
+        "depth_range": [end if math.isfinite(end) else "infinity" for end in ends],
+        "depth_unknown": 1.0 - known.size / metres.size,
         "wavelength": lens.wavelength,
         "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
         "encoding": picture.encoding if job.form == "png" else "linear",

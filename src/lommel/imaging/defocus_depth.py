@@ -25,7 +25,7 @@ from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask,
 from lommel.imaging.focal_frames import Registration, relative_exposures
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
-from lommel.io.photos import write_depth
+from lommel.io.depth_maps import write_depth
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise

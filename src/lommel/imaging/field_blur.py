@@ -22,7 +22,7 @@ from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
-from lommel.imaging.blur import require_depth, require_lens
+from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
 from lommel.imaging.linear import LinearBlur, gathered
 from lommel.imaging.mixed_windows import LARGEST, WindowBlur, copies
 from lommel.imaging.sensor_light import too_large
@@ -287,6 +287,7 @@ class FieldBlur(LinearBlur):
         if distances.shape != self.shape:
             raise ValueError(f"depth must have the shape of the image, {self.shape}, got {distances.shape}")
         require_light(self.field_map.pupil_without_wavefront, lens)
+        tell_of_depths(lens, self.pixel, distances)
         defocus = lens.defocus(distances)
         defocus.flags.writeable = False
         return defocus

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import to_light
+from lommel.base.encoding import scene_light
 from lommel.base.options import shares
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.field_blur import FieldBlur, PointLight
@@ -107,7 +107,7 @@ def field_photograph(
     elif wavelengths is not None or given.ndim == 3:
         raise ValueError("image must be grey, without wavelengths=, for a map without a wavelength; make the map "
                          "with wavelength= and f_number=")  # fmt: skip
-    light = to_light("image", given, encoding, settings.dtype)
+    light = scene_light("image", given, encoding, settings.dtype)
     shape = (given.shape[0], given.shape[1])
     blur = StraightBlur(field_map, shape, pixel, center=center, sensor=sensor, channels=spectra, tol=tol, **options)
     planes = light.reshape(*shape, -1)

@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Values
-from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.encoding import clipped_share, from_light, scene_light, to_light
 from lommel.base.optional import library
 from lommel.base.options import require_known, shares
 from lommel.core import engine
-from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion, reach_behind
 from lommel.imaging.settings import MISSING, Keywords, Settings
@@ -199,7 +199,7 @@ class FocusPlan:
         require_scene("image", given.shape, distances.shape)
         self.lens, self.shape, self.dtype = lens, given.shape, given.dtype
         self._encoding = encoding
-        self._light = to_light("image", given, encoding, self.settings.dtype)
+        self._light = scene_light("image", given, encoding, self.settings.dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
@@ -413,6 +413,7 @@ def _lazy(
     """Return the photograph of dask arrays as a dask array."""
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
     require_scene("image", image.shape, depth.shape)
+    require_metres(depth.dtype)
     if tile is not None:
         image = image.rechunk({0: tile, 1: tile})
     if image.ndim == 3:
@@ -477,7 +478,7 @@ class TileBlur:
     def light(self, image: Pixels, depth: Pixels) -> Values:
         """Return the light of a part; within `overlap` of a side where the image goes on it is not complete."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
-        return self.operator(depth).forward(to_light("image", image, self.encoding, self.whole.dtype))
+        return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
     def operator(self, depth: Pixels) -> LinearBlur:
         """Return the operator of a part, whose points occlude one another as they do in the whole."""
@@ -499,8 +500,7 @@ class TileBlur:
 
 def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
     """Return the nearest and the farthest distance, metres, reading some rows at a time."""
-    if depth.dtype.kind not in "iuf":
-        raise TypeError(f"depth must hold metres, got {depth.dtype}")
+    require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
     for first in range(0, depth.shape[0], rows):

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import to_light
+from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import DepthBlur, require_lens
@@ -311,6 +311,8 @@ def recorded(photo: Pixels, encoding: str, limit: float) -> Array:
     require_image("photo", photo.shape)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
+    if limit < math.inf:  # else whoever asks knows of light beyond white
+        tell_of_light(light)
     light[unknown] = np.nan
     if not np.any(light < limit):
         raise ValueError(

@@ -1,15 +1,14 @@
-"""Files of photographs with the lens data of their EXIF, of depth maps in metres, and focus pulls."""
+"""Files of photographs and focus pulls, and the formats of depth maps."""
 
 from __future__ import annotations
 
 import errno
-import math
 import os
 import re
 import struct
 import warnings
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
@@ -18,13 +17,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
-from lommel.base.arrays import Array
-from lommel.base.encoding import ENCODINGS, from_light, to_light
+from lommel.base.encoding import ENCODINGS, from_light, scene_light
 from lommel.base.optional import version
-from lommel.io import exr_files, registry
+from lommel.io import exif, exr_files, registry
+from lommel.io.exif import Exif
 from lommel.io.registry import Description, Format, Values
 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
@@ -36,7 +35,6 @@ _RAW_SUFFIXES = (
     *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
 )
 
-_FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
 # EXIF's Orientation, from 1 on: steps along the stored rows and columns, and whether these are then exchanged.
 _TURNS = ((1, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
 
@@ -45,52 +43,6 @@ _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?
 
 class PhotoError(ValueError):
     """A file that cannot be read as a photograph or a depth map; the message names it and says why."""
-
-
-@dataclass(frozen=True)
-class Exif:
-    """Lens data in the EXIF of a photograph; None for unknown, which EXIF writes as 0.
-
-    Attributes
-    ----------
-    focal_length : float or None
-        Metres.
-    f_number : float or None
-    film_focal_length : float or None
-        Metres: the focal length with the same angle of view on film of 36 mm x 24 mm.
-    """
-
-    focal_length: float | None = None
-    f_number: float | None = None
-    film_focal_length: float | None = None
-
-    def pixel(self, shape: tuple[int, ...]) -> float:
-        """Return the pixel pitch (metres) of an image of `shape` that has the diagonal of the whole sensor.
-
-        EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            Height and width first.
-
-        Returns
-        -------
-        float
-
-        Raises
-        ------
-        TypeError
-            If `shape` is not the shape of an image.
-        ValueError
-            If either focal length is unknown, or a side is out of range.
-        """
-        if not isinstance(shape, tuple | list) or len(shape) < 2:
-            raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
-        validation.image_shape(tuple(shape[:2]))
-        if self.focal_length is None or self.film_focal_length is None:
-            raise ValueError("the EXIF does not state a focal length and its 35 mm equivalent; give the pixel pitch")
-        return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
 
 
 _FIRST = 16  # bytes that tell the kind of a file
@@ -132,12 +84,17 @@ class Picture:
         ------
         TypeError
             If `dtype` is another type.
+
+        Warns
+        -----
+        UserWarning
+            If there is light of more than ten times white.
         """
-        return to_light("the photograph", self.values, self.encoding, dtype)
+        return scene_light("the photograph", self.values, self.encoding, dtype)
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
-    """Read a PNG, JPEG, TIFF or EXR photograph, recognized by its content, and rotate it as its EXIF says.
+    """Read a photograph (PNG, JPEG, TIFF, EXR, WebP, BMP, HEIC), known by its content, and turn it as its EXIF says.
 
     Parameters
     ----------
@@ -154,17 +111,17 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     ------
     PhotoError
         If the file is damaged, of another format, a raw photograph, animated, has more than 16384^2 pixels or a side
-        of more than 65536, takes 256 MB of memory and a hundred times its size, or has alpha, a colour space but grey
-        and RGB, or values but uint8, uint16 and floats.
+        of more than 65536, takes 256 MB of memory and a hundred times its size, or has alpha that is not opaque
+        everywhere, a colour space but grey and RGB, or values but uint8, uint16 and floats.
     ImportError
-        If Pillow, tifffile or OpenEXR is not installed.
+        If Pillow, tifffile, OpenEXR or pillow-heif is not installed.
     OSError
         If it cannot be read.
     """
     if encoding is not None:
         validation.choice("encoding", encoding, ENCODINGS)
-    values, exif, profile = read_raster(path)
-    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
+    values, found, profile = read_raster(path)
+    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), found, profile)
 
 
 def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
@@ -215,24 +172,14 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
     """Return the values, rotated as the EXIF says; a warning of Pillow, that parts are missing, is an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
-        values, tags, profile = form.read(data)
+        values, tags, profile, *stored = form.read(data)
         orientation = tags.get(0x0112, 1)
         if orientation not in range(1, 9):
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
         down, across, exchanged = _TURNS[int(orientation) - 1]
         values = values[::down, ::across].swapaxes(0, exchanged)
-        exif = _exif(tags.get_ifd(0x8769))
-    return np.ascontiguousarray(values), exif, profile
-
-
-def _exif(tags: dict[int, Any]) -> Exif:
-    def known(tag: int) -> float | None:
-        value = tags.get(tag)
-        number = math.nan if value is None else float(value)
-        return number if 0.0 < number < math.inf else None
-
-    focal, film = known(0x920A), known(0xA405)
-    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film)
+        found = exif.parsed(tags.get_ifd(0x8769), *stored or [None])
+    return np.ascontiguousarray(values), found, profile
 
 
 def write_photo(
@@ -243,6 +190,7 @@ def write_photo(
     dtype: DTypeLike = np.uint8,
     quality: int = 95,
     profile: bytes | None = None,
+    exif: Exif | None = None,
 ) -> float:
     """Write light as a photograph; the suffix chooses PNG, JPEG, TIFF or EXR.
 
@@ -262,6 +210,8 @@ def write_photo(
         Quality of a JPEG, 1 to 100; there is no chroma subsampling.
     profile : bytes, optional
         An ICC profile to store.
+    exif : Exif, optional
+        Of the photograph that the light comes from, whose `block` is stored; not in EXR.
 
     Returns
     -------
@@ -278,10 +228,23 @@ def write_photo(
     find(path)
     if profile is not None:
         validation.instance("profile", profile, bytes)
+    validation.optional("exif", exif, Exif)
     values, clipped = stored(light, encoding, dtype)
     validation.integer("quality", quality, least=1, most=100)
-    atomic.write(Path(path), encoded(path, values, quality, profile))
+    atomic.write(Path(path), encoded(path, values, quality, profile, exif.block if exif else None))
     return clipped
+
+
+def write_like(
+    picture: Picture, path: str | PathLike[str], light: Values, *, encoding: str, dtype: DTypeLike, quality: int = 95
+) -> float:
+    """Write light made of a photograph as :func:`write_photo`, with its EXIF where the format holds any.
+
+    Its profile is kept where the encoding is: one of other values would be wrong.
+    """
+    profile = picture.profile if encoding == picture.encoding else None
+    kept = picture.exif if _EXIF in find(path).holds else None
+    return write_photo(path, light, encoding=encoding, dtype=dtype, quality=quality, profile=profile, exif=kept)
 
 
 def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
@@ -305,52 +268,76 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
     return from_light(within, encoding, kind), clipped
 
 
-def encoded(path: str | PathLike[str], values: Values, quality: int, profile: bytes | None = None) -> bytes:
-    """Return the bytes of a photograph in the format of the suffix of `path`."""
-    written: bytes = find(path, holding=f"of {values.dtype.name}").write(values, quality, profile)
+def encoded(
+    path: str | PathLike[str], values: Values, quality: int, profile: bytes | None = None, block: bytes | None = None
+) -> bytes:
+    """Return the bytes of a photograph in the format of the suffix of `path`, perhaps with a block of EXIF."""
+    form = find(path, holding=f"of {values.dtype.name}")
+    if block is not None:
+        find(path, holding=_EXIF)
+    written: bytes = form.write(values, quality, profile, *([] if block is None else [block]))
     return written
 
 
 _BAND = 2**20  # pixels that are converted to an array at once
 
 
-def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Any, bytes | None]:
-    """Return the values, the tags and the ICC profile of a file of Pillow, with all 16 bits of a PNG."""
+def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Any, bytes | None, bytes | None]:
+    """Return the values, the tags, the ICC profile and the EXIF of a file of Pillow, with all 16 bits of a PNG."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
-        if "A" in file.mode or "transparency" in file.info:
-            raise ValueError("it has alpha; flatten it first")
-        if file.mode not in ("1", "L", "P", "RGB", "I", "I;16"):
+        if file.mode not in ("1", "L", "P", "RGB", "I", "I;16", "LA", "RGBA"):
             raise ValueError(f"its colours are {file.mode}, neither grey nor RGB")
-        deep, grey, mode = file.format == "PNG" and data[24] == 16, file.mode != "RGB", file.tile[0][3]
-        # The tags of a PNG may stand behind the image.
-        tags, profile = file.getexif(), file.info.get("icc_profile")
+        deep, grey = file.format == "PNG" and data[24] == 16, file.mode not in ("RGB", "RGBA")
+        mode = file.tile[0][3] if deep else ""
+        if deep and "transparency" in file.info:
+            raise ValueError(_ALPHA)
+        if mode == "LA;16B":  # of which Pillow keeps the high bytes: each byte as a channel
+            file.tile = [(*file.tile[0][:3], "RGBA")]
         values = _array(file)
+        # The tags of a PNG may stand behind the image.
+        more = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
     if not deep:
-        return values, tags, profile
+        return values, *more
     if grey:
-        return values.astype(np.uint16, copy=False), tags, profile
-    if mode != "RGB;16B":
+        return values.astype(np.uint16, copy=False), *more
+    if mode == "LA;16B":
+        if values[..., 2].min() < 255:
+            raise ValueError(_ALPHA)
+        return values[..., 0] * np.uint16(256) + values[..., 1], *more
+    if mode not in ("RGB;16B", "RGBA;16B"):
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
     del file  # to save memory
     # Pillow keeps the high bytes of 16-bit colour; read as if bytes were swapped, the low ones.
     values = values.astype(np.uint16)
     values <<= 8
     with opener(data) as again:
-        again.tile = [(*again.tile[0][:3], "RGB;16L")]
+        again.tile = [(*again.tile[0][:3], mode.replace("16B", "16L"))]
         values |= _array(again)
-    return values, tags, profile
+    return values, *more
+
+
+_ALPHA = (
+    "it has alpha, and is not opaque everywhere; put it on a background, for example by ImageMagick: "
+    "magick IN -background black -flatten OUT"
+)
 
 
 def _array(image: Any) -> Values:
-    """Return the values of an image of Pillow, band by band, since Pillow makes two copies."""
+    """Return the values of an image of Pillow without alpha, which must be opaque; band by band, to save copies."""
     width, height = image.size
-    step, plain = max(1, _BAND // width), {"P": "RGB", "1": "L"}.get(image.mode)
-    made: Values | None = None
+    plain = {"P": "RGB", "1": "L"}.get(image.mode)
+    if "transparency" in image.info:
+        plain = {"P": "RGBA", "RGB": "RGBA"}.get(image.mode, "LA")
+    step, made = max(1, _BAND // width), None
     for top in range(0, height, step):
         part = image.crop((0, top, width, min(top + step, height)))
         band = np.asarray(part.convert(plain) if plain else part)
+        if band.shape[2:] in ((2,), (4,)):
+            if band[..., -1].min() < 255:
+                raise ValueError(_ALPHA)
+            band = band[..., 0] if band.shape[2] == 2 else band[..., :3]
         if made is None:
             made = np.empty((height, *band.shape[1:]), band.dtype)
         made[top : top + step] = band
@@ -358,8 +345,8 @@ def _array(image: Any) -> Values:
     return made
 
 
-def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes | None]:
-    """Return the values, the tags and the ICC profile of a TIFF file of one page, `levels` of any integers."""
+def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes | None, bytes]:
+    """Return the values, tags, ICC profile and EXIF of a TIFF file of one page, `levels` of any integers."""
     import tifffile
     from PIL import Image
 
@@ -368,8 +355,9 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes 
         if len(pages) != 1:
             raise ValueError(f"it has {len(pages)} pages; give a file of one")
         page = pages[0]
-        if page.extrasamples:
-            raise ValueError("it has alpha or other further channels; flatten it first")
+        alpha = tuple(page.extrasamples) in ((1,), (2,))
+        if page.extrasamples and not alpha:
+            raise ValueError("it has further channels, which are not alpha; leave them out")
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
@@ -383,45 +371,54 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes 
         raise ValueError(f"its axes are {axes}, neither YX nor YXS")
     if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind not in ("iuf" if levels else "f"):
         raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
+    if alpha:
+        if not values[..., -1].min() >= (1.0 if values.dtype.kind == "f" else np.iinfo(values.dtype.str).max):
+            raise ValueError(_ALPHA)
+        values = values[..., :-1] if values.shape[2] > 2 else values[..., 0]
     tags = Image.Exif()
     if data[2:4] in (b"*\0", b"\0*"):  # not BigTIFF, which Pillow does not read
         tags.load(data)
-    return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile
+    return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile, data
 
 
-def write_png(values: Values, _quality: int, profile: bytes | None) -> bytes:
+def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a PNG file, uncompressed where it would else exceed the limits of :mod:`lommel.base.reading`."""
     bits = 8 * values.dtype.itemsize
     takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
         if bits == 16:
-            made = png_of_16_bits(values, profile, level)
+            made = png_of_16_bits(values, profile, level, block)
         else:
-            made = _by_pillow("png", values, profile, compress_level=level)
+            made = _by_pillow("png", values, profile, block, compress_level=level)
         if reading.affords(takes, len(made)):
             break
     return made
 
 
-def _write_jpeg(values: Values, quality: int, profile: bytes | None) -> bytes:
-    return _by_pillow("jpeg", values, profile, quality=quality, subsampling=0)
+def _write_jpeg(values: Values, quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
+    return _by_pillow("jpeg", values, profile, block, quality=quality, subsampling=0)
 
 
-def write_tiff(values: Values, _quality: int, profile: bytes | None) -> bytes:
+def write_tiff(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a TIFF file, lossless."""
     import tifffile
 
     options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
-    return atomic.contents(tifffile.imwrite, values, iccprofile=profile, metadata=None, **options)
+    file = atomic.contents(tifffile.imwrite, values, byteorder="<", iccprofile=profile, metadata=None, **options)
+    return file if block is None else exif.in_tiff(file, block)
 
 
-def _by_pillow(form: str, values: Values, profile: bytes | None, **options: int) -> bytes:
+def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: Any) -> bytes:
     from PIL import Image
 
+    if block is not None:
+        options["exif"] = exif.PREFIX + block
     return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
 
 
-def png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
+def png_of_16_bits(
+    values: NDArray[np.uint16], profile: bytes | None, level: int, block: bytes | None = None
+) -> bytes:
     """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
     height, width = values.shape[:2]
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
@@ -431,6 +428,8 @@ def png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int
     chunks = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2 if values.ndim == 3 else 0, 0, 0, 0))]
     if profile is not None:
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
+    if block is not None:
+        chunks.append((b"eXIf", block))
     packed = _packed(lines.tobytes(), level)
     chunks += [(b"IDAT", packed), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
@@ -449,115 +448,13 @@ def _packed(data: bytes, level: int) -> bytes:
     return pressed(data, zlib.Z_DEFAULT_STRATEGY if plain else zlib.Z_RLE)
 
 
-def read_depth(
-    path: str | PathLike[str],
-    *,
-    scale: float | None = None,
-    zero_is_unknown: bool = False,
-    unknown: Sequence[float] = (),
-) -> Array:
-    """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
-
-    Parameters
-    ----------
-    path : path
-        NPY, PFM, or a grey TIFF, PNG or EXR (its channel Z, or the only one), recognized by its content.
-    scale : float, optional
-        Metres per level of integers, which need it; floats are metres without it. A PFM file whose header states a
-        scale other than 1 needs it too, since programs disagree on its meaning.
-    zero_is_unknown : bool, default False
-        Whether 0 means unknown.
-    unknown : sequence of float, optional
-        Other stored values that mean unknown, such as (-1, 255), before they are scaled.
-
-    Returns
-    -------
-    ndarray, shape (height, width)
-        Metres; may hold infinity and NaN.
-
-    Raises
-    ------
-    PhotoError
-        If the file is damaged, of another format, has several channels, or has levels and no `scale` is given.
-    ValueError
-        If it holds a distance that is not positive, or 0 without `zero_is_unknown`.
-    OSError
-        If it cannot be read.
-    """
-    source = validation.path("path", path)
-    marks = validation.real_array("unknown", unknown)
-    factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
-    data = reading.contents(source)
-    name = validation.line(source)
-    if data.startswith(JPEG):
-        raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
-    with told(source, "depth map", data) as form:
-        values = form.read(data, scale)
-    del data  # to save memory
-    if values.ndim != 2 or 0 in values.shape:
-        raise PhotoError(f"{name} has the shape {values.shape}; a depth map has (height, width)")
-    if values.dtype.kind not in "iuf":
-        raise PhotoError(f"{name} holds {values.dtype}; a depth map holds numbers")
-    if values.dtype.kind != "f" and scale is None:
-        raise PhotoError(f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres")
-    with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
-        metres: Array = values.astype(np.float64)
-        metres *= factor
-    zeros = values.size - np.count_nonzero(values)
-    if zeros and not zero_is_unknown:
-        raise ValueError(
-            f"{name} is 0 at {zeros} of {values.size} points; if that means unknown, give `zero_is_unknown`"
-        )
-    if zeros:
-        metres[values == 0] = np.nan
-    metres[np.isin(values, marks)] = np.nan
-    if (least := np.fmin.reduce(metres, axis=None)) < 0.0:
-        stored = np.fmin.reduce(values, axis=None)
-        raise ValueError(
-            f"{name} must hold distances > 0 metres, got {least:g}; if the value {stored:g} means unknown, state it "
-            "as `unknown`"
-        )
-    return metres
-
-
-def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
-    """Write a depth map, or its standard deviation, in single precision, for :func:`lommel.imaging.read_depth`.
-
-    The file is written under a temporary name and moved into place.
-
-    Parameters
-    ----------
-    path : path
-        .tif, .npy, .pfm or .exr.
-    depth : array_like, shape (height, width)
-        Metres; NaN where it is not known, may be infinite.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `depth` is not a map of this shape or holds negative values, or `path` has another suffix.
-    OSError
-        If the file cannot be written.
-    """
-    target = validation.path("path", path)
-    write = find_depth(target).write
-    metres = validation.array("depth", depth)
-    if metres.dtype.kind not in "iuf" or metres.ndim != 2 or 0 in metres.shape:
-        raise ValueError(f"depth must be numbers of the shape (height, width), got {metres.dtype} {metres.shape}")
-    if np.any(metres < 0.0):
-        raise ValueError(f"depth must be >= 0 metres, got {metres[metres < 0.0].flat[0]:g}")
-    with np.errstate(over="ignore"):
-        data: bytes = write(np.asarray(metres, dtype=np.float32))
-    atomic.write(target, data)
-
-
 def _pfm(data: bytes, scale: float | None) -> Values:
     """Return the values of a portable float map: rows run upwards, a negative scale means little-endian."""
     found = _PFM.match(data)
     if not found:
         raise ValueError("its header is not that of a PFM file")
     if found[1] != b"Pf":
-        raise ValueError("it is in colour")
+        raise ValueError("it is in colour; save one channel")
     width, height, unit = int(found[2]), int(found[3]), float(found[4])
     reading.pixels(width, height)
     if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
@@ -574,7 +471,14 @@ def _npy(data: bytes, _scale: float | None) -> Values:
 
 def _raster(data: bytes, _scale: float | None) -> Values:
     form = registry.identify("photo", data)
-    return upright(replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form, data)[0]
+    form = replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form
+    values = upright(form, data)[0]
+    if values.ndim == 2:
+        return values
+    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # as of grey
+    if any(np.any(row != row[:, :1]) for row in values):
+        raise ValueError("it is in colour: its three channels differ, and a depth map has one")
+    return np.ascontiguousarray(values[..., 0])
 
 
 def _write_pfm(values: NDArray[np.float32]) -> bytes:
@@ -582,15 +486,18 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
-read_png, _8, _16 = partial(_read, reading.png), "of uint8", "of uint16"
+read_png, _8, _16, _EXIF = partial(_read, reading.png), "of uint8", "of uint16", "with EXIF"
 _photo, _depth = (partial(Format, kind) for kind in ("photo", "depth map"))
 registry.register(
-    _photo((".png",), write_png, read_png, PNG, (_8, _16), library="PIL.Image"),
-    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8,), library="PIL.Image"),
-    _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32"), library="tifffile"),
+    _photo((".png",), write_png, read_png, PNG, (_8, _16, _EXIF), library="PIL.Image"),
+    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
+    _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
     _photo(
         (".exr",), exr_files.write_photo, exr_files.read_photo, exr_files.START, ("of float32",), library="OpenEXR"
     ),
+    _photo((".webp",), read=partial(_read, reading.webp), starts=(b"RIFF",), library="PIL.Image"),
+    _photo((".bmp",), read=partial(_read, reading.bmp), starts=(b"BM",), library="PIL.Image"),
+    _photo((".heic", ".heif"), read=partial(_read, reading.heic), starts=reading.HEIC, library="pillow_heif"),
     _depth((".npy",), partial(atomic.contents, np.save), _npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),
@@ -633,6 +540,7 @@ def write_frames(
     *,
     fps: float = 12.0,
     quality: int = 95,
+    exif: Exif | None = None,
 ) -> list[Path]:
     """Write frames and return the files written; a failure leaves no file.
 
@@ -647,6 +555,8 @@ def write_frames(
         Frames per second of an animation, which repeats forever.
     quality : int, default 95
         Quality of JPEG and WebP, 1 to 100.
+    exif : Exif, optional
+        Stored in photographs of a format that holds it, not in animations and stacks.
 
     Returns
     -------
@@ -669,11 +579,11 @@ def write_frames(
         return [target]
     if not target.parent.is_dir():  # before the first frame is made
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
-    made = []
+    made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
     with atomic.together() as put:
         for number, frame in enumerate(_alike(frames), 1):
             made.append(target.with_name(target.name % number))
-            put(made[-1], encoded(target, frame, quality))
+            put(made[-1], encoded(target, frame, quality, None, block))
     return made
 
 

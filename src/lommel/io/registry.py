@@ -46,6 +46,7 @@ _EXTRAS = {
     "astropy": "fits",
     "h5py": "hdf5",
     "OpenEXR": "exr",
+    "pillow_heif": "heic",
     "av": "video",
 }
 """The extras of this package that install the libraries of formats."""
@@ -96,7 +97,8 @@ class Format:
       a format with a file `beside`: to (bytes, bytes beside), and from both
     - "colours": as "psf", of a ColourPSF; a picture has nothing to read
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
-    - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
+    - "photo": (values, quality, ICC profile or None) to bytes, and where it holds "with EXIF" a fourth, the bytes of
+      EXIF; bytes to (values, tags of EXIF, ICC profile or None), and perhaps a fourth, the bytes of EXIF
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
     - "images": read only, (bytes, name of one of several images or None) to (values, header), values of the shape

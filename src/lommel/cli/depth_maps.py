@@ -1,0 +1,55 @@
+"""Options of the commands that read depth maps, and the line that tells of a map."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import cast
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.units import format_length
+from lommel.cli.options import LENGTH, Option, documented
+from lommel.cli.output import Facts
+from lommel.io.depth_maps import RESAMPLE, DepthKeywords, DepthValues
+
+OPTIONS = [
+    documented(DepthValues, "scale", "--depth-scale", type=float),
+    documented(DepthValues, "inverse", "--inverse-depth", "inverse_depth", type=LENGTH, nargs=2, metavar="NEAR FAR"),
+    documented(DepthValues, "disparity", type=float, nargs=2, metavar="FB OFFSET"),
+    documented(DepthValues, "zero_is_unknown", "--zero-unknown", is_flag=True),
+    Option("--unknown", type=float, multiple=True,
+           help="Treat this stored value of the depth map, such as -1 or 255, as unknown."),
+    documented(DepthValues, "resample", type=click.Choice(RESAMPLE)),
+]  # fmt: skip
+_ARGUMENTS = {
+    "depth_scale": "scale", "inverse_depth": "inverse", "disparity": "disparity",
+    "zero_unknown": "zero_is_unknown", "unknown": "unknown", "resample": "resample",
+}  # fmt: skip
+
+
+def depth_values(given: Facts) -> DepthKeywords:
+    """Return what the options say of the values of a depth map, and take them out of what was given."""
+    return cast("DepthKeywords", {name: given.pop(option) for option, name in _ARGUMENTS.items()})
+
+
+def finite(distance: float) -> float | str:
+    """Return a distance as JSON can hold it."""
+    return distance if math.isfinite(distance) else "infinity"
+
+
+def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
+    """Return the range of a depth map and the share that is not known, and a line of them around a focus."""
+    known = distance[~np.isnan(distance)]
+    low, high = (float(end(known)) if known.size else math.nan for end in (np.min, np.max))
+    share = 1.0 - known.size / distance.size
+    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": share}
+    return facts, lambda focus: depth_line(low, high, share, focus)
+
+
+def depth_line(low: float, high: float, unknown: float, focus: str) -> str:
+    """Return the line of a range of depth, NaN where none is known, and of the share that is not known."""
+    where = "not known" if math.isnan(low) else " to ".join(map(format_length, dict.fromkeys((low, high))))
+    return f"depth {where}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")

@@ -1,0 +1,268 @@
+"""Depth maps in files: metres, or levels, inverse depth and disparity with what makes metres of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any, TypedDict, Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import atomic, notes, options, reading, validation
+from lommel.base.arrays import Array
+from lommel.io.photos import JPEG, PhotoError, find_depth, told
+from lommel.io.registry import Values
+
+RESAMPLE = ("nearest",)
+
+
+class DepthKeywords(TypedDict, total=False):
+    """What the values of a depth map mean."""
+
+    scale: float | None
+    inverse: tuple[float, float] | None
+    disparity: tuple[float, float] | None
+    zero_is_unknown: bool
+    unknown: Sequence[float]
+    resample: str | None
+
+
+@dataclass(frozen=True)
+class DepthValues:
+    """What the values of a depth map in a file mean, validated; at most one of the first three is given.
+
+    Parameters
+    ----------
+    scale : float, optional
+        Metres per level of integers, such as 0.001. Floats are metres without it. A PFM file whose header states a
+        scale other than 1 needs it too, since programs disagree on its meaning.
+    inverse : (float, float), optional
+        The map is linear in 1 / distance, as of phones and MiDaS: metres at the brightest level (255, 65535 or 1.0)
+        and at 0, which may be infinite.
+    disparity : (float, float), optional
+        The map is a disparity of stereo: metres are the first number (focal length in pixels times baseline in
+        metres) over the sum of the stored value and the second number (offset in pixels).
+    zero_is_unknown : bool, default False
+        Treat the stored value 0 as unknown.
+    unknown : sequence of float, optional
+        Other stored values that mean unknown, such as (-1, 255).
+    resample : {"nearest"}, optional
+        Resample a map of another size and the same aspect ratio: each pixel takes the value of the pixel of the map
+        that its middle lies in, so that no distances are mixed at edges.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of another type or out of range, or two of the first three are given.
+    """
+
+    scale: float | None = None
+    inverse: tuple[float, float] | None = None
+    disparity: tuple[float, float] | None = None
+    zero_is_unknown: bool = False
+    unknown: Sequence[float] = ()
+    resample: str | None = None
+
+    def __post_init__(self) -> None:
+        made: dict[str, Any] = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
+        if sum(each is not None for each in (self.scale, self.inverse, self.disparity)) > 1:
+            raise ValueError("give one of `scale`, `inverse` and `disparity`, which say how metres are stored")
+        if self.scale is not None:
+            made["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
+        if self.inverse is not None:
+            near, far = _two("inverse", self.inverse)
+            near = validation.real("inverse", near, above=0.0, unit="metres")
+            made["inverse"] = near, validation.real("inverse", far, above=near, infinite=True, unit="metres")
+        if self.disparity is not None:
+            product, offset = _two("disparity", self.disparity)
+            product = validation.real("disparity", product, above=0.0, unit="metres times pixels")
+            made["disparity"] = product, validation.real("disparity", offset)
+        made["unknown"] = tuple(
+            np.atleast_1d(validation.number_array("unknown", self.unknown)).astype(float).tolist()
+        )
+        if self.resample is not None:
+            validation.choice("resample", self.resample, RESAMPLE)
+        vars(self).update(made)
+
+    @property
+    def states_metres(self) -> bool:
+        """Whether it says how metres are stored."""
+        return (self.scale, self.inverse, self.disparity) != (None, None, None)
+
+    def metres(self, values: Values, name: str) -> Array:
+        """Return metres, NaN where they are not known, of the values of a map; errors call it `name`."""
+        if values.dtype.kind != "f" and not self.states_metres:
+            raise PhotoError(
+                f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres, or `inverse` or "
+                "`disparity`"
+            )
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a NaN that signals
+            found: Array = values.astype(np.float64)
+            found[np.isin(values, self.unknown)] = np.nan
+            if self.zero_is_unknown:
+                found[values == 0] = np.nan
+            least, most = (float(end.reduce(found, axis=None)) for end in (np.fmin, np.fmax))
+            if self.inverse is not None:
+                self._invert(found, values.dtype, (least, most), name)
+            elif self.disparity is not None:
+                self._divide(found, (least, most), name)
+            else:
+                found *= self.scale or 1.0
+                if zeros := found.size - np.count_nonzero(found):
+                    raise ValueError(
+                        f"{name} is 0 at {zeros} of {found.size} points; if that means unknown, give "
+                        "`zero_is_unknown`"
+                    )
+                if least < 0.0:
+                    raise ValueError(
+                        f"{name} must hold distances > 0 metres, got {least * (self.scale or 1.0):g}; if the value "
+                        f"{least:g} means unknown, state it as `unknown`"
+                    )
+        if most == 1.0 and not self.states_metres:
+            notes.tell(
+                f"the farthest depth of {name} is exactly 1: maps of 0 to 1, such as inverse depth, are not in "
+                "metres; `inverse` states the distances at 1 and at 0"
+            )
+        return found
+
+    def _invert(self, found: Array, kind: np.dtype[Any], ends: tuple[float, float], name: str) -> None:
+        """Replace shares of the brightest level by metres."""
+        assert self.inverse is not None
+        if kind.kind != "f" and (kind.kind != "u" or kind.itemsize > 2):
+            raise ValueError(f"{name} holds {kind}; `inverse` is for uint8, uint16 and floats of 0 to 1")
+        top = 1.0 if kind.kind == "f" else float(np.iinfo(kind.str).max)
+        if ends[0] < 0.0 or ends[1] > top:
+            raise ValueError(
+                f"{name} must hold 0 to {top:g} for `inverse`, got {ends[0]:g} to {ends[1]:g}; divide by the largest "
+                "value, or state values that mean unknown as `unknown`"
+            )
+        near, far = (1.0 / each for each in self.inverse)
+        found *= (near - far) / top
+        found += far
+        np.reciprocal(found, out=found)
+
+    def _divide(self, found: Array, ends: tuple[float, float], name: str) -> None:
+        """Replace disparities by metres."""
+        assert self.disparity is not None
+        product, offset = self.disparity
+        for value in (ends[0], ends[1] if ends[1] == math.inf else ends[0]):
+            if not 0.0 < value + offset < math.inf and not math.isnan(value):
+                option = "give `zero_is_unknown`" if value == 0.0 else "state it as `unknown`"
+                raise ValueError(
+                    f"{name} must hold finite disparities > {0.0 - offset:g} (the offset is {offset:g}), "
+                    f"got {value:g}; if that means unknown, {option}"
+                )
+        found += offset
+        np.divide(product, found, out=found)
+
+    def fitted(self, values: Values, shape: tuple[int, int], name: str) -> Values:
+        """Return the values of a map at the pixels of a picture of this shape; ValueError unless it has its size."""
+        if values.shape == shape:
+            return values
+        (height, width), (rows, columns) = shape, values.shape
+        text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
+        # Sides that were rounded up or down.
+        if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
+            raise ValueError(text)
+        if self.resample is None:
+            raise ValueError(f'{text}, of the same aspect ratio; resample="nearest" resamples it')
+        down, across = (
+            (2 * np.arange(side) + 1) * held // (2 * side) for side, held in zip(shape, values.shape, strict=True)
+        )
+        return values[np.ix_(down, across)]
+
+
+def _two(name: str, value: Any) -> tuple[Any, Any]:
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        raise TypeError(f"{name} must be two numbers, got {validation.shown(value)}")
+    return value[0], value[1]
+
+
+@options.shares(DepthKeywords, DepthValues)
+def read_depth(
+    path: str | PathLike[str], *, shape: tuple[int, ...] | None = None, **given: Unpack[DepthKeywords]
+) -> Array:
+    """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
+
+    Parameters
+    ----------
+    path : path
+        NPY, PFM, or a grey TIFF, PNG or EXR (its channel Z, or the only one), recognized by its content. Three equal
+        channels are grey, and alpha that is opaque everywhere is left out.
+    shape : tuple of int, optional
+        Height and width first: the shape of the photograph whose size the map must have, or is resampled to.
+    {options}
+
+    Returns
+    -------
+    ndarray, shape (height, width)
+        Metres; may hold infinity and NaN.
+
+    Raises
+    ------
+    PhotoError
+        If the file is damaged, of another format, has several channels, or has levels and nothing says how metres
+        are stored.
+    TypeError, ValueError
+        If it holds a distance that is not positive, or 0 without `zero_is_unknown`, or values that `inverse` or
+        `disparity` makes no distance of; if it is not of `shape`; or if an argument is out of range.
+    OSError
+        If it cannot be read.
+
+    Warns
+    -----
+    UserWarning
+        If the farthest of floats is exactly 1, and nothing says how metres are stored.
+    """
+    options.require_known(read_depth, given, DepthKeywords)
+    source, meant = validation.path("path", path), DepthValues(**given)
+    size = None if shape is None else validation.image_shape(tuple(shape[:2]))
+    if size is None and meant.resample is not None:
+        raise ValueError("resample needs the shape to resample to")
+    data = reading.contents(source)
+    name = validation.line(source)
+    if data.startswith(JPEG):
+        raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
+    with told(source, "depth map", data) as form:
+        # Disparities are as they are stored, and what a PFM states as their scale is no scale of metres.
+        values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
+    del data  # to save memory
+    if values.ndim != 2 or 0 in values.shape:
+        raise PhotoError(f"{name} has the shape {values.shape}; a depth map has (height, width)")
+    if values.dtype.kind not in "iuf":
+        raise PhotoError(f"{name} holds {values.dtype}; a depth map holds numbers")
+    return meant.metres(values if size is None else meant.fitted(values, size, name), name)
+
+
+def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
+    """Write a depth map, or its standard deviation, in single precision, for :func:`lommel.imaging.read_depth`.
+
+    The file is written under a temporary name and moved into place.
+
+    Parameters
+    ----------
+    path : path
+        .tif, .npy, .pfm or .exr.
+    depth : array_like, shape (height, width)
+        Metres; NaN where it is not known, may be infinite.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `depth` is not a map of this shape or holds negative values, or `path` has another suffix.
+    OSError
+        If the file cannot be written.
+    """
+    target = validation.path("path", path)
+    write = find_depth(target).write
+    metres = validation.array("depth", depth)
+    if metres.dtype.kind not in "iuf" or metres.ndim != 2 or 0 in metres.shape:
+        raise ValueError(f"depth must be numbers of the shape (height, width), got {metres.dtype} {metres.shape}")
+    if np.any(metres < 0.0):
+        raise ValueError(f"depth must be >= 0 metres, got {metres[metres < 0.0].flat[0]:g}")
+    with np.errstate(over="ignore"):
+        data: bytes = write(np.asarray(metres, dtype=np.float32))
+    atomic.write(target, data)

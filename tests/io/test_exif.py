@@ -1,0 +1,151 @@
+"""EXIF from one photograph to the next: what other programs read of it, whatever the format."""
+
+from __future__ import annotations
+
+import io
+import struct
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image, TiffImagePlugin
+
+from lommel.imaging import Exif, PhotoError, read_photo, write_photo
+from lommel.io.exif import parsed
+from lommel.io.photos import write_like
+
+OWN = {0x010F: "Canon", 0x0110: "EOS R5", 0x0132: "2026:01:02 03:04:05", 0x013B: "An Artist", 0x8298: "(c) Somebody"}
+LENS = {
+    0x829A: TiffImagePlugin.IFDRational(1, 200),
+    0x829D: TiffImagePlugin.IFDRational(18, 10),
+    0x9003: "2026:01:02 03:04:05",
+    0x9204: TiffImagePlugin.IFDRational(-1, 3),
+    0x920A: TiffImagePlugin.IFDRational(50, 1),
+    0xA434: "RF50mm F1.8 STM",
+}
+PLACE = {1: "N", 2: (47.0, 30.0, 12.5)}
+VALUES = np.random.default_rng(5).integers(0, 256, (24, 36, 3)).astype(np.uint8)
+
+
+def block(order: str = "II") -> bytes:
+    tags = Image.Exif()
+    tags.endian = {"II": "<", "MM": ">"}[order]
+    for tag, value in OWN.items():
+        tags[tag] = value
+    tags[0x0112] = 6
+    tags[0x0131] = "of the camera"
+    tags[0x8769] = LENS | {0x927C: b"maker" * 30, 0xA002: 36, 0xA003: 24, 0xA001: 1}
+    tags[0x8825] = PLACE
+    return tags.tobytes()
+
+
+def found(data: bytes) -> tuple[dict[int, object], dict[int, object], dict[int, object]]:
+    """Return the directories that Pillow reads."""
+    if data[:2] == b"II":  # of which it reads no image in 16 bits and colour
+        tags = Image.Exif()
+        tags.load(data)
+    else:
+        with Image.open(io.BytesIO(data)) as file:
+            file.load()
+            tags = file.getexif()
+    return dict(tags), tags.get_ifd(0x8769), tags.get_ifd(0x8825)
+
+
+@pytest.mark.parametrize("source", ["a.jpg", "a.png", "a.webp", "a.tif"])
+@pytest.mark.parametrize(
+    ("output", "dtype"),
+    [("o.jpg", np.uint8), ("o.png", np.uint8), ("o.png", np.uint16), ("o.tif", np.uint16), ("o.tif", np.float32)],
+)
+def test_a_photograph_made_of_another_has_its_camera_date_lens_and_place(tmp_path, source, output, dtype):
+    Image.fromarray(VALUES).save(tmp_path / source, exif=block())
+    read = read_photo(tmp_path / source)
+    assert read.values.shape == (36, 24, 3)  # upright
+    write_like(read, tmp_path / output, read.light(), encoding="srgb", dtype=dtype)
+    first, lens, place = found((tmp_path / output).read_bytes())
+    assert {tag: first.get(tag) for tag in OWN} == OWN
+    assert {tag: float(lens[tag]) if isinstance(text, float | TiffImagePlugin.IFDRational) else lens[tag]
+            for tag, text in LENS.items()} == LENS  # fmt: skip
+    assert set(lens) == set(LENS)  # no notes of the maker, no size of the picture as it lay
+    assert place == PLACE
+    assert first.get(0x0112, 1) == 1
+    assert first.get(0x0131) != "of the camera"
+    again = read_photo(tmp_path / output)
+    assert again.values.shape == read.values.shape
+    assert again.exif == read.exif == Exif(0.05, 1.8)
+    assert again.exif.block == read.exif.block
+
+
+def test_a_tiff_with_exif_has_the_same_values_for_others(tmp_path):
+    exif = Exif(block=block()[6:])
+    light = VALUES[..., 0] / 255.0
+    for dtype in (np.uint8, np.float32):
+        write_photo(tmp_path / "a.tif", light, dtype=dtype, profile=b"of colours")
+        write_photo(tmp_path / "b.tif", light, dtype=dtype, profile=b"of colours", exif=exif)
+        with tifffile.TiffFile(tmp_path / "b.tif") as file:
+            assert len(file.pages) == 1
+            assert np.array_equal(file.pages[0].asarray(), tifffile.imread(tmp_path / "a.tif"))
+            assert file.pages[0].iccprofile == b"of colours"
+            assert file.pages[0].tags["ExifTag"].value["LensModel"] == "RF50mm F1.8 STM"
+            assert file.pages[0].tags["Software"].value.startswith("lommel ")
+
+
+def test_either_order_of_bytes_is_read(tmp_path):
+    for order in ("II", "MM"):
+        Image.fromarray(VALUES).save(tmp_path / f"{order}.jpg", exif=block(order))
+    one, other = (read_photo(tmp_path / f"{order}.jpg").exif for order in ("II", "MM"))
+    assert block("MM")[6:8] == b"MM"
+    assert one.block == other.block
+    assert one.block[:4] == b"II*\0"
+
+
+def test_letters_beyond_ascii_stay_what_they_are(tmp_path):
+    tags = Image.Exif()
+    tags[0x8298] = "© Käthe".encode()
+    Image.fromarray(VALUES).save(tmp_path / "a.png", exif=tags.tobytes())
+    read = read_photo(tmp_path / "a.png")
+    for name in ("b.tif", "b.jpg"):
+        write_photo(tmp_path / name, read.light(), exif=read.exif)
+        assert "© Käthe".encode() in (tmp_path / name).read_bytes()
+
+
+def test_exif_without_any_of_it_leaves_files_as_they_were(tmp_path):
+    tags = Image.Exif()
+    tags[0x0112] = 3
+    Image.fromarray(VALUES).save(tmp_path / "a.png", exif=tags.tobytes())
+    read = read_photo(tmp_path / "a.png")
+    assert read.exif.block is None
+    write_photo(tmp_path / "b.png", read.light(), exif=read.exif)
+    write_photo(tmp_path / "c.png", read.light())
+    assert (tmp_path / "b.png").read_bytes() == (tmp_path / "c.png").read_bytes()
+
+
+def test_damaged_exif_is_left_out_or_refused_and_never_grows(tmp_path):
+    rng = np.random.default_rng(1)
+    for _ in range(30):
+        data = bytearray(block())
+        for at in rng.integers(6, len(data), 4):
+            data[at] = rng.integers(256)
+        Image.fromarray(VALUES).save(tmp_path / "a.png", exif=bytes(data))
+        try:
+            read = read_photo(tmp_path / "a.png")
+        except PhotoError:
+            continue
+        write_photo(tmp_path / "b.jpg", read.light(), exif=read.exif)
+        assert len(read.exif.block or b"") < 2 * len(data)
+    # Entries that all point to the same bytes.
+    entry = struct.pack("<HHII", 0x8769, 4, 1, 26)
+    many = b"".join(struct.pack("<HHII", 0x9000 + k, 7, 4000, 26) for k in range(200))
+    data = b"II*\0\x08\0\0\0\x01\0" + entry + bytes(4) + struct.pack("<H", 200) + many + bytes(6000)
+    assert parsed({}, data).block is None
+
+
+def test_exif_is_refused_where_it_cannot_be_written(tmp_path):
+    exif = Exif(block=block()[6:])
+    with pytest.raises(ValueError, match=r"\.png, \.jpg, .* for a photograph with EXIF, got '\.exr'"):
+        write_photo(tmp_path / "a.exr", np.zeros((4, 5)), encoding="linear", dtype=np.float32, exif=exif)
+    with pytest.raises(TypeError, match="exif must be"):
+        write_photo(tmp_path / "a.png", np.zeros((4, 5)), exif=block())
+    Image.fromarray(VALUES).save(tmp_path / "a.jpg", exif=block())
+    read = read_photo(tmp_path / "a.jpg")
+    write_like(read, tmp_path / "a.exr", read.light(), encoding="linear", dtype=np.float32)
+    assert [file.name for file in sorted(tmp_path.iterdir())] == ["a.exr", "a.jpg"]

@@ -109,7 +109,7 @@ SECTIONS = [
     ),
     Section(
         "Stacks larger than memory",
-        "Write and read stacks of PSFs in Zarr and HDF5.",
+        "Write and read stacks of PSFs in Zarr.",
         "See [](../scale.md).",
         ("stacks",),
     ),

@@ -9,9 +9,12 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from lommel.base import atomic
+from read_only import read_only
+from small_disk import small_disk
 
 
 def mode(path: Path) -> int:
@@ -187,3 +190,20 @@ def test_a_file_that_is_filled_appears_whole_or_not_at_all(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["a"]
     with pytest.raises(OSError, match="none"):
         atomic.write_by(tmp_path / "none" / "a", lambda place: place.write_bytes(b"new"))
+
+
+def test_what_cannot_be_written_is_told_by_its_own_name(tmp_path):
+    def fill(place: Path) -> None:
+        np.zeros(1000).tofile(place)  # which says how much was written, but not why no more
+
+    with small_disk(100), pytest.raises(OSError, match=r"\(1000 requested and 12 written\): '[^']*/a'$"):
+        atomic.write_by(tmp_path / "a", fill)
+    ways = (
+        lambda: atomic.write(tmp_path / "a", b"new"),
+        lambda: atomic.write_by(tmp_path / "a", fill),
+        lambda: atomic.write_folder(tmp_path / "a", fill),
+    )
+    for write in ways:
+        with read_only(), pytest.raises(OSError, match=r"Read-only file system: '[^']*/a'$"):
+            write()
+    assert not list(tmp_path.iterdir())

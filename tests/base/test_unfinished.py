@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from lommel.base import atomic, unfinished
+from small_disk import small_disk
 
 VALUES = np.arange(6.0)
 
@@ -130,4 +131,23 @@ def test_what_tells_whose_it_is_is_removed_last(tmp_path, monkeypatch):
     assert names(tmp_path) == [".a.unfinished", "a"]
     with begun(tmp_path / "a") as again:
         assert not again.has("0", "a", VALUES)
+    assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])
+
+
+def test_a_disk_that_gets_full_is_told_by_the_name_of_the_place(tmp_path):
+    with begun(tmp_path / "a") as there, small_disk(5), pytest.raises(OSError, match=r"File too large: '[^']*/a'$"):
+        there.put("0", "a", VALUES)
+    assert names(tmp_path) == []
+
+
+def test_what_cannot_be_removed_hides_no_error_and_is_begun_anew(tmp_path, monkeypatch):
+    def refused(path):
+        raise OSError(errno.ENOTEMPTY, "Directory not empty", path)
+
+    with monkeypatch.context() as patch, suppress(KeyError), begun(tmp_path / "a"):
+        patch.setattr(unfinished.shutil, "rmtree", refused)
+        raise KeyError
+    with begun(tmp_path / "a") as again:
+        again.put("0", "a", VALUES)
+        again.finish()
     assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])

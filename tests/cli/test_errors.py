@@ -270,6 +270,25 @@ def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     assert "LOMMEL_TRACEBACK=1" in line
 
 
+@pytest.mark.parametrize(
+    "error",
+    [
+        RuntimeError("can't start new thread"),
+        ImportError("lib.so: failed to map segment from shared object"),
+    ],
+)
+def test_memory_that_is_short_is_no_fault_of_the_program(error, call_lommel, lenses, tmp_path, monkeypatch):
+    from lommel.cli import lens_report
+
+    def broken(*_):
+        raise error
+
+    monkeypatch.setattr(lens_report, "describe_lens", broken)
+    result = call_lommel("info", lenses["phone"], folder=tmp_path)
+    assert result.returncode == 2
+    assert result.stderr == f"Error: memory, or the number of threads, is short: {error}\n"
+
+
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize(("target", "code"), [(">&-", 0), (">/dev/full", 2), ("| true", 0)])
 def test_output_that_cannot_be_written_is_no_traceback(target, code, unbuffered, lenses, tmp_path):

@@ -9,17 +9,16 @@ import pytest
 
 import lommel as lm
 
-pytest.importorskip("h5py")
 WINDOW = ("--shape", 5, "--pixel", "2 um", "--chunk", 4)
 
 
 def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lenses, tmp_path, call_lommel):
     lens = lenses["nifty-fifty"]
-    command = ("stack", lens, "--between", "1 m", "inf", "--count", 9, *WINDOW, "-o", "a.h5")
+    command = ("stack", lens, "--between", "1 m", "inf", "--count", 9, *WINDOW, "-o", "a.zarr")
     result = call_lommel(*command, "--json", folder=tmp_path)
     assert result.returncode == 0, result.stderr
     facts = json.loads(result.stdout)
-    made = lm.open_stack(tmp_path / "a.h5")
+    made = lm.open_stack(tmp_path / "a.zarr")
     assert (facts["shape"], facts["chunks"], facts["computed"]) == ([9, 5, 5], 3, 3)
     assert facts["error_bound"] == made.error_bound.max() <= 1e-6
     at = made.axes["object_distance"]
@@ -29,7 +28,7 @@ def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lens
     np.testing.assert_array_equal(made[:3].values, asked.values)
     again = call_lommel(*command, folder=tmp_path)
     assert again.returncode == 0, again.stderr
-    assert "<PSFStack 9x5x5 float32 (object_distance 9) in a.h5>: error at most" in again.stdout
+    assert "<PSFStack 9x5x5 float32 (object_distance 9) in a.zarr>: error at most" in again.stdout
     assert "0 of 3 chunks computed" in again.stdout
 
 
@@ -37,14 +36,15 @@ def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lens
     ("change", "told"),
     [
         (("--between", "3 m", "1 m"), "--between must be two rising distances, got 3 and 1 metres"),
-        (("-o", "a.tif"), "store must end in .zarr, .h5, .hdf5, got 'a.tif'"),
+        (("-o", "a.tif"), "store must end in .zarr, got 'a.tif'"),
+        (("-o", "a.h5"), "store must end in .zarr, which stacks are written to instead of HDF5, got 'a.h5'"),
         (("--count", "1"), "is not in the range"),
         (("--chunk", "0"), "chunk must be from 1 to"),
         (("--tol", "1"), "tol must be"),
     ],
 )
 def test_what_is_out_of_range_is_one_line(change, told, lenses, tmp_path, call_lommel):
-    command = ["stack", lenses["nifty-fifty"], "--between", "1 m", "3 m", "--count", 9, *WINDOW, "-o", "a.h5"]
+    command = ["stack", lenses["nifty-fifty"], "--between", "1 m", "3 m", "--count", 9, *WINDOW, "-o", "a.zarr"]
     result = call_lommel(*command, *change, folder=tmp_path)
     assert result.returncode == 2
     assert told in result.stderr

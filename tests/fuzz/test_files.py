@@ -160,9 +160,8 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     found["field.csv"] = (folder / "field.csv", lambda path: read_csv(path, "noll"), False)
     grid.save(folder / "grid.zarr")
     found["grid.zarr"] = (folder / "grid.zarr", of_grid, True)
-    for suffix in (".h5", ".zarr"):
-        lm.psf_to(folder / f"store{suffix}", lm.Pupil(lm.Wavefront([0.0, 1.0, 2.0])), 5, 0.5, chunk=2)
-        found[f"store{suffix}"] = (folder / f"store{suffix}", of_store, True)
+    lm.psf_to(folder / "store.zarr", lm.Pupil(lm.Wavefront([0.0, 1.0, 2.0])), 5, 0.5, chunk=2)
+    found["store.zarr"] = (folder / "store.zarr", of_store, True)
     return found
 
 
@@ -313,7 +312,6 @@ KINDS = [
     "lens.toml",
     "field.csv",
     "grid.zarr",
-    "store.h5",
     "store.zarr",
     *("grid.fits", "grid.fits.gz", "grid.h5", "grid.mat", "colour.npz", "colour.tif", "channels.csv"),
     *("exif.jpg", "exif.png", "levels.png", "stars.fits", "stars.tif"),

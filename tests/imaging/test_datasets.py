@@ -16,6 +16,8 @@ import lommel as lm
 from lommel.imaging import DepthBlur, LensRanges, Occlusion, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
+from read_only import read_only
+from small_disk import small_disk
 
 LENSES = LensRanges(focal_length=(30e-3, 50e-3), f_number=(2.0, 8.0), focus_distance=(1.0, np.inf), pixel=30e-6)
 SHAPE = (20, 26)
@@ -333,12 +335,13 @@ def test_other_files_of_the_same_names_are_refused(files, which, shard):
 
 
 @pytest.mark.parametrize("name", ["image.png", "depth.npy", "index.png", "psfs.npz", "json"])
-@pytest.mark.parametrize("how", ["missing", "cut off"])
-def test_pictures_whose_files_are_missing_or_cut_off_are_rendered_again(files, name, how):
+@pytest.mark.parametrize("how", ["missing", "cut off", "zeros"])
+def test_pictures_whose_files_are_missing_or_damaged_are_rendered_again(files, name, how):
     rendered(files)
     wanted = contents(files / "set")
     file = files / "set" / f"000002.{name}"
-    file.unlink() if how == "missing" else file.write_bytes(file.read_bytes()[:-9])
+    good = file.read_bytes()
+    file.unlink() if how == "missing" else file.write_bytes(good[:-9] if how == "cut off" else bytes(len(good)))
     assert [each.number for each in rendered(files)] == [2]
     assert_alike(contents(files / "set"), wanted)
 
@@ -356,6 +359,10 @@ def test_damaged_shards_and_records_are_named(files):
     shard.write_bytes(good[: len(good) // 2])
     with pytest.raises(ValueError, match=r"shard-000001\.tar is damaged \(.*\); remove it, and call again"):
         rendered(files, shard=2, psfs=0)
+    at = good.index(b"\x89PNG") + 50
+    shard.write_bytes(good[:at] + bytes([good[at] ^ 1]) + good[at + 1 :])
+    with pytest.raises(ValueError, match=r"shard-000001\.tar is damaged \(the files of picture 2 were changed after"):
+        rendered(files, shard=2, psfs=0)
     shard.unlink()
     assert [each.number for each in rendered(files, shard=2, psfs=0)] == [2, 3]
     assert len(shard.read_bytes()) == len(good)
@@ -372,3 +379,32 @@ def test_one_call_at_a_time_renders_into_a_folder(files):
         rendered(files, psfs=0)
     assert [each.number for each in first] == [1, 2, 3]
     assert rendered(files, psfs=0) == []
+
+
+@pytest.mark.parametrize("shard", [None, 2])
+def test_neighbours_with_likely_names_are_left_and_no_link_is_followed(files, shard):
+    (files / "mine").mkdir()
+    (files / "mine" / "precious.txt").write_text("mine")
+    likely = ["set.old", "set.partial", "set.new", "set.tmp", ".set.unfinished"]
+    for name in likely:
+        (files / name).symlink_to(files / "mine")
+    rendered(files, psfs=0, shard=shard)
+    assert [path.name for path in (files / "mine").iterdir()] == ["precious.txt"]
+    assert sorted(path.name for path in files.iterdir()) == sorted(["photos", "depths", "mine", "set", *likely])
+
+
+@pytest.mark.parametrize("shard", [None, 3])
+def test_a_disk_that_gets_full_is_told_with_the_name_and_the_rest_is_rendered_later(files, shard):
+    with small_disk(1500), pytest.raises(OSError, match=r"'[^']*/set/[^']*'$") as told:
+        rendered(files, psfs=0, shard=shard)
+    assert ".lommel-" not in str(told.value)
+    assert len(rendered(files, psfs=0, shard=shard)) == 4
+    assert not list((files / "set").rglob(".lommel-*"))
+
+
+@pytest.mark.parametrize("there", [False, True], ids=["new", "begun"])
+def test_a_folder_that_is_read_only_is_told_by_its_name(files, there):
+    if there:
+        next(render_dataset(files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=2, psfs=0))
+    with read_only(), pytest.raises(OSError, match=r"Read-only file system: '[^']*/set'$"):
+        rendered(files, psfs=0)

@@ -271,10 +271,10 @@ folder, suffix = Path(sys.argv[1]), sys.argv[2]
 psf = lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 65, 0.25)
 grid = lm.FieldMap.from_seidel(2.0, W131=1.0).grid(3, 3, sensor=(1, 1), shape=65, pixel=0.25)
 pupils = lm.Pupil(lm.Wavefront(np.linspace(0.0, 1.0, 5000)))
-lm.psf_to(folder / f"warm{suffix}", pupils[:2], 5, 0.5) if suffix in (".zarr", ".h5") else None
+lm.psf_to(folder / f"warm{suffix}", pupils[:2], 5, 0.5) if suffix == ".zarr" else None
 before = sorted(folder.iterdir())
 ways = [("grid", lambda path: grid.save(path))]
-if suffix in (".zarr", ".h5"):
+if suffix == ".zarr":
     ways.append(("stack", lambda path: lm.psf_to(path, pupils, 65, 0.25, chunk=2500)))
 # A description has more bytes than 100, values have more than 12 000.
 for most in (100, 12_000):

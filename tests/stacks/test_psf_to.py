@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -17,11 +18,11 @@ import pytest
 import lommel as lm
 from lommel.io.psf_files import FileError
 from lommel.stacks import compute
+from read_only import read_only
+from small_disk import small_disk
 
 pytest.importorskip("zarr")
-pytest.importorskip("h5py")
 
-SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
 DEPTHS = np.linspace(1.9, 2.1, 50)
 SIDE, PIXEL = 9, 3e-6
@@ -43,9 +44,8 @@ def known(tmp_path_factory) -> tuple[bytes, ...]:
     return contents(run(tmp_path_factory.mktemp("known") / "a.zarr", threads=1))
 
 
-@SUFFIX
-def test_a_chunk_holds_what_psf_answers_for_its_pupils(suffix, tmp_path, known):
-    stack = run(tmp_path / f"a{suffix}")
+def test_a_chunk_holds_what_psf_answers_for_its_pupils(tmp_path, known):
+    stack = run(tmp_path / "a.zarr")
     pupil = LENS.pupil(DEPTHS)
     assert stack.done == (7, 7)
     assert contents(stack) == known
@@ -73,22 +73,21 @@ def test_other_chunks_make_other_values_within_the_bounds_of_both(tmp_path, know
 def test_a_transform_gives_the_same_bits_however_many_threads_there_are(tmp_path):
     vanes = lm.Pupil(lm.Wavefront([30.0, 5.0, 1.0]), spider=lm.Spider(0.05, [0.0, 1.0]))
     made = [
-        lm.psf_to(tmp_path / f"{n}.h5", vanes[:n], 512, 0.4, dtype="float64", chunk=1, threads=2)[0].values
+        lm.psf_to(tmp_path / f"{n}.zarr", vanes[:n], 512, 0.4, dtype="float64", chunk=1, threads=2)[0].values
         for n in (1, 3)
     ]
     np.testing.assert_array_equal(*made)
     np.testing.assert_array_equal(made[0], lm.psf(vanes[:1], 512, 0.4, dtype="float64", threads=1).values[0])
 
 
-@SUFFIX
 @pytest.mark.parametrize("pool", ["threads", "processes"])
-def test_a_pool_computes_the_same_bits(suffix, pool, tmp_path, known):
+def test_a_pool_computes_the_same_bits(pool, tmp_path, known):
     if pool == "threads":
         executor = ThreadPoolExecutor(3)
     else:
         executor = ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
     with executor:
-        assert contents(run(tmp_path / f"a{suffix}", client=executor)) == known
+        assert contents(run(tmp_path / "a.zarr", client=executor)) == known
 
 
 def test_few_chunks_are_under_way_at_any_time(tmp_path, monkeypatch):
@@ -105,14 +104,13 @@ def test_few_chunks_are_under_way_at_any_time(tmp_path, monkeypatch):
 
     monkeypatch.setattr(compute.os, "cpu_count", lambda: 2)
     with Counted(2) as executor:
-        run(tmp_path / "a.h5", chunk=1, client=executor, progress=count)
+        run(tmp_path / "a.zarr", chunk=1, client=executor, progress=count)
     assert executor.under_way == 0
     assert executor.most <= 5
 
 
-@SUFFIX
-def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(suffix, tmp_path, known):
-    path, calls = tmp_path / f"a{suffix}", []
+def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(tmp_path, known):
+    path, calls = tmp_path / "a.zarr", []
 
     def fail(done: int, total: int) -> None:
         calls.append((done, total))
@@ -135,8 +133,7 @@ def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(suffix
 KILLED = """
     import os, signal, sys, warnings
     from pathlib import Path
-    sys.path.insert(0, sys.argv[2])
-    import zarr, h5py
+    sys.path[:0] = sys.argv[2:]
     import test_psf_to as test
     from lommel.stacks import store
 
@@ -144,32 +141,27 @@ KILLED = """
         os.kill(os.getpid(), signal.SIGKILL)
 
     def case(path, when):
-        put, count = store.kind(path).put, [0]
+        put, count = store.Store.put, [0]
 
         def dying(self, parts, index):
             mark = store.MARKS in parts
             count[0] += mark == (when == "before the mark")
             if when != "after a chunk" and count[0] == 3:
-                if when == "within the values" and self.one_file:
-                    with self.path.open("r+b") as file:
-                        file.seek(self._place("values", index))
-                        file.write(parts["values"].tobytes()[:100])
-                elif when == "within the values":
+                if when == "within the values":
                     Path.replace = die  # when all is written, and nothing has its name
                     put(self, parts, index)
                 die()
             put(self, parts, index)
 
-        store.kind(path).put = dying
+        store.Store.put = dying
         test.run(path, threads=1, progress=lambda done, _: when == "after a chunk" and done == 2 and die())
 
     for when in test.WHEN:
-        for suffix in (".zarr", ".h5"):
-            child = os.fork()
-            if child == 0:
-                case(Path(sys.argv[1]) / (when + suffix), when)
-                os._exit(1)
-            assert os.waitpid(child, 0)[1] == signal.SIGKILL, (when, suffix)
+        child = os.fork()
+        if child == 0:
+            case(Path(sys.argv[1]) / f"{when}.zarr", when)
+            os._exit(1)
+        assert os.waitpid(child, 0)[1] == signal.SIGKILL, when
 """
 WHEN = ("after a chunk", "before the mark", "within the values")
 
@@ -178,17 +170,17 @@ WHEN = ("after a chunk", "before the mark", "within the values")
 def killed(tmp_path_factory) -> Path:
     """A folder of stores whose writers were killed."""
     folder = tmp_path_factory.mktemp("killed")
-    command = [sys.executable, "-c", textwrap.dedent(KILLED), str(folder), str(Path(__file__).parent)]
+    here = Path(__file__).parent
+    command = [sys.executable, "-c", textwrap.dedent(KILLED), str(folder), str(here), str(here.parent / "shared")]
     ended = subprocess.run(command, timeout=300, check=False, capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr
     return folder
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-@SUFFIX
 @pytest.mark.parametrize("when", WHEN)
-def test_what_is_killed_goes_on_where_it_was(suffix, when, killed, known):
-    path, calls = killed / f"{when}{suffix}", []
+def test_what_is_killed_goes_on_where_it_was(when, killed, known):
+    path, calls = killed / f"{when}.zarr", []
     broken = lm.open_stack(path)
     there, total = broken.done
     # The others were not begun, but for those that the thread had before the signal came.
@@ -200,9 +192,8 @@ def test_what_is_killed_goes_on_where_it_was(suffix, when, killed, known):
     assert contents(stack) == known
 
 
-@SUFFIX
-def test_a_store_of_another_request_is_refused_and_stays(suffix, tmp_path, known):
-    path = tmp_path / f"a{suffix}"
+def test_a_store_of_another_request_is_refused_and_stays(tmp_path, known):
+    path = tmp_path / "a.zarr"
     run(path)
     for change, told in (
         ({"tol": 1e-7}, "methods: .*1e-06.* there, .*1e-07.* asked for"),
@@ -223,23 +214,21 @@ def test_a_store_of_another_request_is_refused_and_stays(suffix, tmp_path, known
     assert contents(run(path, chunk=None)) == known
 
 
-@SUFFIX
-def test_a_store_with_nothing_in_it_may_be_asked_for_otherwise(suffix, tmp_path, known):
-    path = tmp_path / f"a{suffix}"
+def test_a_store_with_nothing_in_it_may_be_asked_for_otherwise(tmp_path, known):
+    path = tmp_path / "a.zarr"
     with pytest.raises(ValueError, match="supports the pupils of an objective only"):
         run(path, method=lm.Stratified())
     assert lm.open_stack(path).done == (0, 7)
     assert contents(run(path)) == known
 
 
-@SUFFIX
-def test_something_else_at_the_path_is_refused_and_stays(suffix, tmp_path):
-    path = tmp_path / f"a{suffix}"
+def test_something_else_at_the_path_is_refused_and_stays(tmp_path):
+    path = tmp_path / "a.zarr"
     path.write_bytes(b"mine")
     with pytest.raises((FileError, OSError)):
         run(path)
     assert path.read_bytes() == b"mine"
-    folder = tmp_path / f"b{suffix}"
+    folder = tmp_path / "b.zarr"
     folder.mkdir()
     with pytest.raises((FileError, OSError)):
         run(folder)
@@ -249,6 +238,81 @@ def test_something_else_at_the_path_is_refused_and_stays(suffix, tmp_path):
     with pytest.raises(FileError, match="is not a stack of PSFs"):
         run(field)
     assert lm.PSFGrid.load(field).values.shape == (1, 2, 5, 5)
+
+
+@pytest.fixture(scope="module")
+def begun(tmp_path_factory) -> Path:
+    """A store whose last chunks lack."""
+    path = tmp_path_factory.mktemp("begun") / "a.zarr"
+
+    def interrupted(done: int, total: int) -> None:
+        if done == 4:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(path, progress=interrupted, threads=1)
+    return path
+
+
+@pytest.mark.parametrize(
+    "name", ["values/c.1.0.0", "error_bound/c.1", "scale/c.1", "method/c.1", "chunks/checksum/c.1"]
+)
+def test_a_chunk_whose_file_is_missing_is_computed_again(name, begun, tmp_path, known):
+    path, calls = tmp_path / "a.zarr", []
+    shutil.copytree(begun, path)
+    there = lm.open_stack(path).done[0]
+    (path / name).unlink()
+    assert lm.open_stack(path).done[0] == there - 1
+    assert contents(run(path, progress=lambda *said: calls.append(said))) == known
+    assert len(calls) == 7 - there + 1
+
+
+@pytest.mark.parametrize("how", ["zeros", "cut off"])
+def test_a_chunk_that_is_damaged_is_refused_until_it_is_removed(how, begun, tmp_path, known):
+    path = tmp_path / "a.zarr"
+    shutil.copytree(begun, path)
+    file = path / "values" / "c.1.0.0"
+    size = file.stat().st_size
+    file.write_bytes(bytes(size if how == "zeros" else size - 4))
+    fault = (
+        r"to compute it again remove chunks/checksum/c\.1 in it" if how == "zeros" else r"its chunk c\.1\.0\.0 takes"
+    )
+    with pytest.raises(FileError, match=fault):
+        run(path)[:]
+    (path / "chunks" / "checksum" / "c.1").unlink()
+    assert contents(run(path)) == known
+
+
+def test_neighbours_with_likely_names_are_left_and_no_link_is_followed(tmp_path, known):
+    likely = [f"a.zarr{end}" for end in (".old", ".partial", ".new", ".tmp")]
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "precious.txt").write_text("mine")
+    for name in (*likely, ".a.zarr.unfinished"):
+        (tmp_path / name).symlink_to(tmp_path / "mine")
+    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
+        run(tmp_path / "a.zarr", method=lm.Stratified())
+    assert contents(run(tmp_path / "a.zarr")) == known  # in place of the one of before
+    assert [path.name for path in (tmp_path / "mine").iterdir()] == ["precious.txt"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
+        ["a.zarr", "mine", *likely, ".a.zarr.unfinished"]
+    )
+
+
+def test_a_disk_that_gets_full_is_told_with_the_name_and_the_rest_is_computed_later(tmp_path):
+    path, pupil = tmp_path / "a.zarr", lm.Pupil(lm.Wavefront([0.0, 1.0]))
+    with small_disk(8000), pytest.raises(OSError, match=r"a\.zarr/values/c\.\d\.0\.0'") as told:
+        lm.psf_to(path, pupil, 64, 0.5, chunk=1)  # 16 kB each
+    assert ".lommel-" not in str(told.value)
+    assert lm.open_stack(path).done == (0, 2)
+    assert not list(path.rglob(".lommel-*"))
+    assert lm.psf_to(path, pupil, 64, 0.5, chunk=1).done == (2, 2)
+
+
+@pytest.mark.parametrize("there", [False, True], ids=["new", "begun"])
+def test_a_folder_that_is_read_only_is_told_by_the_name_of_the_store(there, begun, tmp_path):
+    path = begun if there else tmp_path / "a.zarr"
+    with read_only(), pytest.raises(OSError, match=r"Read-only file system: .*a\.zarr'"):
+        run(path)
 
 
 def test_a_disk_without_room_is_told_before_anything_is_computed(tmp_path, monkeypatch):
@@ -285,7 +349,8 @@ def test_pupils_that_are_no_stack_and_other_suffixes_are_told(tmp_path):
         ("a.zarr", [], "pupils must not be an empty list"),
         ("a.zarr", [one, LENS.pupil([1.0, 2.0])], "pupils must all have the shape of the first"),
         ("a.zarr", LENS, "got a Lens; lens.pupil"),
-        ("a.zip", LENS.pupil(DEPTHS), r"store must end in .zarr, .h5, .hdf5, got"),
+        ("a.zip", LENS.pupil(DEPTHS), r"store must end in .zarr, got"),
+        ("a.h5", LENS.pupil(DEPTHS), r"store must end in .zarr, which .* instead of HDF5, got .*a.h5"),
     ):
         with pytest.raises((TypeError, ValueError), match=fault):
             lm.psf_to(tmp_path / path, pupils, SIDE, PIXEL)

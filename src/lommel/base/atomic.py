@@ -11,10 +11,12 @@ import stat
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, suppress
+from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
+
+from lommel.base.validation import line
 
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
 _PREFIX = ".lommel-"
@@ -44,81 +46,81 @@ def write(target: Path, data: bytes) -> None:
 
 @contextmanager
 def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
-    """Yield a writer of paths and contents; at the end all files move into place, or none after an error."""
+    """Yield a writer of paths and contents; at the end all files move into place, or none after an error.
+
+    Until then they are in the folder of each, or in a `room`.
+    """
+    with _made(room) as make:
+
+        def put(target: Path, data: bytes | memoryview) -> None:
+            with told_as(target):
+                make(target).write_bytes(data)
+
+        yield put
+
+
+@contextmanager
+def _made(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
+    """Yield what makes an empty file for a target, and returns its path; at the end they get the names of these."""
     # Links are followed, permissions kept; a hard link is cut, since the other name keeps the old contents. Contents
     # are on the disk before a name is given to them. Remains of a killed process are removed a day later, by the
     # next write.
-    made: list[tuple[Path, Path]] = []
+    made: list[tuple[Path, Path, int | None]] = []
     if room is not None:
         _sweep(room)
 
-    def put(target: Path, data: bytes | memoryview) -> None:
+    def make(target: Path) -> Path:
         with told_as(target):
             place = _place(target)
-            temporary, mode = (room or place.parent) / (_PREFIX + secrets.token_hex(8)), _mode(place)
+            temporary = (room or place.parent) / (_PREFIX + secrets.token_hex(8))
+            mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
+            made.append((temporary, place, mode))  # first, lest an interrupt come between
             # 0o666 is what the umask, which belongs to the whole process, takes from.
-            made.append((temporary, place))  # first, lest an interrupt come between
-            handle = os.open(temporary, _NEW, 0o666 if mode is None else 0o600)
-            with os.fdopen(handle, "wb") as file:
-                if mode is not None and hasattr(os, "fchmod"):
-                    os.fchmod(handle, mode)
-                file.write(data)
-                file.flush()
-                os.fsync(handle)
+            os.close(os.open(temporary, _NEW, 0o666 if mode is None else 0o600))
+        return temporary
 
     try:
-        yield put
-        for temporary, place in made:
+        yield make
+        for temporary, place, mode in made:
             with told_as(place):
-                temporary.replace(place)
-        for folder in {place.parent for _, place in made}:
+                _settle(temporary)
+                if mode is not None:
+                    temporary.chmod(mode)
+        for temporary, place, _ in made:
+            with told_as(place):
+                _link(temporary, place) if new else temporary.replace(place)
+        for folder in {place.parent for _, place, _ in made}:
             _settle(folder)
-    except BaseException:
-        for temporary, _ in made:
-            temporary.unlink(missing_ok=True)
-        raise
+    finally:
+        for temporary, _, _ in made:
+            with suppress(OSError):  # there is none, or nothing can be removed where nothing could be written
+                temporary.unlink()
 
 
-def write_by(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a file through `fill`, which gets a temporary path; FileExistsError if `new` and there is one."""
-    with told_as(target), placed(target, new=new) as temporary:
+def write_by(target: Path, fill: Callable[[Path], None]) -> None:
+    """Write a file through `fill`, which gets a temporary path."""
+    with placed(target) as temporary, told_as(target):
         fill(temporary)
 
 
 @contextmanager
 def placed(target: Path, *, new: bool = False) -> Iterator[Path]:
-    """Yield a temporary path, whose file gets the name of `target` at the end; after an error there is none.
+    """Yield the path of an empty file, which gets the name of `target` at the end; after an error there is none.
 
     FileExistsError if `new` and there is a file of that name.
     """
-    with told_as(target):
-        place = _place(target)
-        temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
-    try:
-        yield temporary
-        with told_as(target):
-            if mode is not None:
-                temporary.chmod(mode)
-            _settle(temporary)
-            if new:
-                _link(temporary, place)
-            else:
-                temporary.replace(place)
-            _settle(place.parent)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with _made(new=new) as make:
+        yield make(target)
 
 
 def _link(temporary: Path, place: Path) -> None:
     """Give a file a name that nothing has."""
     try:
         os.link(temporary, place)
-    except FileExistsError:
-        raise
-    except OSError:  # of a file system without hard links
+    except OSError:
         if place.exists():
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST)) from None
-        temporary.replace(place)
+        temporary.replace(place)  # on a file system without hard links
 
 
 def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
@@ -167,13 +169,6 @@ def _place(target: Path) -> Path:
     return place
 
 
-def _mode(place: Path) -> int | None:
-    try:
-        return stat.S_IMODE(place.stat().st_mode)
-    except FileNotFoundError:
-        return None
-
-
 @contextmanager
 def told_as(target: Path) -> Iterator[None]:
     """Tell an error of the operating system with the name that was asked for."""
@@ -182,12 +177,16 @@ def told_as(target: Path) -> Iterator[None]:
     except OSError as error:
         if error.errno == errno.ENOTEMPTY:  # a folder is there, which none takes the place of
             error = FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
-        raise type(error)(error.errno, error.strerror or str(error), str(target)) from None
+        elif error.errno is None:  # of NumPy, that less was written than it asked for
+            error = OSError(errno.ENOSPC, f"could not be written whole, as on a disk that is full ({error})")
+        raise type(error)(error.errno, error.strerror, str(target)) from None
 
 
-def opened(temporary: Path, target: Path, mode: str = "wb", **options: Any) -> AbstractContextManager[Any]:
-    """Yield a new file under a temporary name; errors of opening and closing it are told with that of `target`."""
-    return closed(lambda: temporary.open(mode, **options), target)
+@contextmanager
+def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
+    """Yield a file that gets the name of `target` at the end; errors of closing it are told with that, too."""
+    with placed(target) as temporary, closed(lambda: temporary.open(mode, **options), target) as file:
+        yield file
 
 
 @contextmanager
@@ -208,7 +207,7 @@ def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
 def _settle(path: Path) -> None:
     """Have what a file, or a folder of names, holds on the disk."""
     try:
-        handle = os.open(path, os.O_RDONLY)
+        handle = os.open(path, os.O_RDWR if sys.platform == "win32" else os.O_RDONLY)
     except PermissionError:
         return  # Windows opens no folders.
     try:
@@ -238,8 +237,6 @@ def _sweep(folder: Path) -> None:
             shutil.rmtree(path, ignore_errors=True)
 
 
-# Nothing is written for it, so nothing of a killed process has to be judged or cleared away.
-
 if sys.platform != "win32":
     import fcntl
 
@@ -249,18 +246,27 @@ _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.
 
 
 @contextmanager
-def in_use(path: Path, *, alone: bool = False) -> Iterator[bool]:
-    """Hold a file, shared or alone; BlockingIOError if another process holds it. Yield whether one can tell that."""
+def in_use(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
+    """Hold the file by which calls write to a place, alone or shared with others; ValueError if that cannot be.
+
+    Yield whether the file system tells. Nothing is written for it, so nothing of a killed process has to be judged or
+    cleared away.
+    """
     if sys.platform == "win32" and alone:
         yield True  # nothing takes the place of a file that is open, not even who holds it
         return
-    handle = os.open(path, os.O_RDWR)
+    with told_as(place):
+        handle = os.open(mark, os.O_RDWR)
     _held.add(handle)
     known = True
     try:
         try:
             if sys.platform != "win32":
                 fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise ValueError(
+                f"{line(place)} is being written by another call; wait until that has ended, or name another"
+            ) from None
         except OSError as error:
             if error.errno not in _NO_LOCKS:
                 raise
@@ -270,6 +276,14 @@ def in_use(path: Path, *, alone: bool = False) -> Iterator[bool]:
         if handle in _held:  # of this process, not of a parent
             _held.discard(handle)
             os.close(handle)
+
+
+def unsure(place: Path) -> ValueError:
+    """Return the error for a place that may not be begun anew, since another call may write to it."""
+    return ValueError(
+        f"{line(place)} was begun by another call, and its file system does not tell whether that goes on; remove it "
+        "if it does not, or name another"
+    )
 
 
 def _let_go() -> None:

@@ -14,6 +14,12 @@ from numpy.typing import NDArray
 from lommel.base import reading
 
 
+def plain(description: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a description as JSON holds it."""
+    found: dict[str, Any] = json.loads(json.dumps(description))
+    return found
+
+
 def sealed(description: dict[str, Any], arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Any]:
     """Return a description with the checksum of the arrays of a file and of all else that it says."""
     return description | {"checksum": checksum(description, arrays)}
@@ -24,8 +30,13 @@ def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.
     return f"crc32 {crc32(description, arrays):08x}"
 
 
+def of_bytes(data: bytes) -> str:
+    """Return the size and the checksum of what a file holds."""
+    return f"{len(data)} bytes, crc32 {zlib.crc32(data):08x}"
+
+
 def of_file(path: Path) -> str:
-    """Return the size and the checksum of a file."""
+    """Return the size and the checksum of a file; OSError if there is none."""
     size, total = reading.size(path), 0  # lest it be a pipe
     with path.open("rb") as file:
         while part := file.read(2**20):

@@ -21,8 +21,10 @@ def library(name: str, user: str, extra: str) -> Any:
     """Return an optional module; ImportError that names its `user` and the `extra` that installs it."""
     try:
         return import_module(name)
-    except ImportError:
+    except ModuleNotFoundError:
         raise ImportError(f"{user} {how_to_get(name, extra)}") from None
+    except ImportError as error:  # such as memory that is short
+        raise ImportError(f"{user} {name}, which cannot be loaded: {' '.join(str(error).split())}") from None
 
 
 def require(name: str, user: str, extra: str) -> None:

@@ -21,28 +21,12 @@ import numpy as np
 
 from lommel.base import atomic, reading
 from lommel.base.arrays import Values
-from lommel.base.checksums import checksum, crc32, sealed
+from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.validation import line
 
 _MARK = "request.json"
 _IDENTITY = "identity"
 _TIMES = 8  # that what another call has just finished is begun anew
-
-
-@contextmanager
-def held(mark: Path, place: Path) -> Iterator[bool]:
-    """Hold the file by which one call at a time writes to a place; ValueError if another does.
-
-    Yield whether the file system tells.
-    """
-    with ExitStack() as hold:
-        try:
-            known = hold.enter_context(atomic.in_use(mark, alone=True))
-        except BlockingIOError:
-            raise ValueError(
-                f"{line(place)} is being written by another call; wait until that has ended, or name another"
-            ) from None
-        yield known
 
 
 @dataclass(frozen=True)
@@ -72,7 +56,8 @@ class Unfinished:
     def put(self, name: str, request: str, values: Values) -> None:
         """Tell that a part is done, of which the values are written."""
         self.require_there()
-        atomic.write(self._parts / name, self._sum(name, request, values))
+        with atomic.told_as(self.place):
+            atomic.write(self._parts / name, self._sum(name, request, values))
 
     def require_there(self) -> None:
         """Raise ValueError if the folder was removed."""
@@ -108,37 +93,35 @@ def begun(target: Path, request: Mapping[str, Any], fill: Callable[[Path], objec
     """
     place = Path(os.path.realpath(target))
     room = place.with_name(f".{place.name}.unfinished")
-    asked = json.loads(json.dumps(request, allow_nan=False))
+    asked = plain(request)
     for _ in range(_TIMES):
         if (there := _opened(place, room)) is None:
             with suppress(FileExistsError):  # another call may have begun at the same time
-                _create(room, asked, fill)
+                _create(place, room, asked, fill)
             continue
         with ExitStack() as hold:
             try:
-                known = hold.enter_context(held(room / _MARK, place))
+                known = hold.enter_context(atomic.in_use(room / _MARK, place))
             except FileNotFoundError:
                 continue  # the other one has just ended
             if _opened(place, room) != there:
                 continue
             if there.said["request"] != asked or not there.new.is_dir():
                 if not known:
-                    raise ValueError(
-                        f"{line(room)} was begun by another call, and its file system does not tell whether that "
-                        "goes on; remove it if it does not, or name another"
-                    )
+                    raise atomic.unsure(room)
                 there.remove()
                 continue
             try:
                 yield there
             finally:
                 if there._parts.is_dir() and not any(there._parts.iterdir()):
-                    there.remove()
+                    with suppress(OSError):  # which must not take the place of another error
+                        there.remove()
             return
     raise ValueError(f"{line(place)} is written by other calls again and again; name another")
 
 
-def _create(room: Path, request: dict[str, Any], fill: Callable[[Path], object]) -> None:
+def _create(place: Path, room: Path, request: dict[str, Any], fill: Callable[[Path], object]) -> None:
     identity = secrets.token_hex(16)
     said = {_IDENTITY: identity, "request": request}
 
@@ -147,31 +130,26 @@ def _create(room: Path, request: dict[str, Any], fill: Callable[[Path], object])
         fill(folder / "new")
         (folder / _MARK).write_text(json.dumps(sealed(said, {})), encoding="utf-8")
 
-    atomic.write_folder(room, make, new=True)
+    with atomic.told_as(place):
+        atomic.write_folder(room, make, new=True)
 
 
 def _opened(place: Path, room: Path) -> Unfinished | None:
     """Return what is unfinished, None if nothing is; ValueError if there is something else."""
     try:
-        ours, mark = room.lstat(), room / _MARK
-    except FileNotFoundError:
-        return None
-    try:
+        ours = room.lstat()
         if not stat.S_ISDIR(ours.st_mode) or (hasattr(os, "getuid") and ours.st_uid != os.getuid()):
             raise ValueError("it is a link, a file, or of another user")
-        if not any(room.iterdir()):
+        if not (found := list(room.iterdir())):
             return None
-        if any(path.is_symlink() for path in room.iterdir()):
+        if any(path.is_symlink() for path in found):
             raise ValueError("it holds links")
-        said = reading.json(reading.contents(mark))
+        said = reading.json(reading.contents(room / _MARK))
         if not isinstance(said, dict) or said.pop("checksum", "") != checksum(said, {}):
             raise ValueError(f"its {_MARK} is damaged")
-    except FileNotFoundError:
-        if not room.exists():  # any more
+    except (FileNotFoundError, ValueError) as error:
+        if not os.path.lexists(room):  # or not any more
             return None
-        raise ValueError(f"{line(room)} holds no unfinished result: it lacks {_MARK}; move or remove it") from None
-    except ValueError as error:
-        raise ValueError(
-            f"{line(room)} holds no unfinished result: {reading.reason(error)}; move or remove it"
-        ) from None
+        why = f"it lacks {_MARK}" if isinstance(error, FileNotFoundError) else reading.reason(error)
+        raise ValueError(f"{line(room)} holds no unfinished result: {why}; move or remove it") from None
     return Unfinished(place, room, said)

@@ -219,8 +219,10 @@ def command(
             except Exception as error:
                 if os.environ.get("LOMMEL_TRACEBACK"):
                     raise
-                for line in _printed("Note", said):
-                    click.echo(line, err=True)
+                if any(words in str(error) for words in _SHORT):
+                    error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
+                for row in _printed("Note", said):
+                    click.echo(row, err=True)
                 click.echo(f"Error: {_message(error)}", err=True)
                 try:
                     sys.stdout.flush()
@@ -293,6 +295,7 @@ def plot_option(what: str, flag: str = "--plot") -> Option:
     return Option(flag, "figure", type=OUTPUT, help=f"{what}: .png, .pdf or .svg.")
 
 
+_SHORT = ("can't start new thread", "failed to map segment")  # what Python and its loader of libraries say then
 _CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
 
 

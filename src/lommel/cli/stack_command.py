@@ -24,7 +24,7 @@ from lommel.stacks.compute import psf_to
     Option("--count", type=click.IntRange(2, 10**9), required=True,
            help="Number of distances, equally spaced in defocus."),
     Option("-o", "--output", type=OUTPUT_PATH, required=True,
-           help="Store to write: a .zarr folder or a .h5 file."),
+           help="Store to write, a folder .zarr."),
     CAMERA,
     SQUARE_PIXEL,
     SHAPE,

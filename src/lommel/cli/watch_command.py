@@ -414,8 +414,7 @@ class Outputs:
         self._lossless = [writer(*each) for each in zip(files.depths, words, strict=False)]
         self._table = None
         if files.table is not None:
-            temporary = self._stack.enter_context(atomic.placed(files.table))
-            file = atomic.opened(temporary, files.table, "w", encoding="utf-8", newline="")
+            file = atomic.opened(files.table, "w", encoding="utf-8", newline="")
             self._table = csv.writer(self._stack.enter_context(file))
             self._table.writerow(_COLUMNS)
         self._window = Window("lommel watch", self._stack) if files.show else None

@@ -22,9 +22,9 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import atomic, notes, reading, unfinished, validation
+from lommel.base import atomic, notes, reading, validation
 from lommel.base.arrays import Array, Values
-from lommel.base.checksums import of_file
+from lommel.base.checksums import of_bytes, of_file, plain
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
 from lommel.base.options import shares
@@ -47,7 +47,7 @@ ON_ERROR = ("raise", "skip")
 
 _CALLED = {"scale": "depth_scale", "inverse": "inverse_depth"}  # of depth maps, among other arguments
 _RECORD = "dataset.json"
-_FORMAT = 2
+_FORMAT = 3
 _PARTS = "parts"
 
 Range = float | tuple[float, float]
@@ -217,13 +217,11 @@ class _Job:
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> dict[str, Any]:
         """Return the arguments that the pictures depend on, as JSON holds them."""
         apart = ("lenses", "noise", "settings", "values")
-        plain = {name: value for name, value in vars(self).items() if name not in apart}
-        stored = {_CALLED.get(name, name): value for name, value in vars(self.values).items()}
-        known = ("depth_scale", "zero_is_unknown")  # in sets that were begun before there were the others
-        plain |= {name: value for name, value in stored.items() if value or name in known}
+        given = {name: value for name, value in vars(self).items() if name not in apart}
+        given |= {_CALLED.get(name, name): value for name, value in vars(self.values).items()}
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
-        given = plain | {
+        given |= {
             "format": _FORMAT,
             "lenses": asdict(self.lenses),
             "noise": None if self.noise is None else self.noise.to_dict(),
@@ -231,8 +229,7 @@ class _Job:
             "shard": shard,
             "pairs": [[photo.name, depth.name] for photo, depth in pairs],
         }
-        plainly: dict[str, Any] = json.loads(json.dumps(given))
-        return plainly
+        return plain(given)
 
 
 @shares(Keywords, Settings)
@@ -414,9 +411,12 @@ def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, A
     if shard is None:
         for number in range(total):
             facts = _read(folder / f"{number:06d}.json")
-            files = facts.get("files", {"": 0}) if isinstance(facts, dict) else {"": 0}
-            if all(_size(folder / f"{number:06d}.{name}") == size for name, size in files.items()):
-                yield number, facts
+            with suppress(FileNotFoundError):
+                if isinstance(facts, dict) and all(
+                    of_file(folder / f"{number:06d}.{name}") == known
+                    for name, known in facts.get("files", {"": ""}).items()
+                ):
+                    yield number, facts
         return
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
@@ -427,19 +427,22 @@ def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, A
                 yield from _in_tar(tar, held)
 
 
-def _size(file: Path) -> int | None:
-    """Return how many bytes a file has; None if there is none."""
-    return file.stat().st_size if file.is_file() else None
-
-
 def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Any]]:
     """Yield the numbers of the pictures in a tar file, and their facts."""
     try:
         with tarfile.open(path) as tar:
-            for number in numbers:
-                file = tar.extractfile(f"{number:06d}.json")
+            members = {member.name: member for member in tar}
+
+            def held(number: int, name: str) -> bytes:
+                file = tar.extractfile(members[f"{number:06d}.{name}"])
                 assert file is not None
-                yield number, reading.json(file.read())
+                return file.read()
+
+            for number in numbers:
+                facts = reading.json(held(number, "json"))
+                if any(of_bytes(held(number, name)) != known for name, known in facts["files"].items()):
+                    raise ValueError(f"the files of picture {number} were changed after they were written")
+                yield number, facts
     except (tarfile.TarError, KeyError, AssertionError, ValueError) as error:
         reason = reading.reason(error)
         raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
@@ -449,7 +452,7 @@ def _rendered(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures as they are written."""
-    with unfinished.held(folder / _RECORD, folder):
+    with atomic.in_use(folder / _RECORD, folder):
         yield from _missing(folder, job, pairs, shard, workers, skip)
 
 
@@ -666,8 +669,8 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
             defocus, index, psfs = table
             files["index.png"] = png_of_16_bits(index, None, 1)
             files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
-    sizes = {name: len(data) for name, data in files.items()}
-    files["json"] = json.dumps(facts | {"files": sizes}, indent=1).encode()
+    kept = {name: of_bytes(data) for name, data in files.items()}
+    files["json"] = json.dumps(facts | {"files": kept}, indent=1).encode()
     return files, facts
 
 

@@ -104,8 +104,7 @@ def only(images: Sequence[Image], name: str | None) -> Image:
     if len(wanted) == 1:
         return images[wanted[0]]
     told = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(called, images, strict=True)]
-    more = f" and {len(told) - 4} more" if len(told) > 4 else ""
-    listed = ", ".join(told[:4]) + more
+    listed = ", ".join(told[:4]) + (f" and {len(told) - 4} more" if len(told) > 4 else "")
     raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{called[0]}]")
 
 
@@ -122,12 +121,9 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
                     continue
                 if unit.header["NAXIS1"] * unit.header["NAXIS2"] > most:
                     raise ValueError(f"its table has more than {most} bytes")
-                kept = [
-                    c
-                    for c in unit.columns
-                    if np.ndim(unit.data[c.name]) == 1 and unit.data[c.name].dtype.kind in "fiu"
-                ]
-                return [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name], np.float64)) for c in kept]
+                found = [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name])) for c in unit.columns]
+                numbers = [each for each in found if each[2].ndim == 1 and each[2].dtype.kind in "fiu"]
+                return [(name, of, values.astype(np.float64)) for name, of, values in numbers]
     raise ValueError("it holds no table")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shutil
 import tempfile
@@ -14,7 +15,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import atomic, sparse_hdf5
+from lommel.base import atomic
 from lommel.base.optional import library, version
 from lommel.io import registry
 from lommel.io.registry import Format
@@ -75,7 +76,7 @@ _THUNDERSTORM = {
 def thunderstorm(path: Path) -> Iterator[Write]:
     """Yield what writes rows of ThunderSTORM's table: M. Ovesny et al., doi:10.1093/bioinformatics/btu202."""
     line, done = ",".join(_THUNDERSTORM.values()) + "\n", 0
-    with atomic.placed(path) as temporary, atomic.opened(temporary, path, "w", **_TEXT) as file:
+    with atomic.opened(path, "w", **_TEXT) as file:
         file.write(",".join(f'"{name}"' for name in _THUNDERSTORM) + "\n")
 
         def write(rows: Rows, _: Recording) -> None:
@@ -108,11 +109,11 @@ _LOCS = np.dtype(
 def picasso(path: Path, beside: Path) -> Iterator[Write]:
     """Yield what writes the data set of Picasso and its .yaml: J. Schnitzbauer et al., doi:10.1038/nprot.2017.024."""
     h5py, last, done = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z"), 0
-    with atomic.placed(path) as temporary, atomic.placed(beside) as temporary_beside, ExitStack() as stack:
-        target = stack.enter_context(atomic.opened(temporary, path))
+    with ExitStack() as stack:
+        target = stack.enter_context(atomic.opened(path))
         with atomic.told_as(path):
-            held = stack.enter_context(tempfile.TemporaryFile(dir=temporary.parent, buffering=0))
-        about = stack.enter_context(atomic.opened(temporary_beside, beside, "w", **_TEXT))
+            held = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
+        about = stack.enter_context(atomic.opened(beside, "w", **_TEXT))
 
         def write(rows: Rows, recording: Recording) -> None:
             nonlocal last, done
@@ -131,12 +132,14 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
                     left = left[held.write(left) :]
 
         yield write
-        # The HDF5 library writes to memory, without the rows: a full disk would end the process.
-        made = sparse_hdf5.Sparse()
+        # The HDF5 library writes to memory, with the first of the rows alone: a full disk would end the process.
+        made = io.BytesIO()
         with h5py.File(made, "w") as file:
-            offset = sparse_hdf5.hole(file, "locs", (done,), _LOCS).id.get_offset()
+            table = file.create_dataset("locs", (done,), _LOCS)
+            table[:1] = np.zeros(min(done, 1), _LOCS)
+            offset = table.id.get_offset()
         with atomic.told_as(path):
-            made.copy(target)
+            target.write(made.getvalue())
             if done:
                 held.seek(0)
                 target.seek(offset)

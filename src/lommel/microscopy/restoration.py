@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from lommel.base import reading, unfinished, validation
+from lommel.base import atomic, reading, unfinished, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import version
 from lommel.base.unfinished import Unfinished
@@ -560,24 +560,22 @@ class _Target:
                 self._array = _opened(begun.new, "r+")["0"]
                 if getattr(self._array, "shape", None) != shape:
                     raise ValueError("it lacks its array")
-        self._kept: list[tuple[str, str, tuple[Any, ...]]] = []
+        self._kept: list[tuple[str, tuple[Any, ...]]] = []
 
-    def has(self, request: str, channel: int, rows: slice, columns: slice) -> bool:
+    def has(self, request: str, at: tuple[Any, ...]) -> bool:
         """Return whether a chunk of a request is done."""
-        at = np.s_[channel, :, rows, columns]
-        return self.begun is not None and self._has(_name(at), request, at)
+        if self.begun is None or not self._same(request, at):
+            return False
+        self._kept.append((request, at))
+        return True
 
-    def _has(self, name: str, request: str, at: tuple[Any, ...]) -> bool:
+    def _same(self, request: str, at: tuple[Any, ...]) -> bool:
         assert self.begun is not None
         with _damaged(self.begun):
-            found = self.begun.has(name, request, np.asarray(self._array[at]))
-        if found:
-            self._kept.append((name, request, at))
-        return found
+            return self.begun.has(_name(at), request, np.asarray(self._array[at]))
 
-    def put(self, request: str, channel: int, rows: slice, columns: slice, values: Values) -> None:
+    def put(self, request: str, at: tuple[Any, ...], values: Values) -> None:
         """Write a chunk."""
-        at = np.s_[channel, :, rows, columns]
         if self.begun is None:
             self._array[at] = values
             return
@@ -585,30 +583,31 @@ class _Target:
         with _damaged(self.begun):
             self._array[at] = values
         self.begun.put(_name(at), request, values)
-        self._kept.append((_name(at), request, at))
+        self._kept.append((request, at))
 
     def finish(self, description: str, channels: int) -> Any:
         """Return all values."""
         if self.begun is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
-        kept, self._kept = self._kept, []
-        if not all(self._has(*each) for each in kept):
+        if not all(self._same(*each) for each in self._kept):
             raise ValueError(f"chunks in {line(self.begun.room)} were changed while it was written; call again")
         recordings.require_own(self.begun.place)
-        _opened(self.begun.new, "r+").attrs["lommel"] = {"description": description}
+        with _damaged(self.begun):
+            _opened(self.begun.new, "r+").attrs["lommel"] = {"description": description}
         self.begun.finish()
         return _opened(self.begun.place, "r")["0"]  # of four axes, as stored
 
 
 @contextmanager
 def _damaged(begun: Unfinished) -> Iterator[None]:
-    """Tell what zarr cannot read."""
+    """Tell what zarr cannot read or write."""
     try:
-        yield
-    except OSError:
-        raise
+        with atomic.told_as(begun.place):
+            yield
     except Exception as error:  # of any kind
+        if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):
+            raise
         raise ValueError(f"{line(begun.room)} is damaged ({reading.reason(error)}); remove it") from None
 
 
@@ -884,7 +883,8 @@ class _Job:
         steps, stopped, strength = 0, STEPS, None
         beside: float | Array = np.zeros((height, width)) if background.points > 1 else 0.0
         for number, (rows, columns) in enumerate(tiles):
-            if number and self._target.has(request, self._place, rows, columns):
+            at = np.s_[self._place, :, rows, columns]
+            if number and self._target.has(request, at):
                 continue
             y, x = _around(rows, overlap, height), _around(columns, overlap, width)
             counted = Counted(_loaded(source, y, x), camera.part(y, x), limit)
@@ -923,7 +923,7 @@ class _Job:
             kept = np.ascontiguousarray(light[inside][:, :, : columns.stop - columns.start])
             self._projecting.add(rows, columns, (y.start, x.start), blur, counted, walk._guess, kept)
             kept = kept[::-1] if turned else kept
-            self._target.put(request, self._place, rows, columns, kept)
+            self._target.put(request, at, kept)
         return after / known, before / known, steps, stopped, strength, beside
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import secrets
@@ -17,14 +16,14 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
-from lommel.base.checksums import crc32
+from lommel.base.checksums import crc32, plain
 from lommel.base.optional import version
 from lommel.base.options import near
 from lommel.channel_psf import PSFKeywords
-from lommel.io.psf_files import FileError
+from lommel.io.registry import Arrays, Description
 from lommel.io.zarr_folders import Layout
 from lommel.methods.choice import candidates, first_proven, settled
 from lommel.methods.method import Method
@@ -34,7 +33,7 @@ from lommel.optics.grid import Grid
 from lommel.psf import Plan
 from lommel.stacks import store as stores
 from lommel.stacks.stack import PSFStack, apart, together
-from lommel.stacks.store import Arrays, Center, Description, Index, Store, kind, layouts
+from lommel.stacks.store import Center, Index, Store, layouts
 
 _METRES = ("object_distance", "depth", "z", "wavelength")
 _TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
@@ -139,8 +138,7 @@ def requested(
         "pupils": shared,
         "arrays": {name: [list(at.shape[len(stack) :]), crc32({}, {name: at})] for name, at in arrays.items()},
     }
-    plain = json.loads(json.dumps(said, allow_nan=False))
-    return Request(stacks, listed, prepare, ways, grid, places, methods, plain, arrays)
+    return Request(stacks, listed, prepare, ways, grid, places, methods, plain(said), arrays)
 
 
 def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
@@ -235,7 +233,7 @@ def psf_to(
     client: Any = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
-    """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr or HDF5 store.
+    """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
 
     Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the missing
     chunks. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit for bit, independent
@@ -244,7 +242,7 @@ def psf_to(
     Parameters
     ----------
     store : path
-        ``.zarr``, a folder (Zarr version 3), or ``.h5``, ``.hdf5``, a file.
+        ``.zarr``, a folder (Zarr version 3).
     pupils : Pupil or ObjectivePupil, or sequence of these
         A stack. A sequence of stacks of one shape forms the first axis, such as one for each wavelength; if they
         differ in more than the phase, no chunk holds two of them, and all have one center.
@@ -261,8 +259,7 @@ def psf_to(
     progress : callable, optional
         Called as ``progress(done, chunks)`` after each computed chunk.
     client : distributed.Client or concurrent.futures.Executor, optional
-        Executor of the chunks; by default threads of this process. Workers write into a ``.zarr`` under the same
-        path; an HDF5 file is written by this process.
+        Executor of the chunks; by default threads of this process. Workers write into the store under the same path.
     **options
         ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as of
         :func:`lommel.psf`; ``threads``, by default one for each processor, each of which computes a chunk, not with a
@@ -276,14 +273,11 @@ def psf_to(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the store holds PSFs of another request.
+        If an argument is out of range, or if the store holds PSFs of another request, or another call computes these.
     FileError
-        If the path holds something else, if the store is damaged, removed or replaced, or if another call writes
-        another request into it.
+        If the path holds something else, or if the store is damaged, removed or replaced.
     ToleranceError
         If the tolerance cannot be met; chunks that were computed before stay.
-    ImportError
-        If h5py is not installed, for a store in HDF5.
     OSError
         If the store cannot be written, or does not fit on the disk.
 
@@ -296,37 +290,34 @@ def psf_to(
     """
     if stray := [name for name in options if name not in PSFKeywords.__annotations__]:
         raise TypeError(f"psf_to() has no option {stray[0]!r}; {near(stray[0], PSFKeywords.__annotations__)}")
-    place, path = kind(validation.path("store", store)), Path(os.path.realpath(store))
+    path = stores.path_of(store)
     validation.function("progress", progress, required=False)
     plan, (pool, slots) = Plan(shape, pixel, **options), _pool(client)
     if pool is not None and plan.threads:
         raise ValueError(f"threads must be left out with a client, which has its own, got {plan.threads}")
-    there = place.open(path) if path.exists() else None
+    there = Store.open(path) if path.exists() else None
     request = requested(plan, pupils, axes, chunk)
     if there is not None and chunk is None:
         same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
         request = request if _difference(there.said, same.said) else same
-    opened = _begun(place, path, there, request)
+    opened = _begun(path, there, request)
     marks = opened.marks()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~marks)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
     with _held(opened) if todo else nullcontext():
         _require_room(opened, len(todo))
-        by_caller = client is not None and opened.one_file
-        work = partial(_work, None if by_caller else opened, request.methods, request.prepare)
+        work = partial(_work, opened, request.methods, request.prepare)
         tasks = ((index, request.seal(index), *request.part(index)) for index in todo)
         with closing(_computed(pool, slots, work, tasks)) as found:
-            for done, (index, seal, made) in enumerate(found, marks.size - len(todo) + 1):
-                if made is not None:
-                    opened.keep(index, made, seal)
+            for done, _ in enumerate(found, marks.size - len(todo) + 1):
                 if progress is not None:
                     progress(done, marks.size)
     _require_there(opened)
     return PSFStack(opened)
 
 
-def _begun(place: type[Store], path: Path, there: Store | None, request: Request) -> Store:
+def _begun(path: Path, there: Store | None, request: Request) -> Store:
     """Return the store of the request, new if there is none, or in place of an empty one of another request."""
     other = "" if there is None else _difference(there.said, request.said)
     if there is not None and not other:
@@ -335,58 +326,49 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
     arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
-    with nullcontext() if there is None else _held(there, other):
+    with nullcontext() if there is None else _held(there, alone=True):
         if there is not None and there.marks().any():
-            raise ValueError(
-                f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another "
-                f"request ({other})"
-            )
+            raise _taken(path, other)
         with suppress(FileExistsError):  # another call may have created it at the same time
-            place.create(path, said, arrays | request.axes, new=there is None)
-    made = _opened(place, path)
+            Store.create(path, said, arrays | request.axes, new=there is None)
+    made = _opened(path)
     if other := _difference(made.said, request.said):
-        raise _busy(path, other)
+        raise _taken(path, other)
     return made
 
 
+def _taken(path: Path, other: str) -> ValueError:
+    return ValueError(
+        f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another request ({other})"
+    )
+
+
 @contextmanager
-def _held(store: Store, other: str = "") -> Iterator[None]:
-    """Lock a store to compute into it, or, for an `other` request, alone to replace it; FileError if in use."""
+def _held(store: Store, *, alone: bool = False) -> Iterator[None]:
+    """Hold a store, with others to compute into it, or alone to replace it; ValueError if that cannot be."""
     with ExitStack() as held:
         try:
-            known = held.enter_context(store.held(alone=bool(other)))
+            known = held.enter_context(atomic.in_use(store.mark, store.path, alone=alone))
         except FileNotFoundError:
             raise stores.replaced(store.path) from None
-        except BlockingIOError:
-            raise _busy(store.path, other or "it is being begun anew") from None
-        if other and not known:
-            raise FileError(
-                f"{validation.line(store.path)} was begun for another request ({other}), and its file system "
-                "does not tell whether somebody computes it; remove it if nobody does, or name another store"
-            )
+        if alone and not known:
+            raise atomic.unsure(store.path)
         # Without locks, every write still checks that the store was not replaced.
         _require_there(store)
         yield
 
 
-def _busy(path: Path, other: str) -> FileError:
-    return FileError(
-        f"{validation.line(path)} is in use by another call of psf_to, of another request ({other}); "
-        "wait until that has ended, or name another store"
-    )
-
-
-def _opened(place: type[Store], path: Path) -> Store:
+def _opened(path: Path) -> Store:
     """Return the store that is at the path now; FileError if it is gone."""
     try:
-        return place.open(path)
+        return Store.open(path)
     except FileNotFoundError:
         raise stores.replaced(path) from None
 
 
 def _require_there(store: Store) -> None:
     """Raise FileError if the store was replaced since it was opened."""
-    if _opened(type(store), store.path).said != store.said:
+    if _opened(store.path).said != store.said:
         raise stores.replaced(store.path)
 
 
@@ -422,31 +404,26 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-_Made = tuple[Index, int, Arrays | None]
-
-
 def _computed(
-    pool: futures.Executor | None, slots: int, work: Callable[..., _Made], tasks: Iterator[tuple[object, ...]]
-) -> Generator[_Made]:
-    """Yield chunks as they are done, a few at a time; after an error no other is begun."""
-    own = futures.ThreadPoolExecutor(slots) if pool is None else None
-    under_way: set[futures.Future[_Made]] = set()
-    try:
-        for task in tasks:
-            if len(under_way) > slots:
-                done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
-                yield from (one.result() for one in done)
-            under_way.add((own or pool).submit(work, *task))  # type: ignore[union-attr]
-        yield from (one.result() for one in futures.as_completed(under_way))
-    finally:
-        for one in under_way:
-            one.cancel()
-        if own is not None:
-            own.shutdown(cancel_futures=True)
+    pool: futures.Executor | None, slots: int, work: Callable[..., None], tasks: Iterator[tuple[object, ...]]
+) -> Generator[None]:
+    """Yield as chunks are done, a few of them at a time; after an error no other is begun."""
+    under_way: set[futures.Future[None]] = set()
+    with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
+        try:
+            for task in tasks:
+                if len(under_way) > slots:
+                    done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
+                    yield from (one.result() for one in done)
+                under_way.add(executor.submit(work, *task))
+            yield from (one.result() for one in futures.as_completed(under_way))
+        finally:
+            for one in under_way:
+                one.cancel()
 
 
 def _work(
-    store: Store | None,
+    store: Store,
     methods: list[Method],
     prepare: partial[Plan],
     index: Index,
@@ -454,8 +431,8 @@ def _work(
     pupil: BasePupil,
     center: Center,
     ways: tuple[Method, ...],
-) -> _Made:
-    """Compute a chunk, and write it if a store is given."""
+) -> None:
+    """Compute a chunk, and write it."""
     _, made = first_proven(ways, lambda way: prepare(method=way, center=center)(pupil))
     bound = np.nan if made.error_bound is None else made.error_bound
     parts: Arrays = {
@@ -464,7 +441,4 @@ def _work(
         "scale": np.asarray(made.scale),
         "method": np.full(pupil.shape, methods.index(made.method), np.uint8),
     }
-    if store is None:
-        return index, seal, parts
     store.keep(index, parts, seal)
-    return index, seal, None

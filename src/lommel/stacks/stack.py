@@ -6,7 +6,6 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from lommel.base.checksums import crc32
 from lommel.base.optional import library
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io.psf_files import NORMALIZE, FileError, told
+from lommel.io.registry import Arrays, Values
 from lommel.methods.registry import method_from_dict
 from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.grid import Grid
@@ -26,7 +26,7 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.special import zernike
-from lommel.stacks.store import OF_CHUNK, WHAT, Arrays, Center, Index, Store, Values, kind
+from lommel.stacks.store import OF_CHUNK, WHAT, Center, Index, Store, path_of
 
 
 def open_stack(store: str | os.PathLike[str]) -> PSFStack:
@@ -35,7 +35,7 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
     Parameters
     ----------
     store : path
-        ``.zarr``, ``.h5`` or ``.hdf5``.
+        A folder ``.zarr``.
 
     Returns
     -------
@@ -44,16 +44,13 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
     Raises
     ------
     ValueError
-        If the suffix is unknown.
+        If it does not end in ``.zarr``.
     FileError
         If the store is damaged, or was not written by :func:`lommel.psf_to`.
-    ImportError
-        If h5py is not installed.
     OSError
         If it cannot be read.
     """
-    place = kind(validation.path("store", store))
-    return PSFStack(place.open(Path(os.path.realpath(store))))
+    return PSFStack(Store.open(path_of(store)))
 
 
 class PSFStack:

@@ -14,7 +14,16 @@ import numpy as np
 from lommel.base import atomic
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_facts, noise_in_words, noise_of
+from lommel.cli.instruments import (
+    CAMERA,
+    LENS,
+    SQUARE_PIXEL,
+    microscope_of,
+    noise_facts,
+    noise_in_words,
+    noise_of,
+    take_header,
+)
 from lommel.cli.options import (
     JSON,
     MICROMETRES,
@@ -137,17 +146,21 @@ def beads(
         raise ValueError(f"lommel beads needs a microscope, a file with a section [objective]; {lens} has none")
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
-    options = {name: given[name] for name in ("white", "read", "offset")}
-    noise = noise_of(given, microscope.camera)
-    camera = noise_facts(options, microscope.camera, noise)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
-    notes.append(noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"))
     with progress("reading") as started:
+        read = list(read_each(stacks))
+        options = {name: given[name] for name in ("white", "read", "offset")}
+        given["saturation"] = saturation
+        header = take_header(given, read[0].said, microscope.camera)
+        saturation = given.pop("saturation")
+        noise = noise_of(given, microscope.camera)
+        camera = noise_facts(options, microscope.camera, noise)
+        notes += [noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"), *header]
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
         sizes: set[tuple[int, int]] = set()
-        for stack in read_each(stacks):
+        for stack in read:
             file = stack.names[0].removesuffix(" [0]")
             notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
             cut, size = _beads(file, stack.values, window, threshold, noise, saturation)

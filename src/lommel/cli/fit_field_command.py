@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.units import parse_length
-from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
+from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of, take_header
 from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, PATH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -154,9 +154,13 @@ def fit_field(
             "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
         )
     instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
-    noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     with progress("reading") as started:
-        exposures = read_images(list(images)).values
+        read = read_images(list(images))
+        exposures = read.values
+        given["saturation"] = saturation
+        notes = [*read.notes, *take_header(given, read.said)]
+        saturation = given.pop("saturation")
+        noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
         out = None if masked is None else _mask(masked, exposures)
         colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
         if defocus is None and colours is None and len(exposures) > 1:
@@ -215,7 +219,8 @@ def fit_field(
         save_figure(made.plot(), figure)
     told = _headlines(made, pupil, np.atleast_1d(known))
     blur = _blurred(made, pitch, instrument.lens.focal_length)
-    report = Report(_facts(made, found) | told, _parts(made, found, told, blur), made.converged)
+    facts = _facts(made, found) | told | {"notes": notes}
+    report = Report(facts, [*_parts(made, found, told, blur), *map(Wrapped, notes)], made.converged)
     verdict = "" if made.converged else f", of a fit that has not converged: {made.message.partition(':')[0]}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
 

@@ -13,6 +13,7 @@ from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, Parsed, under
 from lommel.cli.output import Facts
+from lommel.recorded.metadata import Found, Unusable
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -181,6 +182,41 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
     return Noise(**{name: value for name, value in found.items() if value is not None})
 
 
+_STATED = {
+    "white": ("gain", "a gain of {:g} electrons per count"),
+    "read": ("read", "a read noise of {:g} electrons"),
+    "saturation": ("saturation", "saturation at {:g}"),
+}
+_ALIKE = 0.02  # of values that count as one
+
+
+def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list[str]:
+    """Complete gain, read noise and saturation of options by the header of images; return what is to be said.
+
+    An option counts more than the camera, and that more than the header, whose other values are named.
+    """
+    known = {} if camera is None else {"white": camera.gain, "read": camera.read}
+    notes = []
+    for name, (key, words) in _STATED.items():
+        value = said.get(key)
+        if isinstance(value, Unusable):
+            notes.append(f"The header of the images states {key} {value.words}, which cannot be used.")
+        if not isinstance(value, float):
+            continue
+        used = known.get(name) if given[name] is None else given[name]
+        if used is None:
+            given[name] = value
+            notes.append(f"Taken from the header of the images: {words.format(value)}.")
+        elif isinstance(used, float | int) and abs(used - value) > _ALIKE * abs(value):
+            notes.append(f"The header of the images states {words.format(value)}; {used:g} was taken.")
+    if "unsure" in said and given["white"] is None and known.get("white") is None:
+        notes.append(
+            f"The header of the images states {said['unsure']}, which was not taken: it may be electrons per count, "
+            "or a setting of the camera; the option of the gain states it."
+        )
+    return notes
+
+
 _UNITS = {
     "white": ("gain", " electrons per count", 1.0),
     "offset": ("offset", " counts", 0.0),
@@ -189,7 +225,7 @@ _UNITS = {
 
 
 def noise_facts(given: Facts, camera: Camera | None, noise: Noise) -> Facts:
-    """Return gain, offset and read noise of a fit, each with its source: "option", "camera" or "default".
+    """Return gain, offset and read noise of a fit, each with its source: "option", "camera", "header", "default".
 
     `given` has the options, None where they are left out.
     """
@@ -197,7 +233,8 @@ def noise_facts(given: Facts, camera: Camera | None, noise: Noise) -> Facts:
     found: Facts = {"camera": None if camera is None else camera.name}
     for name, (word, _, usual) in _UNITS.items():
         value = getattr(noise, name)
-        source = "option" if given[name] is not None else "default" if of_camera.get(name) is None else "camera"
+        source = "option" if given[name] is not None else "camera" if of_camera.get(name) is not None else "header"
+        source = "default" if source == "header" and value in (None, 0.0) and name != "read" else source
         found[word.replace(" ", "_")] = {"value": usual if value is None else value, "source": source}
     return found
 
@@ -207,6 +244,7 @@ def noise_in_words(facts: Facts, where: str) -> str:
     sources = {
         "option": "by the option",
         "camera": f"of {facts['camera']}, {where}",
+        "header": "of the header of the images",
         "default": "taken, for neither an option nor a camera states it",
     }
     said = []

@@ -14,7 +14,16 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, camera_map, microscope_of, noise_of
+from lommel.cli.instruments import (
+    CAMERA,
+    DEPTH,
+    LENS,
+    SQUARE_PIXEL,
+    camera_map,
+    microscope_of,
+    noise_of,
+    take_header,
+)
 from lommel.cli.options import (
     JSON,
     MICROMETRES,
@@ -58,6 +67,8 @@ _CAMERA = under(
            help="Read noise, rms electrons; 0 for none; by default that of the camera."),
     Option("--offset", metavar="NUMBER|FILE",
            help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0."),
+    documented(find, "saturation", type=float,
+               help="Value in the file at which pixels saturate, such as 60000; they do not count in fits."),
     SQUARE_PIXEL,
 )  # fmt: skip
 
@@ -146,10 +157,14 @@ def localize(
         raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
     texts = {"white": ("gain", white), "read": ("read", read), "offset": ("offset", offset)}
     maps: Facts = {name: text and camera_map(text, flag) for name, (flag, text) in texts.items()}
-    noise, begun = noise_of(maps, microscope.camera), time.perf_counter()
+    begun = time.perf_counter()
     parts: list[Localizations] = []
     ends, seen = 0, Recurrence()
     with progress("table of images") as step, open_movie(movie) as frames:
+        maps["saturation"] = given["saturation"]
+        header = [*frames.notes, *take_header(maps, frames.said, microscope.camera)]
+        given["saturation"] = maps.pop("saturation")
+        noise = noise_of(maps, microscope.camera)
         table = Table(
             dataclasses.replace(microscope, planes=1).pupil(),
             shape,
@@ -184,7 +199,7 @@ def localize(
     values = {} if own is None else {"gain": (white, own.gain), "offset": (offset, own.offset)}
     facts |= {"assumed": [name for name, pair in values.items() if pair == (None, None)]}
     facts |= {"recurring": seen.places(), "opposite_astigmatism": turned}
-    facts |= {"notes": _notes(facts, microscope, dark)}
+    facts |= {"notes": [*header, *_notes(facts, microscope, dark)]}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
     trusted = facts["written"] > 0 and not _is_opposite(turned)
     return Report(facts, _parts(facts, noise), trusted) + written([*places, figure])
@@ -240,6 +255,13 @@ def _is_opposite(turned: Facts | None) -> TypeGuard[Facts]:
 def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
     """Return what is likely to be wrong, in sentences."""
     notes, told = [], microscope.aberrations
+    if facts["saturated"]:
+        notes.append(
+            f"{facts['saturated']} pixels of boxes are saturated and do not count; --saturation states from which "
+            "value on."
+        )
+    if facts["left_out"]:
+        notes.append(f"{facts['left_out']} pixels of boxes are NaN or infinite and do not count.")
     if not facts["spots"]:
         notes.append("No spot is above --threshold: check --offset, --gain and --read, or lower it.")
     if places := facts["recurring"]:
@@ -298,6 +320,8 @@ def _facts(found: Localizations, table: Table, ends: int, seconds: float) -> Fac
         "spots": found.spots,
         "borders": found.borders,
         "overlapping": found.overlapping,
+        "saturated": found.saturated,
+        "left_out": found.left_out,
         "states": found.counts,
         "border_fits": {"z": ends, "reach": found.counts["border"] - ends},
         "written": kept.size,

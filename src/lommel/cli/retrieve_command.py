@@ -21,6 +21,7 @@ from lommel.cli.instruments import (
     instrument_of,
     microscope_of,
     noise_of,
+    take_header,
 )
 from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
@@ -164,12 +165,13 @@ def retrieve(
         instrument = instrument_of(lens, object_distance=object_distance, camera=camera, pixel=pixel)
     elif defocus is not None:
         raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
-    noise = noise_of(given, (microscope or instrument).camera)
     starts = given["starts"]
     with progress("reading") as started:
         files = _files(images)
         read = read_images(files)
         stars = read.values
+        notes = [*read.notes, *take_header(given, read.said, (microscope or instrument).camera)]
+        noise = noise_of(given, (microscope or instrument).camera)
         if microscope is not None and (len(stars) > 1 or step is not None):
             microscope = microscope_of(lens, **given_planes, stack=len(stars))
         if microscope is None and defocus is None and len(stars) > 1:
@@ -199,7 +201,8 @@ def retrieve(
     parts = _parts(found, unit, names)
     if microscope is not None:
         parts.append(Wrapped("Of a point, with all constants held; lommel beads estimates and tests them."))
-    return Report({"images": names} | _facts(found), parts, found.converged) + made
+    parts += [Wrapped(note) for note in notes]
+    return Report({"images": names} | _facts(found) | {"notes": notes}, parts, found.converged) + made
 
 
 def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:

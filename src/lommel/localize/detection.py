@@ -57,6 +57,8 @@ class Spots:
     borders, overlapping : int
         Spots left out because their boxes extend beyond the frame, or overlap that of a brighter spot: another
         molecule, or another part of the same image.
+    saturated, left_out : int
+        Pixels of the boxes that are saturated, and others that are unknown: NaN, infinite or masked.
     false_spots : float
         Expected number of spots in a frame from noise alone.
     """
@@ -68,6 +70,8 @@ class Spots:
     images: Values
     borders: int
     overlapping: int
+    saturated: int
+    left_out: int
     false_spots: float
 
     @property
@@ -202,14 +206,17 @@ def find_in(
     frame, row, column = frame[kept], row[kept] - rows // 2, column[kept] - columns // 2
     over = np.arange(rows)[:, None], np.arange(columns)
     down, across = row[:, None, None] + over[0], column[:, None, None] + over[1]
+    boxes = frame[:, None, None], down, across
     return Spots(
         frame + start,
         row,
         column,
         score[kept],
-        counts.marked()[frame[:, None, None], down, across],
+        counts.marked()[boxes],
         borders,
         overlapping,
+        int(counts.full[boxes].sum()),
+        int(counts.hidden[boxes].sum()),
         _density(level, narrow, wide) * light.shape[1] * light.shape[2],
     )
 

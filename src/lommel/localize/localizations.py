@@ -39,8 +39,9 @@ class Localizations:
         a data frame.
     recording : Recording
         Size of the movie, pixel pitch, direction of z.
-    spots, borders, overlapping : int
-        Spots found and fitted, and those left out; see :class:`lommel.localize.Spots`.
+    spots, borders, overlapping, saturated, left_out : int
+        Spots found and fitted, and those left out; pixels of boxes that do not count; see
+        :class:`lommel.localize.Spots`.
     states : tuple of str
         "converged"; "border", "steps" and "undetermined", whose positions are no estimates.
     """
@@ -50,6 +51,8 @@ class Localizations:
     spots: int = 0
     borders: int = 0
     overlapping: int = 0
+    saturated: int = 0
+    left_out: int = 0
     states: tuple[str, ...] = field(default=STATES, repr=False)
 
     def __len__(self) -> int:
@@ -138,7 +141,8 @@ def columns() -> np.dtype[np.void]:
 
 def joined(parts: Sequence[Localizations]) -> Localizations:
     """Return the localisations of parts of one movie, at least one, together."""
-    sums = {name: sum(getattr(part, name) for part in parts) for name in ("spots", "borders", "overlapping")}
+    names = ("spots", "borders", "overlapping", "saturated", "left_out")
+    sums = {name: sum(getattr(part, name) for part in parts) for name in names}
     return replace(parts[0], table=np.concatenate([part.table for part in parts]), **sums)
 
 

@@ -290,7 +290,8 @@ def _localizations(
         rows[f"{to}_deviation"] = getattr(found.deviation, name) * scale
     heights, along_y, along_x = widths
     rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
-    return Localizations(rows, recording, len(spots), spots.borders, spots.overlapping)
+    left = spots.borders, spots.overlapping, spots.saturated, spots.left_out
+    return Localizations(rows, recording, len(spots), *left)
 
 
 def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:

@@ -112,12 +112,6 @@ class ColourPSF(Measured, ColourPSFLike):
         """Names of the channels."""
         return self.channels.names
 
-    @property
-    def error_bound(self) -> float | None:
-        """Bound on the largest error, relative to the peak of its channel; None if a channel has none."""
-        known = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
-        return max(known) if len(known) == len(self) else None
-
     def __len__(self) -> int:
         """Return the number of channels."""
         return len(self.psfs)
@@ -164,12 +158,15 @@ class ColourPSF(Measured, ColourPSFLike):
         return show.plot.colour(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.npz``, ``.tif`` (OME) or ``.png`` (in colour); see :func:`lommel.io.psf_files.save_colours`."""
+        """Write a file of a `path` as :meth:`lommel.PSF.save`, ``.png`` in colour.
+
+        See :func:`lommel.io.psf_files.save_colours`.
+        """
         psf_files.save_colours(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
-        """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError for any other file."""
+        """Read a file, `path`, that :meth:`save` wrote, but for ``.png``; ValueError for any other file."""
         return cls(*psf_files.load_colours(path, PSF))
 
 

@@ -10,6 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.adapters import batoid as adapter
+from lommel.adapters import ray_tracing
 
 WAVELENGTH = 620e-9
 FIELD = 0.003, 0.002  # radians
@@ -148,6 +149,15 @@ def test_a_map_of_ellipses_has_those_of_single_directions(telescope):
     np.testing.assert_allclose(ours, theirs, rtol=1e-6)
     values = [lm.psf(each, 15, 2e-6).values for each in (found, alone)]
     np.testing.assert_allclose(values[0], values[1], atol=1e-4 * values[1].max())
+
+
+def test_phases_that_are_tilted_against_the_rays_are_refused(telescope, monkeypatch):
+    exact = ray_tracing.TracedField
+    monkeypatch.setattr(ray_tracing, "TracedField", lambda x, y, phase, *rest: exact(x, y, phase + 9.0 * y, *rest))
+    with pytest.raises(ValueError, match=r"phases that agree with its rays; .* differ by a tilt of 9"):
+        adapter.pupil(telescope, FIELD, wavelength=WAVELENGTH)
+    with pytest.raises(ValueError, match="phases that agree with its rays"):
+        adapter.field_map(telescope, 0.012, wavelength=WAVELENGTH, heights=2)
 
 
 def test_what_is_no_telescope_or_no_direction_is_refused(telescope):

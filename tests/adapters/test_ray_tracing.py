@@ -15,9 +15,18 @@ EDGE = 10e-3
 
 
 def lens(
-    *, upside_down: bool = False, squint: float = 0.0, blocked: int = 0, image: float = 1.0, slower: float = 1.0
+    *,
+    upside_down: bool = False,
+    squint: float = 0.0,
+    blocked: int = 0,
+    image: float = 1.0,
+    slower: float = 1.0,
+    tilt: float = 0.0,
 ):
-    """The trace of a lens with coma and astigmatism, 10 mm of field, in the frame of a ray tracer."""
+    """The trace of a lens with coma and astigmatism, 10 mm of field, in the frame of a ray tracer.
+
+    Its phases may have a `tilt` in radians, along with the field, that its rays do not have.
+    """
 
     def trace(hx: float, hy: float, x: np.ndarray, y: np.ndarray) -> tracing.TracedField:
         side = -1.0 if upside_down else 1.0
@@ -25,10 +34,17 @@ def lens(
         u, v = side * x, side * y
         along = u * hx + v * hy
         phase = 3.0 * (u * u + v * v) * along + 2.0 * along**2 + 1.0 * (u**2 + v**2) + squint * hx * u**3
+        phase += tilt * along
         phase[:blocked] = np.nan
         sine = 0.5 / N
         position = (image * EDGE * hx, image * EDGE * hy)
-        return tracing.TracedField(x, y, phase + 7.0, -sine * u / slower, -sine * v, position)
+        slope_u = 6.0 * u * along + 3.0 * (u * u + v * v) * hx + 4.0 * along * hx + 2.0 * u + 3.0 * squint * hx * u**2
+        slope_v = 6.0 * v * along + 3.0 * (u * u + v * v) * hy + 4.0 * along * hy + 2.0 * v
+        # Rays meet the sensor at minus the slope of the phase by their direction cosines.
+        missed_u, missed_v = (WAVELENGTH / (2.0 * math.pi * sine) * slope for slope in (slower * slope_u, slope_v))
+        electric = np.ones((x.size, 1), dtype=complex)
+        directions = -sine * u / slower, -sine * v
+        return tracing.TracedField(x, y, phase + 7.0, *directions, missed_u, missed_v, position, electric)
 
     return trace
 
@@ -122,8 +138,27 @@ def test_a_tilt_that_rays_do_not_have_is_found(tilt):
         WAVELENGTH / (2.0 * math.pi * sine) * slope
         for slope in (4.0 * x + 6.0 * x * y, 4.0 * y + 3.0 * x * x + 9.0 * y * y)
     ]
-    traced = tracing.TracedField(x, y, phase + tilt * y, -sine * x, -sine * y, (0.0, 0.0))
-    found = tracing.tilt_off_rays(traced, missed, WAVELENGTH)
+    traced = tracing.TracedField(x, y, phase + tilt * y, -sine * x, -sine * y, *missed, (0.0, 0.0))
+    found = tracing.tilt_off_rays(traced, WAVELENGTH)
     assert found == pytest.approx(abs(tilt) if abs(tilt) > 0.5 else 0.0, rel=1e-6)
     traced.phase[3] = np.nan  # of a ray that is blocked, which is told elsewhere
-    assert tracing.tilt_off_rays(traced, missed, WAVELENGTH) == 0.0
+    assert tracing.tilt_off_rays(traced, WAVELENGTH) == 0.0
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda trace: single(trace, (0.6, 0.8)),
+        lambda trace: tracing.single_pupil(trace, (0.0, -1.0), WAVELENGTH, 6, 1e-6, circular=False),
+        lambda trace: tracing.polarized_pupils(trace, (0.0, 1.0), WAVELENGTH, 6, 1e-6, 16),
+        lambda trace: tracing.field_map(trace, 3, None, WAVELENGTH, 6, 1e-6),
+        lambda trace: tracing.field_map(trace, 3, [(0, 0), (0, 1), (1, 0)], WAVELENGTH, 6, 1e-6),
+    ],
+    ids=["circle", "ellipse", "polarised", "map", "fields"],
+)
+def test_phases_that_do_not_agree_with_the_rays_are_refused(call):
+    call(lens())
+    with pytest.raises(
+        ValueError, match=r"agree with its rays; those of the field .* differ by a tilt of .* radians"
+    ):
+        call(lens(tilt=2.0))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.adapters import ray_tracing
 from lommel.adapters import rayoptics as adapter
 
 # What ray-optics and what it imports warn of is not ours.
@@ -28,6 +29,11 @@ SURFACES = [
 @pytest.fixture(scope="module")
 def triplet() -> Any:
     """f/4, 20 degrees of field, millimetres."""
+    return made_with(("object", "angle"), 20.0)
+
+
+def made_with(key: tuple[str, str], edge: float, distance: float = 1e10) -> Any:
+    """A triplet with a field of this kind up to an edge, and an object at a distance."""
     module = pytest.importorskip("rayoptics.optical.opticalmodel")
     try:
         adapter.pupil(module.OpticalModel())
@@ -39,16 +45,40 @@ def triplet() -> Any:
     spec = pytest.importorskip("rayoptics.raytr.opticalspec")
     lens, optics = model["seq_model"], model["optical_spec"]
     optics["pupil"] = spec.PupilSpec(optics, key=["object", "epd"], value=12.5)
-    optics["fov"] = spec.FieldSpec(optics, key=["object", "angle"], value=20.0, flds=[0.0, 1.0], is_relative=True)
+    optics["fov"] = spec.FieldSpec(optics, key=list(key), value=edge, flds=[0.0, 1.0], is_relative=True)
     optics["wvls"] = spec.WvlSpec([(1e9 * WAVELENGTH, 1.0)], ref_wl=0)
     model.radius_mode = True
-    lens.gaps[0].thi = 1e10
+    lens.gaps[0].thi = distance
     for surface in SURFACES:
         lens.add_surface(surface)
         if len(lens.ifcs) == 6:
             lens.set_stop()
+    if distance < 1e10:
+        lens.gaps[-1].thi = 46.5
     model.update_model()
     return model
+
+
+@pytest.mark.parametrize(
+    ("key", "edge", "distance"),
+    [
+        (("image", "height"), 15.0, 1e10),
+        (("image", "real height"), 15.0, 1e10),
+        (("object", "height"), 150.0, 500.0),
+        (("object", "angle"), 15.0, 500.0),
+        (("image", "height"), 15.0, 500.0),
+    ],
+)
+def test_phases_agree_with_the_rays_in_every_kind_of_field(key, edge, distance):
+    made = adapter.pupil(made_with(key, edge, distance), (0.4, 0.5), apertures=False, tol=0.2)
+    assert 4.0 < made.f_number < 4.6
+
+
+def test_phases_that_are_tilted_against_the_rays_are_refused(triplet, monkeypatch):
+    exact = ray_tracing.TracedField
+    monkeypatch.setattr(ray_tracing, "TracedField", lambda x, y, phase, *rest: exact(x, y, phase + 9.0 * y, *rest))
+    with pytest.raises(ValueError, match=r"phases that agree with its rays; .* differ by a tilt of 9"):
+        pupil(triplet, (0.0, 0.7))
 
 
 def pupil(model: Any, field: tuple[float, float] = (0.0, 0.0)) -> lm.Pupil:

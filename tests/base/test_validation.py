@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+import os
 import re
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -186,3 +189,23 @@ def test_a_number_is_no_type(number):
 def test_a_wavelength_is_told_by_its_name():
     with pytest.raises(ValueError, match=r"centers is in metres and must be from 1e-12 to 1e-2, got 2\.5"):
         validation.wavelength(2.5, "centers")
+
+
+def test_names_of_files_are_readable_in_a_locale_that_does_not_know_their_letters():
+    name = "/data/\udcc3\udcbc.toml"  # as Python keeps bytes that it cannot decode
+    assert validation.line(name) == "/data/ü.toml"
+    assert validation.shown(name) == "'/data/ü.toml'"
+    assert validation.line("a\udcff\nb") == "a\ufffd\\nb"
+    assert validation.line("a\ud800") == "a\\ud800"  # of no file
+
+
+@pytest.mark.parametrize("more", [{}, {"PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}], ids=["utf-8", "ascii"])
+def test_an_error_names_the_file_in_the_locale_of_plain_c(more, tmp_path):
+    (tmp_path / "bäd.toml").write_text("x =\n")
+    call = (
+        "import lommel, sys\ntry: lommel.load_instrument(sys.argv[1])\nexcept ValueError as e: print(ascii(str(e)))"
+    )
+    command = [sys.executable, "-c", call, str(tmp_path / "bäd.toml")]
+    env = {name: value for name, value in os.environ.items() if not name.startswith("LC_")} | {"LC_ALL": "C"} | more
+    found = subprocess.run(command, env=env, capture_output=True, text=True, check=True).stdout
+    assert "b\\xe4d.toml: not valid TOML" in found

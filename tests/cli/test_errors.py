@@ -181,6 +181,7 @@ def test_every_fault_of_a_lens_file_is_told_at_once(call_lommel, folder):
         "lens.focal_length",
         "lens.wavelength (line 5)",
         "lens.focal_lenght (line 4)",
+        "lens (line 3)",  # an f-number or a diameter
         "sensor.pixel (line 7)",
     ]
 

@@ -95,7 +95,7 @@ def test_a_lens_file_may_narrow_the_aperture_of_its_field(call_lommel, lenses, t
         (["--field", "5x7x9"], "'5x7x9' is not a size; write 65 or 64x128"),
         (["--field", "axb"], "'axb' is not a size"),
         (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
-        (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npz, .fits,"),
+        (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npy, .npz, .fits,"),
         (["-o", "a.zarr"], ".mat, .raw for a PSF, got '.zarr' in 'a.zarr'"),
         (["--field", "2x2", "--plot", "a.tif"], "a figure must end in .png, .pdf or .svg"),
     ],

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 
+import h5py
 import numpy as np
 import pytest
+from astropy.io import fits
 
 import lommel as lm
+from lommel.io import field_files, registry
 
 WAVES = (450e-9, 550e-9, 650e-9)
 COLOUR = lm.Colour(WAVES, [20e-6, 0.0, 15e-6], [4e-6, 0.0, -3e-6], 25e-3)
@@ -55,7 +58,15 @@ def test_a_grid_of_distances_alone_is_one_of_psfs():
     assert lm.peak_error(table[0, 1, 1], expected) < 1e-6
 
 
-@pytest.mark.parametrize("suffix", [".npz", ".zarr"])
+SUFFIXES = [form.suffixes[0] for form in registry.formats("field") if field_files.SEVERAL in form.holds]
+
+
+def test_all_that_keep_a_psf_but_pictures_keep_all_axes():
+    psfs = {suffix for form in registry.formats("psf") for suffix in form.suffixes}
+    assert psfs - {".tif", ".tiff", ".png"} <= {".zarr", *SUFFIXES, ".fit", ".fit.gz", ".hdf5"}
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
 def test_files_keep_all_axes(tmp_path, table, suffix):
     pytest.importorskip("zarr")
     for name, grid in (("all", table), ("deep", table.channel(0)), ("coloured", table.at_depth(0))):
@@ -69,8 +80,34 @@ def test_files_keep_all_axes(tmp_path, table, suffix):
         assert again.psf.pupil == grid.psf.pupil
         if name != "deep":
             assert again.psf.channels == grid.psf.channels
-        with pytest.raises(ValueError, match=r"must end in .zarr, .npz"):
+        with pytest.raises(ValueError, match=r"must end in .zarr, .npy, .npz"):
             grid.save(tmp_path / "grid.tif")
+
+
+def test_h5py_and_astropy_find_the_axes_by_their_names(tmp_path, table):
+    for suffix in (".h5", ".mat", ".fits"):
+        table.save(tmp_path / f"t{suffix}")
+    with h5py.File(tmp_path / "t.h5") as file:
+        values = file["values"]
+        assert tuple(axis.label for axis in values.dims) == table.dims
+        np.testing.assert_array_equal(values[...], table.values)
+        assert values.dims[2][0][...].tolist() == DEPTHS
+        assert [name.decode() for name in values.dims[3][0]] == list(table.psf.names)
+        np.testing.assert_array_equal(values.attrs["weight"], np.eye(3))
+    with h5py.File(tmp_path / "t.mat") as file:  # MATLAB reverses the axes
+        np.testing.assert_array_equal(file["values"][...].T, np.moveaxis(table.values, (-2, -1), (0, 1)))
+        assert file["depth"][:, 0].tolist() == DEPTHS
+        said = file["channel"][:, 0].tobytes().decode("utf-16-le")
+        assert said.splitlines() == list(table.psf.names)
+    with fits.open(tmp_path / "t.fits") as file:
+        header = file[0].header
+        assert [header[f"CTYPE{k}"] for k in range(6, 0, -1)] == [name.upper() for name in table.dims]
+        assert [header[f"CWAV{k}"] for k in range(3)] == pytest.approx(WAVES)
+        assert header["CHAN0"] == "450 nm"
+        np.testing.assert_array_equal(file[0].data, table.values)
+    table.psf.part((0, 0, 0)).save(tmp_path / "one.mat")
+    with h5py.File(tmp_path / "one.mat") as file:  # values(row, column, channel)
+        np.testing.assert_array_equal(file["values"][...].T, np.moveaxis(table.values[0, 0, 0], 0, -1))
 
 
 def test_zarr_is_named_as_others_read_it(tmp_path, table):

@@ -39,6 +39,19 @@ PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
 BLUR = imaging.DepthBlur(DEPTH, LENS, 8e-6)
 CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
 MASK = lm.Mask(np.ones((8, 8)))
+RANGES = imaging.LensRanges(focal_length=50e-3, f_number=4.0, focus_distance=2.0, pixel=8e-6)
+VOXELS = np.random.default_rng(0).poisson(100.0, (3, 12, 12)).astype(np.float32)
+MICROSCOPE = lm.load_microscope(Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml")
+PLANES = lm.psf(MICROSCOPE.objective.pupil(depth=2e-6, z=[-3e-7, 0.0, 3e-7], wavelength=520e-9), 9, 6.5e-6)
+ONCE = imaging.RichardsonLucy(steps=1)
+SPOTS = lm.localize.Table(
+    MICROSCOPE.objective.pupil(depth=0.0, wavelength=520e-9), shape=9, pixel=6.5e-6, z=(-2e-7, 2e-7), tol=1e-2
+)
+
+
+def rendered(**given: object) -> list[object]:
+    """Render a whole data set of one picture."""
+    return list(imaging.render_dataset(**given))
 
 
 def tagged(name: str, call, **valid: object) -> tuple[str, object, dict[str, object]]:
@@ -57,6 +70,23 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     scale = {"wavelength": 550e-9, "f_number": 2.0, "obscuration": 0.1}
     units_of = {"order": "noll", "unit": "waves", "normalization": "rms", "wavelength": 550e-9}
     seidel = dict.fromkeys(("W020", "W040", "W060", "W080", "W131", "W222", "W220", "W311"), 0.1)
+    of_voxels = {
+        "depth": 2e-6,
+        "wavelength": 520e-9,
+        "pixel": 1e-7,
+        "step": 3e-7,
+        "noise": lm.Noise(read=1.0),
+        "saturation": None,
+    }
+    of_voxels |= {
+        "modality": "widefield",
+        "pinhole": 1.0,
+        "direction": "up",
+        "slabs": 1,
+        "background": 0.0,
+        "tile": None,
+    }
+    of_voxels |= {"psf_shape": (5, 9), "margin": (0, 0), "threads": 1, "method": ONCE, "refine": (), "channel": 0}
     psf_parts = {f.name: getattr(PSF, f.name) for f in dataclasses.fields(PSF) if f.init}
     found = [
         tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), out=None, **window | {"integrate": True}),
@@ -209,6 +239,20 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                fps=10.0, quality=90),
         tagged("Picture.light", imaging.Picture(SQUARE, "linear", imaging.Exif()).light, dtype=np.float32),
         tagged("Exif.pixel", imaging.Exif(5e-3, 2.0, 26e-3).pixel, shape=(10, 20)),
+        tagged("Apodization.zernike", lm.Apodization.zernike, terms={2: 0.1}),
+        tagged("Channels.rgb", lm.Channels.rgb, width=5e-8, count=2),
+        tagged("LensRanges", imaging.LensRanges, focal_length=50e-3, f_number=(2.0, 4.0),
+               focus_distance=(1.0, math.inf), pixel=8e-6, spherical=0.1, wavelength=550e-9),
+        tagged("render_dataset", rendered, photos=[folder / "photo.png"], depths=[folder / "depth.npy"],
+               out=folder / "set", lenses=RANGES, seed=1, copies=1, form="png", shard=None, psfs=2,
+               depth_scale=None, on_error="raise", workers=1),
+        tagged("localize.fit", lm.localize.fit, table=SPOTS, images=np.ones((2, 9, 9)), noise=lm.Noise(read=1.0),
+               starts=1, which=[0, 0], threads=1),
+        tagged("localize.fit", lm.localize.fit, table=[SPOTS, SPOTS], images=[np.ones((2, 9, 9))] * 2, starts=1),
+        tagged("restore", lm.microscopy.restore, stack=VOXELS, objective=MICROSCOPE, **of_voxels),
+        tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, psf=PLANES, noise=lm.Noise(read=1.0),
+               method=ONCE, background=0.0, margin=(0, 0)),
+        tagged("load_camera", lm.load_camera, path="andor-zyla-5.5"),
         tagged("Polychromatic", lm.Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=lm.Hankel(),
                tol=1e-6),
         tagged("ClosedForm.best", lm.ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
@@ -328,7 +372,8 @@ NAMES: dict[str, tuple[str, ...]] = {
     "energy": ("windows",),
     "largest": ("windows",),
     "depth": ("windows",),
-    "depths": ("windows",),
+    "depths": ("windows", "depth map"),
+    "photos": ("photo",),
     "wavefront": ("wavelength", "table"),
     "angle": ("must not be empty",),
     "rms": ("must not be empty",),
@@ -342,8 +387,9 @@ NAMES: dict[str, tuple[str, ...]] = {
 }
 
 
-@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
-def test_bad_arguments_are_refused_by_name(tmp_path, hunt, count):
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    """A folder with a file of each kind that entries read."""
     lm.psf(PUPIL, 3, 0.5).save(tmp_path / "psf.npz")
     GRID.save(tmp_path / "grid.npz")
     np.save(tmp_path / "depth.npy", SQUARE)
@@ -355,28 +401,69 @@ def test_bad_arguments_are_refused_by_name(tmp_path, hunt, count):
     )
     lm.save_zernike(tmp_path / "table.json", lm.ZernikeTable({4: 0.1}, "noll", "nm", "rms"))
     lm.save_opd(tmp_path / "opd.npy", lm.OPDMap(CHART))
-    known, bad = entries(tmp_path), hostile(tmp_path)
+    return tmp_path
+
+
+def refused(entry: tuple[str, object, dict[str, object]], argument: str, value: object) -> str | None:
+    """Return what is wrong with how a value of one argument is refused, if anything is."""
+    name, call, valid = entry
+    told = f"{name}({argument}={' '.join(repr(value).split())[:80]})"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", "the matrix subclass")
+        try:
+            call(**valid | {argument: value})
+        except MemoryError:
+            return f"{told}: MemoryError"
+        except Exception as error:
+            wrong = complaint(error, name, argument, value)
+            return f"{told}: {wrong}" if wrong else None
+    return None
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+def test_bad_arguments_are_refused_by_name(files, hunt, count):
+    known, bad = entries(files), hostile(files)
 
     def case(k: int) -> str | None:
         draw = random.Random(k)
-        name, call, valid = draw.choice(known)
-        argument = draw.choice(list(valid))
-        value = draw.choice(bad)
-        if far(argument, value):
-            return None
-        arguments = valid | {argument: value}
-        told = f"{name}({argument}={' '.join(repr(value).split())[:80]})"
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            warnings.filterwarnings("ignore", "the matrix subclass")
-            try:
-                call(**arguments)
-            except MemoryError:
-                return f"{told}: MemoryError"
-            except Exception as error:
-                wrong = complaint(error, name, argument, value)
-                return f"{told}: {wrong}" if wrong else None
-        return None
+        entry = draw.choice(known)
+        argument, value = draw.choice(list(entry[2])), draw.choice(bad)
+        return None if far(argument, value) else refused(entry, argument, value)
 
     findings = hunt(case, count(800, 100_000), seconds=20)
     assert not findings, "\n".join(findings)
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+@pytest.mark.parametrize(
+    "value", [np.array([1.0, 2.0, 3.0]), np.ones((3, 3)), np.array([])], ids=["row", "square", "empty"]
+)
+def test_an_array_in_place_of_anything_is_taken_or_refused_by_name(value, files):
+    known = entries(files)
+    found = [refused(entry, name, value) for entry in known for name in entry[2] if not far(name, value)]
+    assert not any(found), "\n".join(filter(None, found))
+
+
+@pytest.mark.parametrize("kind", ["array", "recording"])
+@pytest.mark.parametrize("value", [-1e300, 1e300])
+def test_a_stack_of_what_no_camera_counts_is_refused_at_once(value, kind):
+    stack = VOXELS.astype(np.float64)
+    stack[1, 5, 5] = value
+    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 1e-7, "step": 3e-7, "method": ONCE}
+    held = stack if kind == "array" else lm.microscopy.open_recording(stack)
+    for noise in (lm.Noise(read=1.0), None):
+        with pytest.raises(ValueError, match=r"^stack must be within 1e\+15, or NaN where a value is unknown"):
+            lm.microscopy.restore(held, MICROSCOPE, noise=noise, **given)
+    with pytest.raises(ValueError, match=r"^stack must be within 1e\+15"):
+        lm.microscopy.deconvolve(held, PLANES, lm.Noise(read=1.0), method=ONCE)
+
+
+def test_a_window_far_larger_than_the_stack_is_refused_with_what_is_enough():
+    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 1e-7, "step": 3e-7, "noise": lm.Noise(read=1.0)}
+    with pytest.raises(ValueError, match=r"^psf_shape must be at most \(\d+, \d+\), which is enough") as caught:
+        lm.microscopy.restore(VOXELS, MICROSCOPE, psf_shape=(513, 513), method=ONCE, **given)
+    enough = tuple(map(int, str(caught.value).partition("(")[2].partition(")")[0].split(",")))
+    assert enough[0] < 30
+    assert enough[1] < 200
+    lm.microscopy.restore(VOXELS, MICROSCOPE, psf_shape=enough, method=ONCE, **given)

@@ -469,3 +469,28 @@ def test_faults_among_zernike_terms_are_told_with_all_others(load):
     text = PLAIN.replace("wavelength = ", "wave = ") + ZERNIKE.replace('"nm"', '"kg"')
     told = [line.strip().split(":")[0] for line in fault(load, text=text).strip("\n").split("\n")]
     assert sorted(told) == ["aberrations.zernike.unit (line 18)", "lens.wave (line 8)", "lens.wavelength"]
+
+
+@pytest.mark.parametrize(
+    ("section", "told"),
+    [
+        ("[aperture.spider]\nwidth = 5", "exactly one of the two"),
+        ("[aperture.ellipse]\na = 1.0\n[aperture.cat_eye]\nshift = [0.1, 0.0]", "one of ellipse and cat_eye"),
+        ("[aperture.segments]\nrings = 0\n[aperture.mask]\nfile = 5\nholds = 3", "rings"),
+        ("[aperture.segments]\ngap = true", "gap has no meaning without rings"),
+        ("[[aperture.clear]]\ntype = 'disc'\na = true", "a disc needs radius"),
+        ("[field]\nrows = 5", "field.sensor: is missing"),
+        ("[field]\nW131 = 1.0\nrows = [[0.0]]", "one of them, got rows and W131"),
+        ("[field]\nsensor = 5\nW131 = 1.0\n[field.shading]\nlight = 5", "height and light: one of the two"),
+        ("[channels]\nwavelengths = 5\nfile = 'c.csv'", "exactly one of the two"),
+        ("[channels]\nwavelengths = ['550 nm']\ntol = 'a'", "tol has no meaning with wavelengths"),
+    ],
+)
+def test_which_keys_exclude_each_other_is_told_together_with_what_is_wrong_in_any_section(load, section, told):
+    with pytest.raises(LensFileError) as caught:
+        load("f_number = 0", "aperture_diameter = '5 mm'", 'sensor_distance = "51 mm"', text=f"{PLAIN}{section}\n")
+    message = str(caught.value)
+    assert told in message
+    assert "lens.f_number (line 6)" in message
+    assert "lens (line 4): give exactly one of f_number and aperture_diameter, got both" in message
+    assert message.count("\n  ") >= 3

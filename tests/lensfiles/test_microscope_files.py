@@ -258,6 +258,42 @@ def test_every_fault_is_told_at_once(load):
     ]
 
 
+NEEDED = ["NA", "magnification", "working_distance", "immersion", "depth", "wavelength", "planes", "step", "pixel"]
+GLASS = '[coverslip]\nindex = 1.5255\nthickness = "170 um"\n'
+OTHERS = [
+    ((GLASS, ""), "[coverslip] is missing"),
+    (('"520 nm"', '"520 nm"\nemitter = "scalar"\n[emission.beam]'), "takes one of emitter, dipole and beam"),
+    (('"170 um"', '"170 m"'), 'for 170 um write "170 um"'),
+    (("[sensor]", '[sensor]\ncamera = "nobody"'), "camera must be the name of an example"),
+    (('name = "oil"', "name = 5"), "name (line 1)"),
+]
+
+
+@pytest.mark.parametrize("key", NEEDED)
+@pytest.mark.parametrize(("change", "what"), OTHERS, ids=[what for _, what in OTHERS])
+def test_what_is_missing_is_told_together_with_what_is_wrong_elsewhere(load, key, change, what):
+    line = next(line for line in PLAIN.splitlines() if line.startswith(f"{key} ="))
+    text = PLAIN.replace(*change, 1)
+    assert line in text
+    message = fault(load, (PLAIN, text.replace(line, "", 1)))
+    assert what in message
+    # The camera, which is not known, would have the pixels.
+    assert f"{key}: is missing" in message or (key == "pixel" and "camera" in what)
+
+
+def test_the_range_of_a_value_is_told_together_with_what_is_missing(load):
+    message = fault(load, ("NA = 1.3", "NA = 1.6"), ("planes = 5", ""), (GLASS, ""))
+    for what in ("NA must be below the index of immersion", "stack.planes: is missing", "[coverslip] is missing"):
+        assert what in message
+
+
+def test_faults_of_a_table_of_aberrations_are_told_with_what_cannot_be_together(load):
+    terms = '[aberrations.zernike]\norder = "noll"\nunit = "waves"\nnormalization = "rms"\nterms = {x = 1}\n'
+    message = fault(load, ('depth = "2 um"', 'depth = "300 um"'), more=terms)
+    assert "must be at most 200 um, where the objective touches the cover" in message
+    assert "aberrations.zernike" in message
+
+
 def test_two_kinds_of_emitters_are_one_too_many(load):
     change = ('"520 nm"', '"520 nm"\nemitter = "scalar"\n[emission.beam]')
     assert "takes one of emitter, dipole and beam, got beam and emitter" in fault(load, change)

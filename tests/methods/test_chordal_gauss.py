@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -377,3 +378,32 @@ def test_a_pupil_that_passes_less_light_than_rounding_makes_is_refused_and_not_t
     pupil = lm.Pupil(wavefront, obscuration=0.999, apodization=20.0)
     with pytest.raises(lm.ToleranceError, match="cannot be met in double precision"):
         lm.psf(pupil, 2, 0.6, center=(3.6, 2.5), method=lm.ChordalGauss(1e-9))
+
+
+def test_what_is_too_large_is_told_with_what_fits():
+    def ask(phases: float, window: float) -> lm.PSF:
+        wavefront = lm.Wavefront(600.0 * phases, 3.0 * phases, nonradial={(2, 2): 2.0 * phases, (3, 1): phases})
+        pupil = lm.Pupil(wavefront, obscuration=0.6)
+        return lm.psf(pupil, int(64 * window), 13.0, integrate=False, method=lm.ChordalGauss(1e-3))
+
+    number = r"(0\.\d+) times the size"
+    with pytest.raises(
+        ValueError, match=rf"; at most windows of {number}, or phases and windows of {number} fit"
+    ) as caught:
+        ask(1.0, 1.0)
+    window, both = map(float, re.findall(number, str(caught.value)))
+    assert 0.2 < window < both < 0.9
+    assert ask(1.0, window).error_bound <= 1e-3
+    assert ask(both, both).error_bound <= 1e-3
+
+
+def test_what_no_certified_method_takes_is_told_with_one_that_computes_it():
+    pupil = lm.Pupil(lm.Wavefront(750.0, nonradial={(2, 2): 2.0}))
+    with pytest.raises(ValueError, match=r"; method=lommel\.Fraunhofer\(samples=(\d+)\) computes them") as caught:
+        lm.psf(pupil, 64, 32.0)
+    samples = int(re.findall(r"samples=(\d+)", str(caught.value))[0])
+    assert lm.psf(pupil, 64, 32.0, method=lm.Fraunhofer(samples=samples)).values.sum() == pytest.approx(1.0, abs=0.01)
+    with pytest.raises(
+        ValueError, match=r"more than the limit of 1600: less aberration or a smaller window takes fewer$"
+    ):
+        lm.psf(pupil, 64, 32.0, method=lm.NijboerZernike())

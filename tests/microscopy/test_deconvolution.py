@@ -295,6 +295,18 @@ def test_bad_arguments_are_refused_by_name(changes, kind, said):
         lm.microscopy.deconvolve(given.pop("stack"), given.pop("psf"), given.pop("noise"), **given)
 
 
+def test_the_only_channel_of_a_recording_is_the_stack():
+    stack = record(beads()).astype(np.float32)
+    few = lm.imaging.RichardsonLucy(steps=2)
+    expected = lm.microscopy.deconvolve(stack, PSF, NOISE, method=few).values
+    one, two = (lm.microscopy.open_recording(np.stack([stack] * count)) for count in (1, 2))
+    np.testing.assert_array_equal(lm.microscopy.deconvolve(one, PSF, NOISE, method=few).values, expected)
+    with pytest.raises(
+        ValueError, match=r"stack must be one channel, got a recording of 2: .*; recording\.stack\(0\)"
+    ):
+        lm.microscopy.deconvolve(two, PSF, NOISE)
+
+
 def test_a_stack_that_is_quieter_than_its_noise_is_told():
     stack = np.random.default_rng(1).poisson(200.0, (8, 24, 24)) + 100.0
     # The offset is left out, so that 300 counts vary like 200.

@@ -28,7 +28,7 @@ def frames(path, **options):
             file.write(frame, contiguous=False, metadata=None, **options)
 
 
-def several(path):
+def several(path, **options):
     """Half of the planes in another file."""
     tifffile.imwrite(path, STACK, ome=True, metadata={"axes": "ZYX"}, photometric="minisblack")
     text = tifffile.tiffcomment(path)
@@ -41,8 +41,8 @@ def several(path):
     root = whole.index("UUID=", whole.index("UUID=") + 1)
     if root < whole.index("<Image"):  # tifffile wrote its own
         whole = whole[:root] + whole[whole.index('"', root + 6) + 1 :]
-    tifffile.imwrite(path, STACK[:12], photometric="minisblack", description=whole, metadata=None)
-    tifffile.imwrite(path.with_name("other.tif"), STACK[12:], photometric="minisblack", metadata=None)
+    tifffile.imwrite(path, STACK[:12], photometric="minisblack", description=whole, metadata=None, **options)
+    tifffile.imwrite(path.with_name("other.tif"), STACK[12:], photometric="minisblack", metadata=None, **options)
 
 
 def folder(path):
@@ -91,6 +91,19 @@ def test_a_recording_that_16_threads_read_has_no_wrong_plane(name, tmp_path, oft
     with open_recording(tmp_path / name) as found:
         stack = found.stack()
         assert wrong(lambda k: stack[k]) == 0
+
+
+@pytest.mark.parametrize("compression", [None, "zlib"])
+def test_nothing_of_a_library_is_told_of_an_image_in_several_files(compression, tmp_path, capfd, caplog):
+    several(tmp_path / "a.ome.tif", compression=compression)
+    with open_recording(tmp_path / "a.ome.tif") as found:
+        np.testing.assert_array_equal(np.asarray(found.stack()), STACK)
+        held = found.stack()
+    np.testing.assert_array_equal(held[20], STACK[20])  # of files that are closed
+    with open_movie(tmp_path / "a.ome.tif") as movie:
+        np.testing.assert_array_equal(movie.frames(0, 24), STACK)
+    assert capfd.readouterr() == ("", "")
+    assert not caplog.records
 
 
 @pytest.mark.parametrize("name", MOVIES)

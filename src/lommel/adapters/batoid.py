@@ -137,7 +137,8 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
         )
         optic.trace(rays)
         place = np.array(rays.r[-1])
-        missed = np.array(rays.failed[:-1])
+        missed = np.array(rays.r[:-1]) - place
+        failed = np.array(rays.failed[:-1])
         # |v| is the speed, 1 over the index.
         direction = rays.v / np.square(rays.v).sum(axis=1, keepdims=True)
         towards = direction[:-1] - direction[-1]
@@ -149,9 +150,11 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
         return ray_tracing.TracedField(
             side * x,
             y,
-            np.where(missed, np.nan, phase),
+            np.where(failed, np.nan, phase),
             side * towards[:, 0],
             towards[:, 1],
+            side * missed[:, 0],
+            missed[:, 1],
             (side * float(place[0]), float(place[1])),
         )
 

@@ -33,7 +33,8 @@ MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
 
 # Fits of phase and rays differ by up to 1e-4 of the steepest slope in five lenses, fields of their edges included.
-_TILT, _TILT_OF_SLOPES = 0.1, 0.01
+# What terms of too low a degree leave is up to a sixth of the tilt that they seem to have.
+_TILT, _TILT_OF_SLOPES, _TILT_OF_REST = 0.1, 0.01, 10.0
 _DARK = 1e-9  # amplitude of a component of the electric field that is left out
 _ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
 
@@ -43,8 +44,9 @@ class TracedField:
     """Rays from one object point in the frame of the ray tracer: z along the light, y upwards.
 
     Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines from the reference
-    sphere (or of the rays) to the image times its index relative to the chief ray, the chief ray on the sensor
-    (metres), and where light is polarised the amplitude of each component of the electric field, a column each.
+    sphere (or of the rays) to the image times its index relative to the chief ray, where rays meet the sensor
+    relative to the chief ray (metres), the chief ray there, and where light is polarised the amplitude of each
+    component of the electric field, a column each.
     """
 
     x: Array
@@ -52,6 +54,8 @@ class TracedField:
     phase: Array
     direction_x: Array
     direction_y: Array
+    missed_x: Array
+    missed_y: Array
     position: tuple[float, float]
     field: NDArray[np.complex128] | None = None
 
@@ -79,27 +83,44 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
     return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
-def tilt_off_rays(traced: TracedField, missed: Sequence[Array], wavelength: float) -> float:
+def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
     """Return the slope of the phase (radians over the radius of the pupil) that places of the rays do not have.
 
-    `missed` is where the rays meet the sensor, from where the chief ray does, metres: along each of them the phase
-    changes by -2 pi / wavelength times that and the change of its direction. 0 if the difference is that of fits.
+    Along where a ray misses the chief ray on the sensor the phase changes by -2 pi / wavelength times that and the
+    change of its direction. 0 if the difference is that of fits.
     """
     if not np.isfinite(traced.phase).all():
         return 0.0  # which is told later
     degree = min(12, math.isqrt(traced.x.size) // 2)
-    fitted = np.linalg.pinv(_zernike(traced.x, traced.y, degree)[1])
+    matrix = _zernike(traced.x, traced.y, degree)[1]
+    fitted = np.linalg.pinv(matrix)
+    rest = float(np.std(traced.phase - matrix @ (fitted @ traced.phase)))  # of too low a degree, which is told later
     step = 1e-4
     largest, mean = 0.0, []
     for dx, dy in ((step, 0.0), (0.0, step)):
         ends = (_zernike(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
         slope = (next(ends) - next(ends)) / (2.0 * step) @ fitted
-        directions = slope @ traced.direction_x, slope @ traced.direction_y
-        by_rays = sum(-2.0 * math.pi / wavelength * a * b for a, b in zip(missed, directions, strict=True))
+        along = traced.missed_x * (slope @ traced.direction_x) + traced.missed_y * (slope @ traced.direction_y)
+        by_rays = -2.0 * math.pi / wavelength * along
         largest = max(largest, float(np.abs(by_rays).max()))
         mean.append(float((slope @ traced.phase - by_rays).mean()))
     off = math.hypot(*mean)
-    return off if off > _TILT + _TILT_OF_SLOPES * largest else 0.0
+    return off if off > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_REST * rest else 0.0
+
+
+def _checked(trace: Trace, wavelength: float) -> Trace:
+    """Return a trace whose phases agree with its rays; ValueError of a field where they do not."""
+
+    def made(hx: float, hy: float, x: Array, y: Array) -> TracedField:
+        traced = trace(hx, hy, x, y)
+        if off := tilt_off_rays(traced, wavelength):
+            raise ValueError(
+                f"the lens must have phases that agree with its rays; those of the field ({hx:g}, {hy:g}) differ by "
+                f"a tilt of {off:.3g} radians over the radius of the pupil"
+            )
+        return traced
+
+    return made
 
 
 def _slopes(traced: TracedField) -> list[float]:
@@ -177,7 +198,7 @@ def single_pupil(
     """Return the pupil at one point of the field, with the f-number there."""
     round_ = validation.truth("circular", circular)
     hx, hy = _point("field", field)
-    traced = trace(hx, hy, *sample_points(degree, tol))
+    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     if not round_:
         return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
@@ -190,7 +211,7 @@ def polarized_pupils(
 ) -> list[Pupil]:
     """Return a pupil of each component of the electric field that has light, with its amplitude as a mask."""
     hx, hy = _point("field", field)
-    traced = trace(hx, hy, *sample_points(degree, tol))
+    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
     assert traced.field is not None
     _, matrix = _zernike(traced.x, traced.y, degree)
@@ -238,7 +259,7 @@ def field_map(
     round_ = validation.truth("circular", circular)
     if not round_ and fields is not None:
         raise ValueError("fields must be left out for elliptical pupils, which follow the symmetry of the lens")
-    points = sample_points(degree, tol)
+    points, trace = sample_points(degree, tol), _checked(trace, wavelength)
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     if fields is not None:
         aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)

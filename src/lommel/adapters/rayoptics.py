@@ -157,7 +157,7 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
         field.xf, field.yf = hx, hy
         sphere, chief = rays.setup_pupil_coords(model, field, nanometres, shift)
         field.chief_ray, field.ref_sphere = chief, sphere
-        phase, towards = np.full(x.size, np.nan), np.zeros((x.size, 2))
+        phase, towards, missed = np.full(x.size, np.nan), np.zeros((x.size, 2)), np.zeros((x.size, 2))
         chief_direction = chief[0][0][-1][1]
         for k, point in enumerate(np.stack([x, y], axis=1)):
             found, _ = rays.trace_safe(
@@ -173,7 +173,11 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
             length = along + math.sqrt(along**2 + sphere[2] ** 2 - past @ past)
             straight = (length * direction - past) / abs(sphere[2])
             towards[k] = abs(first.n_img) * (straight - chief_direction)[:2]
+            missed[k] = (past - past[2] / direction[2] * direction)[:2] / unit
         place = np.asarray(sphere[0], dtype=np.float64) / unit
-        return ray_tracing.TracedField(x, y, phase, towards[:, 0], towards[:, 1], (float(place[0]), float(place[1])))
+        position = float(place[0]), float(place[1])
+        return ray_tracing.TracedField(
+            x, y, phase, towards[:, 0], towards[:, 1], missed[:, 0], missed[:, 1], position
+        )
 
     return trace, 1e-9 * float(nanometres)

@@ -39,7 +39,7 @@ _Value = TypeVar("_Value")
 def shown(value: object) -> str:
     """Return a value as a message shows it: on one line, and no more than its beginning and its end."""
     try:
-        text = " ".join(_brief.repr(value).split())
+        text = " ".join(_brief.repr(readable(value) if isinstance(value, str) else value).split())
     except ValueError:  # of an integer with more digits than Python writes
         text = f"<{type(value).__name__}>"
     return brief(text)
@@ -57,7 +57,17 @@ def key(text: str) -> str:
 
 def line(text: object) -> str:
     """Return a text, such as the name of a file, with its breaks of lines written out."""
-    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in readable(str(text)))
+
+
+def readable(text: str) -> str:
+    """Return the name of a file with the letters that the locale of the process does not know, as most disks do."""
+    if text.isascii() or not any("\udc80" <= c <= "\udcff" for c in text):
+        return text
+    try:
+        return os.fsencode(text).decode(errors="replace")
+    except UnicodeEncodeError:  # of what is no name of a file
+        return text
 
 
 def _instead(value: object, *kinds: type[object]) -> str:

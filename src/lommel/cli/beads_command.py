@@ -22,6 +22,7 @@ from lommel.cli.instruments import (
     noise_facts,
     noise_in_words,
     noise_of,
+    require_noise,
     take_header,
 )
 from lommel.cli.options import (
@@ -147,6 +148,7 @@ def beads(
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    require_noise(given)
     with progress("reading") as started:
         read = list(read_each(stacks))
         options = {name: given[name] for name in ("white", "read", "offset")}

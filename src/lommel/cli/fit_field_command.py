@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.units import parse_length
-from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of, take_header
+from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of, require_noise, take_header
 from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, PATH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -154,6 +154,7 @@ def fit_field(
             "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
         )
     instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+    require_noise(given)
     with progress("reading") as started:
         read = read_images(list(images))
         exposures = read.values

@@ -217,6 +217,11 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
     return notes
 
 
+def require_noise(given: Facts) -> None:
+    """Refuse options of the noise that are out of range, before files are read."""
+    Noise(**{"read": 0.0} | {name: given[name] for name in ("white", "read", "offset") if given[name] is not None})
+
+
 _UNITS = {
     "white": ("gain", " electrons per count", 1.0),
     "offset": ("offset", " counts", 0.0),

@@ -21,6 +21,7 @@ from lommel.cli.instruments import (
     instrument_of,
     microscope_of,
     noise_of,
+    require_noise,
     take_header,
 )
 from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
@@ -166,6 +167,7 @@ def retrieve(
     elif defocus is not None:
         raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
     starts = given["starts"]
+    require_noise(given)
     with progress("reading") as started:
         files = _files(images)
         read = read_images(files)

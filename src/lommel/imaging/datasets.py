@@ -122,8 +122,8 @@ def _range(name: str, value: Any) -> Range:
     ends = value if isinstance(value, tuple | list) else (value,)
     if len(ends) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
-    if name == "focus_distance" and ends[-1] == math.inf:
-        ends = (*(validation.real(name, each, above=0.0) for each in ends[:-1]), math.inf)
+    if name == "focus_distance":
+        ends = tuple(validation.real(name, each, above=0.0, infinite=True) for each in ends)
     elif name == "spherical":
         ends = tuple(validation.real(name, each) for each in ends)
     else:
@@ -342,8 +342,9 @@ def render_dataset(
     skip = validation.choice("on_error", on_error, ON_ERROR) == "skip"
     if noise is not None and noise.white is None:
         raise ValueError("noise must have a white: electrons at the value 1.0, such as 5000")
-    if psfs != 0:
-        validation.integer("psfs", psfs, least=2, most=4096)
+    if validation.integer("psfs", psfs, least=0, most=4096) == 1:
+        raise ValueError("psfs must be 0, for none, or from 2 to 4096, got 1")
+    validation.choice("form", form, FORMATS)
     if encoding is not None:
         validation.choice("encoding", encoding, ENCODINGS)
     settings = Settings.of(render_dataset, options, Keywords)
@@ -365,7 +366,7 @@ def render_dataset(
         seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
         copies=validation.integer("copies", copies, least=1, most=1_000_000),
         noise=noise,
-        form=validation.choice("form", form, FORMATS),
+        form=form,
         encoding=encoding,
         psfs=psfs,
         values=values,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -13,11 +14,11 @@ import numpy as np
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import fits_images, psf_files, psf_formats, registry, zarr_folders
+from lommel.io import psf_files, psf_formats, registry, zarr_folders
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format
 from lommel.io.zarr_folders import Layout, ZarrArray
-from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, is_psf
+from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, is_psf
 from lommel.optics.colour.spectrum import Channels
 
 _KEY = "field"  # of the positions in a description
@@ -48,9 +49,13 @@ def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> No
     atomic.write(target, psf_formats.write_tiff(grid.psf, description, planes))
 
 
-def _as_stack(write: Callable[[PSFLike, Description], bytes]) -> Callable[..., None]:
-    """Return a function that writes a grid as a stack of PSFs."""
-    return lambda grid, description, target: atomic.write(target, write(grid.psf, description))
+def _of_psfs(form: Format) -> Format:
+    """Return a format of PSFs as one of grids, a stack of PSFs."""
+
+    def write(grid: PSFGridLike, description: Description, target: Path) -> None:
+        psf_files.write(form, target, grid.psf, description)
+
+    return replace(form, kind="field", write=write, read=_read, holds=(*form.holds, SEVERAL))
 
 
 def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> None:
@@ -89,23 +94,12 @@ def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelP
         return _rebuilt({"values": ZarrArray.open(source / "values").read()}, description, kind)
 
 
-_form = partial(Format, "field", read=_read)
-_SLOPES = ("with derivatives",)
 registry.register(
-    _form((".tif", ".tiff"), _write_tiff, library="tifffile",
-          what="OME-TIFF, one page per PSF", readers="Fiji, Bio-Formats, napari"),
+    Format("field", (".tif", ".tiff"), _write_tiff, _read, library="tifffile",
+           what="OME-TIFF, one page per PSF", readers="Fiji, Bio-Formats, napari"),
     Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(SEVERAL,),
            what="Zarr version 3", readers="zarr, xarray"),
-    _form((".npz",), _as_stack(psf_formats.write_npz), holds=(*_SLOPES, SEVERAL),
-          what="NumPy archive", readers="NumPy"),
-    _form(fits_images.SUFFIXES, _as_stack(psf_formats.write_fits), library="astropy",
-          what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
-    _form(fits_images.PACKED, _as_stack(fits_images.packed(psf_formats.write_fits)), library="astropy",
-          what="compressed FITS", readers="astropy, DS9"),
-    _form((".h5", ".hdf5"), _as_stack(psf_formats.write_hdf5), library="h5py", holds=_SLOPES,
-          what="HDF5", readers="h5py, MATLAB, Julia"),
-    _form((".mat",), _as_stack(psf_formats.write_mat), library="h5py",
-          what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
+    *(_of_psfs(form) for form in registry.formats("psf") if form.write not in psf_files.PICTURES),
 )  # fmt: skip
 find = partial(registry.find, "field")
 
@@ -119,8 +113,9 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     In OME-TIFF each page has its position on the sensor, PositionX and PositionY of its plane (micrometres, or
     ``reference frame`` for lambda*N). Zarr has the array ``values`` (field_y, field_x, y, x), a coordinate array for
     each dimension, as xarray expects, and the description as the attribute ``lommel``. The other formats hold a stack
-    of PSFs; all of them but ``.npz`` name the positions ``field_y`` and ``field_x``. With several distances (depth,
-    metres) and channels, ``.zarr`` and ``.npz`` hold (field_y, field_x, depth, channel, y, x).
+    of PSFs; FITS, HDF5 and MATLAB name the positions ``field_y`` and ``field_x``. With several distances (depth,
+    metres) and channels, all but OME-TIFF hold (field_y, field_x, depth, channel, y, x), which MATLAB sees as
+    (y, x, field_y, field_x, depth, channel).
 
     Each has the description of :func:`lommel.io.psf_files.save` with the positions and the sensor size, so that
     :meth:`lommel.PSF.load` reads the stack from all but ``.zarr``. All is written under a temporary name and moved
@@ -135,7 +130,7 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     ------
     ValueError
         If the suffix is unknown, for derivatives in a format without them or in channels, for distances or channels
-        in anything but ``.npz`` and ``.zarr``, or if the path of a ``.zarr`` exists and is not a Zarr store.
+        in OME-TIFF, or if the path of a ``.zarr`` exists and is not a Zarr store.
     ImportError
         If tifffile, astropy or h5py is not installed.
     OSError

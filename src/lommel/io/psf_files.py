@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -86,9 +87,14 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
         If the file cannot be written.
     """
     form = find(path, holding="with derivatives" if psf.derivatives else "")
-    made = form.write(psf, describe(psf))
+    write(form, Path(path), psf, describe(psf))
+
+
+def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
+    """Write PSFs and their description, with the file beside, if there is one."""
+    made = form.write(psf, description)
     with atomic.together() as put:
-        for place, data in zip(form.places(Path(path)), made if form.beside else (made,), strict=True):
+        for place, data in zip(form.places(target), made if form.beside else (made,), strict=True):
             put(place, data)
 
 
@@ -215,6 +221,7 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
     return stored.astype(kind, copy=False)
 
 
+PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # which have colours of their own
 _EACH = ("pupil", "method", "error_bound", "scale")  # what differs between channels
 
 
@@ -244,11 +251,10 @@ def _png(answer: ColourPSFLike, description: Description) -> bytes:
     return atomic.contents(image.save, format="png", pnginfo=info)
 
 
-_colours = partial(Format, "colours")
 registry.register(
-    _colours((".npz",), psf_formats.write_npz, psf_formats.read_npz, what="NumPy archive"),
-    _colours((".tif", ".tiff"), _tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
-    _colours((".png",), _png, library="PIL.Image", what="8-bit picture, square root of the values"),
+    *(replace(form, kind="colours", holds=()) for form in registry.formats("psf") if form.write not in PICTURES),
+    Format("colours", (".tif", ".tiff"), _tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
+    Format("colours", (".png",), _png, library="PIL.Image", what="8-bit picture, square root of the values"),
 )
 find_colours = partial(registry.find, "colours")
 
@@ -273,12 +279,11 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
         If the suffix is unknown, for derivatives, or for a PNG of a stack or of channels that are neither one nor
         three.
     ImportError
-        If tifffile or Pillow is not installed.
+        If tifffile, Pillow, astropy or h5py is not installed.
     OSError
         If the file cannot be written.
     """
-    form = find_colours(path)
-    atomic.write(Path(path), form.write(answer, describe_colours(answer)))
+    write(find_colours(path), Path(path), answer, describe_colours(answer))
 
 
 def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:

@@ -11,7 +11,7 @@ import zipfile
 import zlib
 from collections.abc import Callable
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -33,17 +33,22 @@ LEVELS = 65535
 """The value of the peak in a picture."""
 
 _TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
+_NOT_ASCII = re.compile(r"[^ -~]")
 _MARK = b"\n#lommel "  # between the array and the description in a .npy file
 _SIDE = 512  # pixels; smaller PSFs are enlarged to this side or more, by an integer factor
 _ARCSEC = math.pi / 648000.0
 _UNEVEN = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
 _EVEN = 1e-6  # of the step
 _EXTENSION = "LOMMEL"  # of a FITS file, whose bytes are the description
-_MOST_WAVES = 1000  # the names of cards have 8 characters
+_MOST_CARDS = 1000  # the names of cards have 8 characters
 _COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
 _BLOCK = 512  # bytes before HDF5 begins
 _SEAL, _CHECKED = 128, b"lommel crc32 "  # behind the head of MATLAB's files
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
+
+
+Kept: TypeAlias = PSFLike | ColourPSFLike
+"""What a file keeps: a PSF, or those of channels."""
 
 
 class Axis(NamedTuple):
@@ -54,22 +59,32 @@ class Axis(NamedTuple):
     unit: str = ""
 
 
-def axes(psf: PSFLike, description: Description) -> list[Axis]:
-    """Return the axes of the values in their order: the stack (z of a microscope, places of a grid), y, x."""
+def axes(psf: Kept, description: Description) -> list[Axis]:
+    """Return the axes of the values in order: stack (z of a microscope, places of a grid, depth), channel, y, x."""
     pupil, grid = psf.pupil, psf.grid
     if field := description.get("field"):
         stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]
+        if "depths" in field:
+            depths = [np.inf if s is None else s for s in field["depths"]]
+            stack.append(Axis("depth", np.array(depths), "m"))
     elif isinstance(pupil, ObjectivePupil) and len(pupil.shape) == 1:
         stack = [Axis("z", pupil.z, "m")]
     else:
         stack = [Axis(f"stack{k}" if k else "stack") for k in range(len(pupil.shape))]
+    if isinstance(psf, ColourPSFLike):
+        stack.append(Axis("channel"))
     if grid.stack:
         return [*stack, Axis("y"), Axis("x")]
     return [*stack, Axis("y", grid.y, psf.unit), Axis("x", grid.x, psf.unit)]
 
 
-def light(psf: PSFLike) -> tuple[Array, Array]:
-    """Return the wavelengths in metres and the fraction of the light at each; empty for lengths in lambda*N."""
+def light(psf: Kept) -> tuple[Array, Array]:
+    """Return the wavelengths in metres and the fraction of the light at each; empty for lengths in lambda*N.
+
+    Of channels each has its row of fractions.
+    """
+    if isinstance(psf, ColourPSFLike):
+        return np.array(psf.channels.wavelengths), np.array(psf.channels.weights)
     if isinstance(psf.method, Spectrum):
         return np.array(psf.method.wavelengths), np.array(psf.method.weights)
     known = [] if psf.pupil.wavelength is None else [psf.pupil.wavelength]
@@ -87,24 +102,26 @@ def text(description: Description, arrays: Arrays) -> str:
     return json.dumps(sealed(description, arrays), allow_nan=False)
 
 
-def _arrays(psf: PSFLike | ColourPSFLike) -> Arrays:
+def _arrays(psf: Kept) -> Arrays:
     slopes = {} if isinstance(psf, ColourPSFLike) else psf.derivatives
     return {"values": np.ascontiguousarray(psf.values)} | {f"{SLOPE}{name}": at for name, at in slopes.items()}
 
 
 def _step(z: Array) -> float | None:
     """Return the step of evenly spaced planes in metres, or None."""
-    if z.ndim != 1 or z.size < 2:
+    if z.ndim != 1 or z.size < 2 or not np.isfinite(z).all():
         return None
     steps = np.diff(z)
     mean = float(steps.mean())
     return mean if mean and np.abs(steps - mean).max() <= _EVEN * abs(mean) else None
 
 
-def write_npy(psf: PSFLike, description: Description) -> bytes:
+def write_npy(psf: Kept, description: Description) -> bytes:
     """Return an array with the description behind it."""
-    said = text(description, {"values": psf.values}).encode()
-    return atomic.contents(np.save, psf.values, allow_pickle=False) + _MARK + said
+    values = np.ascontiguousarray(psf.values)
+    return (
+        atomic.contents(np.save, values, allow_pickle=False) + _MARK + text(description, {"values": values}).encode()
+    )
 
 
 def read_npy(data: bytes) -> tuple[Arrays, str]:
@@ -115,7 +132,7 @@ def read_npy(data: bytes) -> tuple[Arrays, str]:
     return {"values": values}, rest.removeprefix(_MARK).decode()
 
 
-def write_npz(psf: PSFLike | ColourPSFLike, description: Description) -> bytes:
+def write_npz(psf: Kept, description: Description) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
     return archive(_arrays(psf), description)
 
@@ -150,7 +167,7 @@ def read_npz(data: bytes) -> tuple[Arrays, str]:
     return {name: read(most) for name, read in arrays.items()}, found
 
 
-def write_raw(psf: PSFLike, description: Description) -> tuple[bytes, bytes]:
+def write_raw(psf: Kept, description: Description) -> tuple[bytes, bytes]:
     """Return the values, little-endian, the last axis fastest; and the .json beside that describes them."""
     waves, shares = light(psf)
     stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
@@ -166,6 +183,8 @@ def write_raw(psf: PSFLike, description: Description) -> tuple[bytes, bytes]:
         "weight": shares.tolist(),
         "lommel": sealed(description, {"values": psf.values}),
     }
+    if isinstance(psf, ColourPSFLike):
+        said["channel"] = list(psf.channels.names)
     return stored.tobytes(), (json.dumps(said, indent=1, allow_nan=False) + "\n").encode()
 
 
@@ -236,7 +255,7 @@ def ome_unit(unit: str) -> tuple[float, str]:
     return (1e6, "µm") if unit == "m" else (1.0, "reference frame")
 
 
-def ome(psf: PSFLike | ColourPSFLike, order: str, description: Description) -> Description:
+def ome(psf: Kept, order: str, description: Description) -> Description:
     """Return the OME attributes of PSFs on their pixels, with the `order` of the axes of the values."""
     factor, unit = ome_unit(psf.unit)
     height, width = (side * factor for side in psf.grid.pitch)
@@ -331,7 +350,7 @@ def read_tiff(data: bytes) -> tuple[Arrays, str]:
         return {"values": file.asarray()}, description.text
 
 
-def write_fits(psf: PSFLike, description: Description) -> bytes:
+def write_fits(psf: Kept, description: Description) -> bytes:
     """Return a FITS file; PIXELSCL, WAVELEN, WAVEn and WGHTn are as POPPY and WebbPSF write them."""
     shares = "share of the light" if psf.normalize in _COUNTS else "of a peak"
     cards: Description = {
@@ -349,12 +368,18 @@ def write_fits(psf: PSFLike, description: Description) -> bytes:
     elif isinstance(psf.pixel, float):
         cards["PIXELSZ"] = (psf.pixel, "[lambda*N] of a pixel on the sensor")
     waves, weights = light(psf)
-    if waves.size:
-        cards["WAVELEN"] = (float(waves @ weights), "[m] mean wavelength")
-        cards["NWAVES"] = (waves.size, "number of wavelengths")
-    for k in range(min(waves.size, _MOST_WAVES)):
-        cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
-        cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
+    if isinstance(psf, ColourPSFLike):
+        means = (weights @ waves).tolist()
+        for k, (name, mean) in enumerate(zip(psf.channels.names[:_MOST_CARDS], means, strict=False)):
+            cards[f"CHAN{k}"] = (_NOT_ASCII.sub("?", name), "name of the channel")
+            cards[f"CWAV{k}"] = (mean, "[m] its mean wavelength")
+    else:
+        if waves.size:
+            cards["WAVELEN"] = (float(waves @ weights), "[m] mean wavelength")
+            cards["NWAVES"] = (waves.size, "number of wavelengths")
+        for k in range(min(waves.size, _MOST_CARDS)):
+            cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
+            cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
     # FITS counts its axes from the last, and their entries from 1.
     for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
@@ -367,7 +392,9 @@ def write_fits(psf: PSFLike, description: Description) -> bytes:
         if unit == "m":
             cards[f"CUNIT{k}"] = unit
     said = np.frombuffer(text(description, {"values": psf.values}).encode(), np.uint8)
-    return fits_images.write([(psf.values, cards), (said, {"EXTNAME": (_EXTENSION, "JSON: how it was made")})])
+    return fits_images.write(
+        [(np.ascontiguousarray(psf.values), cards), (said, {"EXTNAME": (_EXTENSION, "JSON: how it was made")})]
+    )
 
 
 def read_fits(data: bytes) -> tuple[Arrays, str]:
@@ -381,7 +408,7 @@ def read_fits(data: bytes) -> tuple[Arrays, str]:
     return {"values": images[0].values}, described[0].values.tobytes().decode()
 
 
-def write_hdf5(psf: PSFLike, description: Description) -> bytes:
+def write_hdf5(psf: Kept, description: Description) -> bytes:
     """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
     arrays, places = _arrays(psf), axes(psf, description)
     waves, shares = light(psf)
@@ -397,6 +424,10 @@ def write_hdf5(psf: PSFLike, description: Description) -> bytes:
     def fill(file: Any) -> None:
         said = np.bytes_(text(description, arrays).encode())
         file.create_dataset("description", data=said, track_times=False)
+        if isinstance(psf, ColourPSFLike):
+            names = [name.encode() for name in psf.channels.names]
+            file.create_dataset("channel", data=np.array(names), track_times=False)
+            file["channel"].make_scale("channel")
         for name, at, unit in places:
             if at is not None:
                 scale = file.create_dataset(name, data=at, track_times=False)
@@ -408,7 +439,7 @@ def write_hdf5(psf: PSFLike, description: Description) -> bytes:
                 stored.attrs[key] = np.bytes_(value) if isinstance(value, str) else value
             for k, axis in enumerate(places):
                 stored.dims[k].label = axis.name
-                if axis.places is not None:
+                if axis.name in file:
                     stored.dims[k].attach_scale(file[axis.name])
 
     return _hdf5(fill, b"")
@@ -425,15 +456,17 @@ def read_hdf5(data: bytes) -> tuple[Arrays, str]:
         return {name: _array(file, name, data) for name in names}, said
 
 
-def write_mat(psf: PSFLike, description: Description) -> bytes:
+def write_mat(psf: Kept, description: Description) -> bytes:
     """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
     waves, shares = light(psf)
     said = text(description, {"values": psf.values})
     texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
+    if isinstance(psf, ColourPSFLike):
+        texts["channel"] = "\n".join(psf.channels.names)
     arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
     places = ((axis.name, axis.places) for axis in axes(psf, description))
     arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
-    arrays |= {"wavelength": waves[:, None], "weight": shares[:, None]} if waves.size else {}
+    arrays |= {"wavelength": waves[:, None], "weight": np.atleast_2d(shares).T} if waves.size else {}
 
     def fill(file: Any) -> None:
         for name, values in arrays.items():

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
 
 import numpy as np
-from pydantic import Field, PlainValidator, ValidationInfo, field_validator, model_validator
+from pydantic import Field, PlainValidator, ValidationInfo, field_validator
 
 from lommel import telescopes
 from lommel.base import optional, reading, validation
@@ -54,13 +54,12 @@ class _Spider(Section):
     first: Angle = 0.0
     angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
 
-    @model_validator(mode="after")
-    def _one_way(self) -> _Spider:
-        if (self.vanes is None) == (self.angles is None):
-            raise ValueError("needs vanes, a number of them at equal angles, or angles: exactly one of the two")
-        if self.angles is not None and "first" in self.model_fields_set:
-            raise ValueError("first has no meaning with angles")
-        return self
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong where the vanes are not given one way."""
+        if ("vanes" in given) == ("angles" in given):
+            return "needs vanes, a number of them at equal angles, or angles: exactly one of the two"
+        return "first has no meaning with angles" if {"angles", "first"} <= set(given) else None
 
     def spider(self, radius: float) -> Spider:
         """Return the vanes of an aperture of this radius (metres)."""
@@ -185,15 +184,17 @@ class _Part(Section):
     end: _Point = (0.0, 0.0)
     corners: list[_Point] = Field(default_factory=list)
 
-    @model_validator(mode="after")
-    def _complete(self) -> _Part:
-        needed, allowed = _KEYS[self.type]
-        given = self.model_fields_set - {"type"}
-        if missing := sorted(needed - given):
-            raise ValueError(f"a {self.type} needs {', '.join(missing)}")
-        if stray := sorted(given - needed - allowed):
-            raise ValueError(f"{', '.join(stray)} has no meaning for a {self.type}")
-        return self
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return which keys a shape of this type lacks or has beyond its own."""
+        kind = given.get("type")
+        if not isinstance(kind, str) or kind not in _KEYS:
+            return None
+        needed, allowed = _KEYS[kind]
+        if missing := sorted(needed - set(given)):
+            return f"a {kind} needs {', '.join(missing)}"
+        stray = sorted((set(given) & set(cls.model_fields)) - needed - allowed - {"type"})
+        return f"{', '.join(stray)} has no meaning for a {kind}" if stray else None
 
     def made(self, radius: float) -> Shape:
         """Return the shape in an aperture of this radius, metres."""
@@ -225,13 +226,13 @@ class _Segments(Section):
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
         return None if value is None else read_beside(info.context, value, "the name of a text file", _read_phases)
 
-    @model_validator(mode="after")
-    def _one_way(self) -> _Segments:
-        if self.file is not None and any(part is not None for part in (self.piston, self.tip, self.tilt)):
-            raise ValueError("takes file or the lists piston, tip and tilt, got both")
-        if self.rings is None and (stray := sorted({"gap", "middle", "angle"} & self.model_fields_set)):
-            raise ValueError(f"{', '.join(stray)} has no meaning without rings")
-        return self
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return which keys exclude each other."""
+        if "file" in given and set(_PHASES) & set(given):
+            return "takes file or the lists piston, tip and tilt, got both"
+        stray = sorted({"gap", "middle", "angle"} & set(given))
+        return f"{', '.join(stray)} has no meaning without rings" if stray and "rings" not in given else None
 
     def phased(self, segments: Segments) -> Segments:
         """Return segments with the phases of the file, in waves there."""
@@ -286,18 +287,18 @@ class ApertureSection(Section):
     clear: Annotated[list[_Part], Field(min_length=1)] | None = None
     blocked: Annotated[list[_Part], Field(min_length=1)] | None = None
 
-    @model_validator(mode="after")
-    def _one_edge(self) -> ApertureSection:
-        if self.ellipse is not None and self.cat_eye is not None:
-            raise ValueError("takes one of ellipse and cat_eye, got both")
-        segmented = self.telescope in ("elt", "jwst", "keck")
-        if self.segments is not None and (self.segments.rings is None) != segmented:
-            raise ValueError(
-                "segments needs rings or a telescope with segments (elt, jwst, keck): exactly one of them"
-            )
-        if self.telescope is not None and not segmented and self.segments is not None:
-            raise ValueError(f"takes one of segments and telescope, got telescope = {self.telescope!r}")
-        return self
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return which parts exclude each other."""
+        if {"ellipse", "cat_eye"} <= set(given):
+            return "takes one of ellipse and cat_eye, got both"
+        segments, telescope = given.get("segments"), given.get("telescope")
+        segmented = telescope in ("elt", "jwst", "keck")
+        if isinstance(segments, dict) and ("rings" not in segments) != segmented:
+            return "segments needs rings or a telescope with segments (elt, jwst, keck): exactly one of them"
+        if telescope is not None and not segmented and segments is not None:
+            return f"takes one of segments and telescope, got telescope = {validation.shown(telescope)}"
+        return None
 
     def shapes(self, radius: float) -> Toml:
         """Return the aperture of a lens of this radius (metres), by the names in :class:`lommel.Lens`.

@@ -70,9 +70,10 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     if named(source):
         there = of_kind("camera")
         if source.name not in there:
-            raise ValueError(
-                f"camera must be {NAME}, got {validation.shown(source.name)}; {near(source.name, there)}"
-            )
+            found = near(source.name, there)
+            # All of them are too many for a message, which says how to list them.
+            meant = f"; {found}" if found.startswith("did") else ""
+            raise ValueError(f"camera must be {NAME}, got {validation.shown(source.name)}{meant}")
         source = there[source.name]
     text, raw = toml_files.parsed(source)
     if "camera" not in raw and ("lens" in raw or "objective" in raw):

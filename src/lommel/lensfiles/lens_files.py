@@ -9,7 +9,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, field_validator, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, field_validator
 
 from lommel.base import validation
 from lommel.base.units import parse_radius
@@ -79,6 +79,16 @@ class _Lens(Section):
     corrected_for: Literal["object", "focus"] = "object"
     apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
 
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong where the aperture and the focus are not given one way."""
+        if ("f_number" in given) == ("aperture_diameter" in given):
+            got = "both" if "f_number" in given else "none"
+            return f"give exactly one of f_number and aperture_diameter, got {got}"
+        if {"focus_distance", "sensor_distance"} <= set(given):
+            return "give at most one of focus_distance and sensor_distance, got both"
+        return None
+
 
 class _Aberrations(_Seidel):
     defocus: Number = 0.0
@@ -111,13 +121,19 @@ class ShadingSection(MadeSection):
     height: list[SignedLength] | None = None
     light: list[Number] | None = None
 
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong where the light is not given one way."""
+        if {"distance", "height", "light"} & set(given) in ({"distance"}, {"height", "light"}):
+            return None
+        return "needs distance, of the exit pupil from the sensor, or height and light: one of the two"
+
     def made(self) -> Shading:
         """Return the argument of a field map."""
-        if self.distance is not None and self.height is None and self.light is None:
+        if self.distance is not None:
             return Shading.cos4(self.distance)
-        if self.distance is None and self.height is not None and self.light is not None:
-            return Shading(self.height, self.light)
-        raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
+        assert self.height is not None and self.light is not None  # noqa: PT018 (see `fault`)
+        return Shading(self.height, self.light)
 
 
 _Wave = Annotated[Length, AfterValidator(validation.wavelength)]
@@ -164,15 +180,19 @@ class ChannelsSection(MadeSection):
         read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
         return read_beside(info.context, value, _CSV, read)
 
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong where the channels are not given one way."""
+        if ("file" in given) == ("wavelengths" in given):
+            return "needs file, a table of the sensor, or wavelengths: exactly one of the two"
+        way, stray = "file", {"weights"}
+        if "wavelengths" in given:
+            way, stray = "wavelengths", {"filters", "illuminant", "tol", "paths"}
+        found = sorted(stray & set(given))
+        return f"{', '.join(found)} has no meaning with {way}" if found else None
+
     def made(self) -> Channels:
         """Return the channels."""
-        if (self.file is None) == (self.wavelengths is None):
-            raise ValueError("needs file, a table of the sensor, or wavelengths: exactly one of the two")
-        stray = {"weights"} if self.wavelengths is None else {"filters", "illuminant", "tol", "paths"}
-        if found := sorted(stray & self.model_fields_set):
-            raise ValueError(
-                f"{', '.join(found)} has no meaning with {'file' if self.wavelengths is None else 'wavelengths'}"
-            )
         if isinstance(self.file, Channels):
             return self.file
         assert self.wavelengths is not None
@@ -224,19 +244,18 @@ class _Field(_Seidel):
         read = partial(tables.read_csv, order=info.data["order"])
         return read_beside(info.context, value, "the name of a CSV file", read)
 
-    @model_validator(mode="after")
-    def _one_way(self) -> _Field:
-        given = self.model_fields_set
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong where the field is not given one way."""
         seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
         # The ways to describe the field, and the keys that each excludes.
         ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
-        found = [way for way in ways if given & set(way.split(", "))]
+        found = [way for way in ways if set(given) & set(way.split(", "))]
         if len(found) != 1:
             got = " and ".join(found) or "none"
-            raise ValueError(f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}")
-        if stray := sorted(ways[found[0]] & given):
-            raise ValueError(f"{', '.join(stray)} has no meaning with {found[0]}")
-        return self
+            return f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}"
+        stray = sorted(ways[found[0]] & set(given))
+        return f"{', '.join(stray)} has no meaning with {found[0]}" if stray else None
 
     def map(self, pupil: Pupil) -> FieldMap:
         """Return the map, with the aperture and the scale of `pupil`."""

@@ -11,7 +11,7 @@ from os import PathLike
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import AfterValidator, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field
 
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
@@ -243,7 +243,7 @@ def _illumination(value: float | list[float]) -> Apodization:
     return illumination(Apodization(tuple(value)) if isinstance(value, list) else value)
 
 
-class _Objective(Section):
+class _Objective(MadeSection):
     NA: Annotated[Number, Field(gt=0)]
     magnification: Annotated[Number, Field(gt=0)]
     working_distance: Length
@@ -251,12 +251,16 @@ class _Objective(Section):
     dipping: Annotated[bool, Field(strict=True)] = False
     apodization: Annotated[Number | list[Number], AfterValidator(_illumination)] = 0.0
 
+    def made(self) -> Objective:
+        """Return the objective without what is between it and the emitter."""
+        return Objective(**{name: value for name, value in self if name != "dipping"})
 
-class _Layer(Section):
+
+class _Layer(MadeSection):
     index: Index
     thickness: Length
 
-    def layer(self) -> Layer:
+    def made(self) -> Layer:
         """Return the layer."""
         return Layer(self.index, self.thickness)
 
@@ -287,10 +291,14 @@ class _Emission(MadeSection):
     dipole: _Dipole | None = None
     beam: _Beam | None = None
 
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return which two emitters there are, if there are."""
+        both = sorted({"emitter", "dipole", "beam"} & set(given))
+        return f"takes one of emitter, dipole and beam, got {' and '.join(both)}" if len(both) > 1 else None
+
     def made(self) -> Emitter:
         """Return the emitter or the excitation beam."""
-        if len(given := self.model_fields_set & {"emitter", "dipole", "beam"}) > 1:
-            raise ValueError(f"takes one of emitter, dipole and beam, got {' and '.join(sorted(given))}")
         if self.dipole is not None:
             return Dipole(**dict(self.dipole))
         return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
@@ -320,12 +328,15 @@ class _File(Section):
     stack: _Stack | None = None
     sensor: Sensor
 
-    @model_validator(mode="after")
-    def _glass(self) -> _File:
-        if self.objective.dipping == (self.coverslip is not None):
-            fault = "has no meaning for" if self.objective.dipping else "is missing; leave it out only of"
-            raise ValueError(f"[coverslip] {fault} an objective that dips into the sample, dipping = true")
-        return self
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:
+        """Return what is wrong with [coverslip] beside the objective."""
+        objective = given.get("objective")
+        dipping = objective.get("dipping", False) if isinstance(objective, dict) else False
+        if dipping is not ("coverslip" in given):
+            return None  # also where it is neither true nor false, which has an error of its own
+        what = "has no meaning for" if dipping else "is missing; leave it out only of"
+        return f"[coverslip] {what} an objective that dips into the sample, dipping = true"
 
 
 def _text(of: Microscope) -> str:
@@ -459,13 +470,13 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
 
 def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
-    used, design = None if file.coverslip is None else file.coverslip.layer(), None
+    used, design = None if file.coverslip is None else file.coverslip.made(), None
     if file.design is not None:
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
-        design = Design(meant, used if glass is None else glass.layer())
+        design = Design(meant, used if glass is None else glass.made())
     given: Toml = {name: value for name, value in file.objective if name != "dipping"}
-    films = [film.layer() for film in file.films]
+    films = [film.made() for film in file.films]
     objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     found = Microscope(

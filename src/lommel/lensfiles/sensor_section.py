@@ -14,13 +14,20 @@ from lommel.lensfiles.camera_files import NAME, load_camera, named
 from lommel.lensfiles.toml_files import Length, Section, checked_by, pitch, read_beside
 
 
+def _read(value: Any) -> Any:
+    """Return a camera; what was wrong with it is raised here, so that it is told with all other errors."""
+    if isinstance(value, ValueError):
+        raise value
+    return value
+
+
 class Sensor(Section):
     """The section [sensor]: pixels and window."""
 
     pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
     shape: Annotated[tuple[int, int], BeforeValidator(checked_by(validation.image_shape))] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
-    camera: Camera | None = None
+    camera: Annotated[Camera | None, BeforeValidator(_read)] = None
 
     @model_validator(mode="before")
     @classmethod
@@ -29,10 +36,13 @@ class Sensor(Section):
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw
         name = raw["camera"]
-        if isinstance(name, str) and named(Path(name)):
-            camera = load_camera(name)
-        else:
-            camera = read_beside(info.context, name, NAME, load_camera)
+        try:
+            if isinstance(name, str) and named(Path(name)):
+                camera = load_camera(name)
+            else:
+                camera = read_beside(info.context, name, NAME, load_camera)
+        except ValueError as error:
+            return {"pixel": "1 um"} | raw | {"camera": error}  # whose pixels nobody sees
         sides = [camera.pixel] if isinstance(camera.pixel, float) else list(camera.pixel)
         texts = [f"{side!r} m" for side in sides]
         return {"pixel": texts if len(texts) > 1 else texts[0]} | raw | {"camera": camera}

@@ -15,11 +15,12 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
+    ModelWrapValidatorHandler,
     ValidationError,
     ValidationInfo,
     model_validator,
 )
-from pydantic_core import ErrorDetails
+from pydantic_core import ErrorDetails, InitErrorDetails
 
 from lommel.base import reading, validation
 from lommel.base.options import near
@@ -116,6 +117,33 @@ class Section(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
+    @classmethod
+    def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (of those that override it)
+        """Return what is wrong with which keys there are, whatever their values are."""
+        return None
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _with_fault(cls, raw: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Validate, and tell a fault together with errors of the values."""
+        told = cls.fault(raw) if isinstance(raw, dict) else None
+        faults = (
+            [InitErrorDetails(type="value_error", loc=(), input=raw, ctx={"error": ValueError(told)})] if told else []
+        )
+        try:
+            made = handler(raw)
+        except ValidationError as error:
+            if not faults:
+                raise
+            every = error.errors(include_url=False)
+            faults = [
+                InitErrorDetails(type=one["type"], loc=one["loc"], input=one["input"], ctx=one.get("ctx", {}))
+                for one in every
+            ] + faults
+        if faults:
+            raise ValidationError.from_exception_data(cls.__name__, faults)
+        return made
+
 
 class MadeSection(Section):
     """A section that describes an object, which is made when it is read: errors name the section."""
@@ -172,9 +200,10 @@ def built(
     errors = list(found)
     try:
         file = model.model_validate(raw, context=context)
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            made = make(file)  # also with errors before, for its own
         if not errors:
-            with np.errstate(over="raise", divide="raise", invalid="raise"):
-                return make(file)
+            return made
     except ValidationError as error:
         every = error.errors(include_url=False, include_context=False)
         count = len(every) + len(errors)

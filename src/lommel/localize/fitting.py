@@ -324,9 +324,10 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> Any:
 
 def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
     """Return the boxes of each channel, NaN where a pixel does not count."""
-    if not hasattr(images, "__len__") or len(images) != len(tables):
-        got = len(images) if hasattr(images, "__len__") else validation.shown(images)
-        raise ValueError(f"images must be of {len(tables)} channels, got {got}")
+    if not hasattr(images, "__len__") or (isinstance(images, np.ndarray) and not images.ndim):
+        raise TypeError(f"images must be boxes of each of {len(tables)} channels, got {validation.shown(images)}")
+    if len(images) != len(tables):
+        raise ValueError(f"images must be of {len(tables)} channels, got {len(images)}")
     boxes = []
     for one, given in zip(tables, images, strict=True):
         shape = "(n, height, width), of one box images[None]"

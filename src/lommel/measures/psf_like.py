@@ -44,6 +44,11 @@ class Recorded:
         """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
         return self.pupil.unit
 
+    @property
+    def sampling(self) -> str:
+        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
+        return "pixel" if self.grid.integrate else "center"
+
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         """Return `values`."""
         return np.array(self.values, dtype=dtype, copy=copy)
@@ -59,11 +64,6 @@ class PSFLike(Recorded):
     derivatives: dict[Name, Values]
     derivative_bounds: dict[Name, float]
     blur: tuple[Blur, ...]
-
-    @property
-    def sampling(self) -> str:
-        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
-        return "pixel" if self.grid.integrate else "center"
 
     @property
     def undersampled(self) -> bool:
@@ -140,6 +140,12 @@ class ColourPSFLike(Recorded):
 
     channels: Channels
     psfs: tuple[PSFLike, ...]
+
+    @property
+    def error_bound(self) -> float | None:
+        """Bound on the largest error, relative to the peak of its channel; None if a channel has none."""
+        known = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
+        return max(known) if len(known) == len(self.psfs) else None
 
 
 class PSFGridLike:

@@ -152,6 +152,23 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
     raise refused
 
 
+def instead(pupil: BasePupil, grid: Grid) -> str:
+    """Return what else computes images that are beyond all methods of the choice, in words, or nothing."""
+    from lommel.methods.matrix_fourier import samples_needed
+    from lommel.methods.paper.fraunhofer import Fraunhofer
+    from lommel.optics.pupil import checked
+
+    try:
+        lens = checked(pupil)
+        if not lens.circular:
+            return ""
+        sampled = Fraunhofer(samples=max(256, samples_needed(lens, grid)[0]))
+        sampled.require_fit(lens, grid)
+    except (TypeError, ValueError):  # of an objective, of axes of their own, or of too many samples
+        return ""
+    return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
+
+
 def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
     """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
     if len(ways) == 1:

@@ -12,8 +12,8 @@ from numpy.typing import DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import DType, Images, Pixels, Wanted
-from lommel.methods.choice import candidates, first_proven, of_derivatives
+from lommel.core.answers import Declined, DType, Images, Pixels, Wanted
+from lommel.methods.choice import candidates, first_proven, instead, of_derivatives
 from lommel.methods.method import Method, Shortcut, require_period, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -63,7 +63,12 @@ class Asked(NamedTuple):
             made = way.images(pupil, self.grid, question)
             return widened(made, pupil, way, normalized=question.scale is None)
 
-        way, made = first_proven(self.ways, ask)
+        try:
+            way, made = first_proven(self.ways, ask)
+        except Declined as refused:
+            if self.named:
+                raise
+            raise Declined(f"{refused}{instead(pupil, self.grid)}") from None
         return way.reported, made, []
 
 

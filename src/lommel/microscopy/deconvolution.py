@@ -17,6 +17,7 @@ from lommel.microscopy.total_variation import walk_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
+from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # how many points each side has, whose levels are estimated
@@ -25,7 +26,7 @@ _LEAST_PLANES = 8  # of the margin, where the PSF has so many
 
 
 def deconvolve(
-    stack: ArrayLike,
+    stack: ArrayLike | Recording,
     psf: PSF,
     noise: Noise,
     *,
@@ -39,7 +40,7 @@ def deconvolve(
 
     Parameters
     ----------
-    stack : array_like, shape (planes, height, width)
+    stack : array_like, shape (planes, height, width), or Recording of one channel
         Recorded stack, in the unit of `noise`: integers or floats; NaN, infinite and masked values are left out.
     psf : PSF
         As of :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording. Its
@@ -87,7 +88,8 @@ def deconvolve(
     doi:10.1109/42.370409).
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
-    counts = Counts.of("stack", stack, sides=(3,), shape="(planes, height, width)", saturation=saturation)
+    given = stack.only("stack") if isinstance(stack, Recording) else stack
+    counts = Counts.of("stack", given, sides=(3,), shape="(planes, height, width)", saturation=saturation)
     recorded = counts.marked()
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise).require_shape(recorded.shape)

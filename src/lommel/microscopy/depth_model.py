@@ -224,10 +224,12 @@ class DepthModel:
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
         alone = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
+        if slabs is not None:
+            validation.integer("slabs", slabs, least=1, most=64)
         if slabs == 1 or high - low < 1e-9:
             return alone
         if slabs is not None:
-            nodes = _nodes(low, high, validation.integer("slabs", slabs, least=1, most=64))
+            nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
         if _apart(self.near(low), self.near(high)) < _LIKE:
             return alone

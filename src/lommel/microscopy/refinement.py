@@ -14,6 +14,7 @@ from lommel.base.units import format_length
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
+from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
@@ -58,7 +59,7 @@ def _brightest(stack: Any, size: int) -> tuple[slice, slice]:
     planes, height, width = stack.shape
     whole = np.zeros((height, width))
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
-        values = np.nan_to_num(np.asarray(stack[int(plane)], np.float64))
+        values = np.nan_to_num(np.asarray(plane_of(stack, int(plane)), np.float64))
         np.maximum(whole, uniform_filter(values, 3) - uniform_filter(values, 15), out=whole)
     bright = uniform_filter(np.maximum(whole, 0.0) ** 0.5, min(size, height, width))
     row, column = np.unravel_index(int(bright.argmax()), bright.shape)

@@ -34,6 +34,7 @@ from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import contradiction, measured_noise
+from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 from lommel.recorded.saturation import full_value
@@ -513,6 +514,10 @@ def _model(
             raise ValueError(f"psf_shape must be (planes, pixels), both odd, got {shown(psf_shape)}")
         size = validation.integer("psf_shape", psf_shape[0], least=3, most=513), int(psf_shape[1])
         validation.integer("psf_shape", psf_shape[1], least=3, most=513)
+        usual = depth_model.usual_window(lens, wave, sizes.pixel, sizes.step, (planes, height, width))
+        enough = max(usual[0], 2 * planes + 1), max(usual[1], 2 * max(height, width) + 1)
+        if size[0] > enough[0] or size[1] > enough[1]:
+            raise ValueError(f"psf_shape must be at most {enough}, which is enough for this stack, got {size}")
     middle = depth
     if middle is None:
         middle = planes // 2 * sizes.step if given is None else given.depth
@@ -803,7 +808,7 @@ class _Job:
         dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
         below = 0
         for plane in range(planes):
-            values = np.asarray(self._stack[plane])
+            values = plane_of(self._stack, plane)
             below += int((values < dark).sum())
             lowest = min(lowest, float(np.nanpercentile(values, 1.0)))
         share = below / math.prod(self._stack.shape)

@@ -23,6 +23,7 @@ from lommel.imaging.deconvolution import (
 )
 from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, overlap
 from lommel.microscopy.wide_blur import WideBlur
+from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
 STACK_MISFIT = (
@@ -54,7 +55,7 @@ class Counted(Counts):
         self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
         total = weights = counts = over = 0.0
         for plane in range(len(recorded)):
-            values = np.asarray(recorded[plane])
+            values = plane_of(recorded, plane)
             known = np.isfinite(values) & (values < saturation)
             seen = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
             each = np.where(known, gain, 0.0)

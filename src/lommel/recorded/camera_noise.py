@@ -10,6 +10,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
+from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
 _PLANES = 24  # that are looked at
@@ -117,9 +118,7 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
     axes = (0, 1, 2) if beside else (1, 2)
     found: list[Array] = []
     for place in np.unique(places):
-        planes = np.array(
-            [validation.array("stack", stack[int(k)]) for k in range(place - beside, place + beside + 1)], float
-        )
+        planes = np.array([plane_of(stack, int(k)) for k in range(place - beside, place + beside + 1)], float)
         top = np.nanmax(planes)
         if (planes == top).sum() >= _SATURATED:
             planes[planes == top] = np.nan

@@ -14,6 +14,8 @@ from lommel.base.arrays import Array, Values
 from lommel.recorded.noise import Noise
 from lommel.recorded.saturation import flat_top, full_value
 
+_LARGEST = 1e15  # of values: far beyond every camera, and products of a few fit in float32
+
 
 @dataclass(frozen=True, eq=False)
 class Counts:
@@ -151,3 +153,16 @@ def remarks(images: Sequence[Counts], noise: Noise, name: str) -> str:
                 f"it (saturation={top:.10g}, --saturation {top:.10g})"
             )
     return said
+
+
+def plane_of(stack: Any, number: int) -> Values:
+    """Return a plane of a stack, NaN where it is infinite; ValueError where values are too large to be squared."""
+    values = validation.array("stack", stack[number])
+    if values.dtype.kind != "f":
+        return values
+    unknown = np.isinf(values)
+    values = np.where(unknown, values.dtype.type(np.nan), values) if unknown.any() else values
+    if values.size and not np.fmax.reduce(np.abs(values), axis=None, initial=0.0) < _LARGEST:
+        largest = float(np.nanmax(np.abs(values)))
+        raise ValueError(f"stack must be within {_LARGEST:g}, or NaN where a value is unknown, got {largest:g}")
+    return values

@@ -102,9 +102,7 @@ class Recording:
         self.frames.close()
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
-        if self.shape[0] != 1:
-            raise ValueError(f"the recording has {self.shape[0]} channels: take one by stack(channel)")
-        return np.asarray(self.stack(), dtype)
+        return np.asarray(self.only("stack"), dtype)
 
     def stack(self, channel: int = 0) -> Frames:
         """Return a channel as a stack of shape (planes, height, width), read by indices and slices.
@@ -120,6 +118,15 @@ class Recording:
         """
         number = validation.integer("channel", channel, least=0, most=self.shape[0] - 1)
         return self.frames.one_of("C", number)
+
+    def only(self, name: str) -> Frames:
+        """Return its only channel as a stack; ValueError, about an argument of this `name`, if it has several."""
+        if self.shape[0] > 1:
+            raise ValueError(
+                f"{name} must be one channel, got a recording of {self.shape[0]}: {', '.join(self.names)}; "
+                "recording.stack(0) is the first of them"
+            )
+        return self.stack()
 
 
 def open_recording(

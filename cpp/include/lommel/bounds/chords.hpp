@@ -165,11 +165,37 @@ class ChordBound {
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error) const {
-        throw LimitExceeded("phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
-                            ") take " + shortened(std::ceil(line.needed(error))) +
-                            (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
-                            std::to_string(max_chords));
+    // Tables of the whole window hold so many nodes of all chords.
+    [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
+        const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
+        std::string said = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
+                           ") take " + shortened(std::ceil(needed)) +
+                           (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
+                           std::to_string(max_chords) + "; at most ";
+        const double whole[2] = {reach_[0], reach_[1]};
+        // The largest share of the window, or of both, in hundredths, with a margin.
+        const auto largest = [&](bool phases) {
+            int hundredths = 99;
+            for (; hundredths > 0; --hundredths) {
+                const double share = 0.01 * hundredths;
+                double numbers[2];
+                for (const Sum each : {Sum::chords, Sum::nodes}) {
+                    reach_[at(each)] = whole[at(each)] * (phases ? 1.0 : share);
+                }
+                for (const Sum each : {Sum::chords, Sum::nodes}) {
+                    numbers[at(each)] = best(each, error, phases ? share : 1.0).needed(error) + more;
+                }
+                if (std::max(numbers[0], numbers[1]) <= 0.95 * max_chords &&
+                    numbers[0] * numbers[1] * share <= 0.8 * most_nodes) {
+                    break;
+                }
+            }
+            return hundredths;
+        };
+        if (const int window = largest(false)) {
+            said += "windows of " + shortened(0.01 * window) + " times the size, or ";
+        }
+        throw LimitExceeded(said + "phases and windows of " + shortened(0.01 * largest(true)) + " times the size fit");
     }
 
    private:

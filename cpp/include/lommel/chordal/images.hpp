@@ -118,16 +118,20 @@ class ChordalRenderer {
             const bool many = disk.count.chords > max_chords;
             ChordBound bound = lines_.bound_of(scale);
             bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
-            bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along, many ? ChordalBudget::chords * error : rest);
+            bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along, many ? ChordalBudget::chords * error : rest,
+                         max_table_bytes / KernelTable<double>::bytes(1.0, rows_.at.size()));
         }
     }
 
     template <class Real>
     ChordalTables<Real> tables(const ChordCount& count, double radius, const ChordLanes& lanes) const {
-        if (KernelTable<Real>::bytes(count.size(), rows_.at.size()) > max_table_bytes) {
+        const double bytes = KernelTable<Real>::bytes(count.size(), rows_.at.size());
+        if (bytes > max_table_bytes) {
             throw LimitExceeded("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
-                                " nodes, whose tables exceed the limit of 384 MiB");
+                                " nodes, whose tables exceed the limit of 384 MiB; at most phases and windows of " +
+                                shortened(0.01 * std::floor(95.0 * std::cbrt(max_table_bytes / bytes))) +
+                                " times the size fit");
         }
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }

@@ -91,6 +91,10 @@ class Fraunhofer(Method[Pupil]):
             image[:] = _averaged(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
         return Intensities(out, None)
 
+    def require_fit(self, pupil: Pupil, grid: Grid) -> None:
+        """Raise ValueError where light would be aliased into the window, or the FFT were too large."""
+        self._layout(pupil, grid)
+
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:
         """Return the FFT samples a pixel, the FFT's side, and the spacing of the pupil samples in rho."""
         from scipy.fft import next_fast_len

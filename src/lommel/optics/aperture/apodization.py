@@ -127,6 +127,7 @@ class Apodization:
         """
         from numpy.polynomial import Legendre, Polynomial
 
+        validation.instance("terms", terms, Mapping)
         series = np.zeros(_MOST + 1)
         for n, b in terms.items():
             degree = validation.integer("degrees of terms", n, least=2, most=2 * _MOST)

@@ -283,7 +283,7 @@ class Channels:
         TypeError, ValueError
             As :meth:`bands`.
         """
-        if width == 0.0:
+        if validation.real("width", width, least=0.0) == 0.0:
             return cls(RED_GREEN_BLUE, np.eye(3))
         return cls.bands(RED_GREEN_BLUE, width, count=count)
 

@@ -146,6 +146,13 @@ SECTIONS = [
         ("estimation", "localize.point_sources", "localize.crossings", "localize.lattice"),
     ),
     Section(
+        "Recorded images",
+        "Open the images of files of every kind, and state the noise of a camera.",
+        "See [](../formats.md#recorded-images).",
+        ("recorded",),
+        package="recorded",
+    ),
+    Section(
         "Imaging",
         "Depth-of-field rendering, deblurring, depth from defocus, photographs and depth maps.",
         "See [](../imaging.md), [](../restore.md) and [](../depth.md).",

@@ -17,6 +17,7 @@ from lommel import (
     napari_plugin as napari_plugin,
     optics as optics,
     page as page,
+    recorded as recorded,
     show as show,
     special as special,
     stacks as stacks,

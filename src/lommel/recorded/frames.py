@@ -27,6 +27,8 @@ from lommel.io.registry import Format
 from lommel.recorded import metadata, zarr_chunks
 from lommel.recorded.metadata import Found
 
+__all__ = ["Frames", "RecordingError", "open_frames"]
+
 _JSON = 2**24  # bytes of a description that are parsed
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _CHANNELS = 4096  # of an OME-Zarr
@@ -63,6 +65,8 @@ class Frames:
     ----------
     axes : str
         A letter for each axis: T, C, Z, Q for one that is unknown, and YX at the end.
+    planes, numbers, closed
+        What reads images one by one, their numbers along the axes before YX, and what closes the file.
     shape : tuple of int
     dtype : dtype
         As stored, in the byte order of this machine.
@@ -135,7 +139,17 @@ class Frames:
             self.closed()
 
     def along(self, order: str) -> Frames:
-        """Return the images with these axes, by letters that end in YX; those that it lacks have one image."""
+        """Return the images with these axes.
+
+        Parameters
+        ----------
+        order : str
+            Letters that end in YX; an axis that it lacks has one image.
+
+        Returns
+        -------
+        Frames
+        """
         numbers, axes = self.numbers, self.axes[:-2]
         for letter in order[:-2]:
             if letter not in axes:
@@ -143,13 +157,33 @@ class Frames:
         return replace(self, numbers=numbers.transpose([axes.index(letter) for letter in order[:-2]]), axes=order)
 
     def one_of(self, letter: str, place: int) -> Frames:
-        """Return the images at one place of an axis."""
+        """Return the images at one place of an axis.
+
+        Parameters
+        ----------
+        letter : str
+        place : int
+
+        Returns
+        -------
+        Frames
+        """
         axis = self.axes.index(letter)
         numbers = np.take(self.numbers, place, axis=axis)
         return replace(self, numbers=numbers, axes=self.axes.replace(letter, ""))
 
     def as_stack(self) -> Frames:
-        """Return the images along their only axis; RecordingError if they have several."""
+        """Return the images along their only axis.
+
+        Returns
+        -------
+        Frames
+
+        Raises
+        ------
+        RecordingError
+            If they have several.
+        """
         if sum(side > 1 for side in self.numbers.shape) > 1:
             sizes = " x ".join(map(str, self.shape))
             raise RecordingError(

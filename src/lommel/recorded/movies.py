@@ -24,6 +24,12 @@ class Movie:
 
     Made by :func:`lommel.localize.open_movie`; closed by ``with`` or `close`.
 
+    Parameters
+    ----------
+    frames : Frames
+        With one axis before the last two.
+    path : Path
+
     Attributes
     ----------
     shape : tuple of int

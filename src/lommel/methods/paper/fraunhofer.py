@@ -92,7 +92,17 @@ class Fraunhofer(Method[Pupil]):
         return Intensities(out, None)
 
     def require_fit(self, pupil: Pupil, grid: Grid) -> None:
-        """Raise ValueError where light would be aliased into the window, or the FFT were too large."""
+        """Refuse what light would be aliased into, or an FFT would be too large for.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        grid : Grid
+
+        Raises
+        ------
+        ValueError
+        """
         self._layout(pupil, grid)
 
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:

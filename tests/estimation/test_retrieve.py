@@ -580,3 +580,9 @@ def test_an_aperture_without_point_symmetry_determines_the_sign_of_even_terms(si
 )
 def test_which_apertures_look_the_same_after_half_a_turn(aperture, alike):
     assert _point_symmetric(lm.Pupil(**aperture)) is alike
+
+
+def test_images_that_sum_to_1_are_told_to_be_no_electrons():
+    image = lm.psf(lm.Pupil(lm.Wavefront(1.0)), 33, 0.5).values
+    found = lm.retrieve(image / image.sum(), lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0), terms=3, starts=1)
+    assert "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons" in found.message

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import h5py
 import numpy as np
 import pandas as pd
 import pytest
@@ -132,6 +133,31 @@ def test_saturated_pixels_do_not_move_molecules(bits, kind, table):
     for name, true in (("x", 19.3 * PIXEL), ("y", 17.8 * PIXEL), ("z", 0.1e-6)):
         off = (found.table[name] - true) / found.table[f"{name}_deviation"]
         assert abs(off.mean()) < 0.8  # with the saturated pixels taken as light up to 7
+
+
+def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
+    objective = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
+    pupil = objective.pupil(depth=0.5e-6, wavelength=600e-9)  # without astigmatism
+    table = Table(pupil, shape=11, pixel=6.5e-6, z=(-0.2e-6, 0.2e-6))
+    rng = np.random.default_rng(4)
+    z, (row, column) = rng.uniform(-0.4e-6, 0.4e-6, 40), 20.0 + rng.uniform(-0.5, 0.5, (2, 40))
+    light = objective.pupil(depth=0.5e-6, wavelength=600e-9, z=z)
+    images = lm.psf(light, 41, 6.5e-6, center=(row, column), tol=1e-4).values
+    movie = CAMERA.record(800.0 * images + 5.0, rng)
+    deep, flat = (localize_movie(movie, table, noise=CAMERA, flat=flat) for flat in (False, True))
+    assert deep.converged.sum() < 30 < 40 == flat.converged.sum()  # the others end at an end of the range of z
+    assert np.isnan(flat.table["z"]).all()
+    for name, true in (("x", column + 0.5), ("y", row + 0.5)):
+        off = (flat.table[name] - true * PIXEL) / flat.table[f"{name}_deviation"]
+        assert abs(off.mean()) < 0.5
+        assert off.std() < 1.5
+    flat.save(tmp_path / "flat.csv", tmp_path / "flat.hdf5")
+    assert not any("z" in name.split() for name in pd.read_csv(tmp_path / "flat.csv").columns)
+    with h5py.File(tmp_path / "flat.hdf5") as file:
+        assert {"x", "y", "lpx"} <= set(file["locs"].dtype.names)
+        assert not {"z", "lpz"} & set(file["locs"].dtype.names)
+    assert "z:" not in (tmp_path / "flat.yaml").read_text()
+    assert flat.plot().get_figure(root=True).axes[1:] == []  # no bar of colours
 
 
 def test_maps_of_the_camera_are_those_of_each_box(table, molecules):

@@ -269,6 +269,48 @@ def test_frames_and_channels_are_planes_where_there_are_no_others(command, name,
     equal(answer.facts, expected, 1e-6)
 
 
+def with_header(command: str, folder: Path, **cards: object) -> Path:
+    """Write images with cards in their header."""
+    unit = fits.PrimaryHDU(IMAGES[command]())
+    unit.header.update(cards)
+    unit.writeto(folder / "header.fits", overwrite=True)
+    return folder / "header.fits"
+
+
+HEADED = {"retrieve": 0.5, "beads": 1.0, "localize": 0.46, "fit-field": 1.0}
+
+
+@pytest.mark.parametrize("command", HEADED)
+def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unusable(
+    command, folder, call_lommel, caplog
+):
+    def asked(words: list[str], **cards: object) -> tuple[Answer, str]:
+        result = call_lommel(command, with_header(command, folder, **cards), *words, "--json", folder=folder)
+        return answered(result, folder, caplog), " ".join(json.loads(result.stdout)["notes"])
+
+    words, gain = options_of(command), HEADED[command]
+    without = [word for k, word in enumerate(words) if not {word, words[k - 1]} & {"--white", "--gain"}]
+    expected, said = asked(words)
+    assert "header" not in said
+    taken, said = asked(without, EGAIN=gain, RDNOISE=9.5, SATURATE=60000)
+    assert f"Taken from the header of the images: a gain of {gain:g} electrons per count." in said
+    assert "The header of the images states a read noise of 9.5 electrons; " in said
+    assert "Taken from the header of the images: saturation at 60000." in said
+    for facts in (taken.facts, expected.facts):
+        facts.pop("noise", None)
+        facts.pop("assumed", None)
+    equal(taken.facts, expected.facts, 1e-12)
+    named, said = asked([*words, "--white" if command in ("retrieve", "fit-field") else "--gain", gain], EGAIN=3.0)
+    assert f"states a gain of 3 electrons per count; {gain:g} was taken." in said
+    named.facts.pop("noise", None)
+    named.facts.pop("assumed", None)
+    equal(named.facts, expected.facts, 1e-12)
+    _, said = asked(without, EGAIN=-2.0, GAIN=120)
+    assert "The header of the images states gain -2.0, which cannot be used." in said
+    _, said = asked(without, GAIN=120)
+    assert "states GAIN = 120, which was not taken" in said
+
+
 @pytest.mark.parametrize("command", list(IMAGES))
 def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, caplog):
     words = containers.set_of_ome(IMAGES[command](), folder)

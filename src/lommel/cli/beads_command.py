@@ -118,7 +118,7 @@ def beads(
 ) -> Report:
     """Estimate aberrations of a microscope from bead stacks.
 
-    STACKS are z stacks (TIFF with a page for each plane, NPY) of single beads cut out, or of fields in which isolated
+    STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
     beads are found. LENS is the file of the objective: its section [sample] has the index of what the beads are in,
     [aberrations.zernike], if there is one, where the search starts.
 
@@ -209,9 +209,10 @@ def beads(
         changed.fitted(found).save(output)
     if figure is not None:
         save_figure(found.plot(), figure)
-    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera} | _facts(found, corners)
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
+    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera, "notes": notes}
+    facts |= _facts(found, corners)
     verdict = "" if found.converged else f", of a fit that has not converged: {found.message.partition(':')[0]}"
     files = written([output, figure], lambda path: verdict if path == output else "")
     return Report(facts, _parts(found, names, corners, notes), found.converged) + files

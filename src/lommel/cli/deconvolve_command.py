@@ -125,10 +125,10 @@ def deconvolve(
 ) -> Report:
     """Deconvolve the stack of a microscope (3-D deconvolution).
 
-    STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, as the camera recorded it; LENS is the file of the
-    objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends on the depth where the sample
-    and the immersion differ. Iterations stop where the result agrees with the recording within its noise; a misfit is
-    said, and has exit code 3.
+    STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, or with --axes NPY or FITS, as the camera recorded
+    it; LENS is the file of the objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends
+    on the depth where the sample and the immersion differ. Iterations stop where the result agrees with the recording
+    within its noise; a misfit is said, and has exit code 3.
 
     The output has the voxel sizes of the stack. An output .ome.zarr alone is written chunk by chunk, for stacks
     larger than memory; the same command goes on where it was interrupted. Ctrl-C keeps the steps that are done.

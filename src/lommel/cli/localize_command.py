@@ -85,6 +85,8 @@ _CAMERA = under(
         Option("--z", type=MICROMETRES, nargs=2, metavar="FROM TO",
                help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um."),
         documented(Table, "along", type=click.Choice(("z", "depth"))),
+        Option("--flat", is_flag=True,
+               help="Estimate x and y alone, for images that do not tell z, as without astigmatism."),
         DEPTH,
         Option("--box", "shape", type=WINDOW, default="15",
                help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side."),
@@ -125,9 +127,9 @@ def localize(
 ) -> Report:
     """Localise the molecules of a movie in three dimensions.
 
-    MOVIE is a TIFF or OME-TIFF file of any length, as the camera recorded it. LENS is the file of an objective with a
-    section [aberrations.zernike], such as astigmatism: it describes the images of molecules at the depth of the file
-    (or --depth), from which positions are fitted by maximum likelihood.
+    MOVIE is a TIFF, OME-TIFF, OME-Zarr, FITS or NPY file of any length, as the camera recorded it. LENS is the file
+    of an objective with a section [aberrations.zernike], such as astigmatism: it describes the images of molecules at
+    the depth of the file (or --depth), from which positions are fitted by maximum likelihood.
 
     x and y are in the sample, from the outer corner of the first pixel along columns and rows. z is the position of
     the stage at which a molecule at this depth would look so, positive towards the sample: molecules deeper in the
@@ -186,7 +188,8 @@ def localize(
                 seen.count(part)
                 parts.append(part if figure is not None else _brief(part))
         dark = _below(frames, noise)
-        turned = _turned(frames, table, microscope, noise=noise, threads=threads, **given)
+        flat = given.pop("flat")
+        turned = None if flat else _turned(frames, table, microscope, noise=noise, threads=threads, **given)
     found = joined(parts)
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
@@ -272,7 +275,8 @@ def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
             f"column {column}: a bead, or a hot pixel, which a map by --read with {DEFECT:g} electrons there leaves "
             "out."
         )
-    if not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in ({} if told is None else told.amplitudes())):
+    plain = not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in ({} if told is None else told.amplitudes()))
+    if plain and facts["along"] != "none":
         notes.append(f"{_PLAIN if told is None else _ODD}: {_ALIKE}")
     finest = microscope.objective.nyquist(wavelength=microscope.wavelength).lateral
     if facts["pixel_in_sample"] < _FINE * finest:
@@ -292,7 +296,7 @@ def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
             "reversed: check the sign in [aberrations.zernike] and the direction of the movie's rows."
         )
     ends = facts["border_fits"]["z"]
-    if ends > _MANY * facts["spots"]:
+    if facts["along"] != "none" and ends > _MANY * facts["spots"]:
         notes.append(f"{ends} of {facts['spots']} spots are at an end of the range of z: a wider --z may hold them.")
     value = facts["medians"]["discrepancy"]
     if value is not None and abs(value) > max(_DISCREPANT, 4.0 * _error_of_median(facts)):
@@ -312,7 +316,9 @@ def _error_of_median(facts: Facts) -> float:
 
 def _facts(found: Localizations, table: Table, ends: int, seconds: float) -> Facts:
     kept = found.table[found.converged]
-    medians = {name: float(np.median(kept[name])) if kept.size else None for name in _MEDIANS}
+    flat = found.recording.along == "none"
+    told = [name for name in _MEDIANS if not (flat and name == "z_deviation")]
+    medians = {name: float(np.median(kept[name])) if kept.size else None for name in told}
     return {
         "frames": found.recording.frames,
         "shape": [found.recording.rows, found.recording.columns],
@@ -326,7 +332,7 @@ def _facts(found: Localizations, table: Table, ends: int, seconds: float) -> Fac
         "border_fits": {"z": ends, "reach": found.counts["border"] - ends},
         "written": kept.size,
         "medians": medians,
-        "along": table.along,
+        "along": found.recording.along,
         "z": [_rounded(end) for end in table.z],
         "table_error_bound": table.error_bound,
         "seconds": seconds,
@@ -356,7 +362,7 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
     counts = facts["border_fits"] | facts["states"]
     others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
     low, high = (format_length(end, like=1e-6) for end in facts["z"])
-    what = "depth" if facts["along"] == "depth" else "position of the stage"
+    what = {"depth": "depth", "none": "not told"}.get(facts["along"], "position of the stage")
     lines = [
         (
             "movie",
@@ -385,7 +391,7 @@ _LEAST_TRIED = 10  # molecules, of which the spread is known
 _LIKELIER = 10.0  # log-likelihood, by which one of two wavefronts must be the likelier to be spoken of
 _PLAIN = "The file of the objective has no section [aberrations.zernike]"
 _ODD = "The wavefront of the objective has no even term besides defocus, such as astigmatism"
-_ALIKE = "images above and below focus are nearly alike, and z may have the wrong sign."
+_ALIKE = "images above and below focus are nearly alike, and z may have the wrong sign; --flat gives x and y alone."
 _OTHERS = {
     "z": "at an end of the range of z (--z)",
     "reach": "farther from the middle of their box than --reach",
@@ -397,9 +403,10 @@ _OTHERS = {
 def _of_medians(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
     if any(value is None for value in medians.values()):
         return []
-    x, y, z = (format_length(medians[f"{name}_deviation"] or 0.0, digits=3) for name in "xyz")
+    sides = [name for name in "xyz" if f"{name}_deviation" in medians]
+    each = ", ".join(f"{name} {format_length(medians[f'{name}_deviation'] or 0.0, digits=3)}" for name in sides)
     return [
         ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
-        ("median precision", f"x {x}, y {y}, z {z} (Cramer-Rao bound)"),
+        ("median precision", f"{each} (Cramer-Rao bound)"),
         ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- {error:.1g} where PSF and noise are right)"),
     ]

@@ -129,12 +129,12 @@ def retrieve(
 ) -> Report:
     """Estimate a wavefront from star images (phase retrieval).
 
-    IMAGES, of a star or another point source, are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one
-    size, linear in light (no JPEG, no sRGB). LENS is a lens file with aperture, wavelength,
-    f-number and pixel pitch; its wavefront is the starting point. Several images need the --defocus of each (phase
-    diversity). One image leaves the common sign of the even terms (total defocus, astigmatism, spherical)
-    undetermined: the solution nearer to the starting point is returned, or the one whose first even term is positive
-    if both are equally near.
+    IMAGES, of a star or another point source, are TIFF (one image per page), OME-Zarr, NPY, FITS (of several images
+    file.fits[SCI] is one) or 16-bit PNG files of one size, linear in light (no JPEG, no sRGB). LENS is a lens file
+    with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting point. Several images need the
+    --defocus of each (phase diversity). One image leaves the common sign of the even terms (total defocus,
+    astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the one whose
+    first even term is positive if both are equally near.
 
     LENS may describe a microscope. IMAGES are then the planes of a z stack of a small bead at the depth of the file
     (or --depth), in the order of the stage, towards the sample, --step apart; the middle one is at the origin of the

@@ -50,6 +50,7 @@ _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
 _CERTAIN = 0.25
 # Factor by which a standard error may change within one standard deviation of the answer.
 _STEADY = 1.125
+_NORMALIZED = 0.05  # by which the sum of a normalised image may differ from 1
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
@@ -531,6 +532,12 @@ def _retrieval(
     if not np.isfinite(errors).all():
         blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
         message += f"; the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
+    light = counts.filled().sum(axis=(1, 2))
+    if not converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
+        message += (
+            "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons of the star, or "
+            "state white"
+        )
     message += remarks([counts[k] for k in range(model.count)], noise, "image")
     return Retrieval(
         wavefront=wavefront,

@@ -19,7 +19,7 @@ from scipy import ndimage
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.localize.detection import Spots, find, find_in, frame_counts
-from lommel.localize.fitting import Deviation, Molecules, fit
+from lommel.localize.fitting import STATES, Deviation, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
 from lommel.localize.table import Table
@@ -38,6 +38,7 @@ def localize_movie(
     width: float | None = None,
     saturation: float | None = None,
     starts: int = 4,
+    flat: bool = False,
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -65,6 +66,9 @@ def localize_movie(
         As of :func:`lommel.localize.find`; pixels that are full do not count in fits.
     starts : int, default 4
         Number of starts of a fit where the first estimate is in doubt.
+    flat : bool, default False
+        For images that do not tell z, as without astigmatism: x and y alone are estimated for. A fit that ends at an
+        end of the range of z has converged, and z is NaN.
     block : int, optional
         Frames in memory at once; by default as many as have four million pixels.
     threads : int, optional
@@ -89,7 +93,14 @@ def localize_movie(
     >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
     >>> found.save("molecules.csv")  # doctest: +SKIP
     """
-    options = {"noise": noise, "threshold": threshold, "width": width, "saturation": saturation, "starts": starts}
+    options = {
+        "noise": noise,
+        "threshold": threshold,
+        "width": width,
+        "saturation": saturation,
+        "starts": starts,
+        "flat": flat,
+    }
     return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
 
 
@@ -102,6 +113,7 @@ def localize_blocks(
     width: float | None = None,
     saturation: float | None = None,
     starts: int = 4,
+    flat: bool = False,
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -110,7 +122,7 @@ def localize_blocks(
 
     Parameters
     ----------
-    movie, table, noise, threshold, width, saturation, starts, block, threads, progress
+    movie, table, noise, threshold, width, saturation, starts, flat, block, threads, progress
         As of :func:`lommel.localize.localize_movie`.
 
     Yields
@@ -133,7 +145,8 @@ def localize_blocks(
             sides, box = (" x ".join(map(str, each)) for each in (shape[1:], table.shape))
             raise ValueError(f"{name or 'movie'} must have frames of at least {box} pixels, the box, got {sides}")
         pixel = table.pixel / table.pupil.magnification
-        recording = Recording(*shape, pixel, table.shape, table.along, name)
+        along = "none" if validation.truth("flat", flat) else table.along
+        recording = Recording(*shape, pixel, table.shape, along, name)
         done = 0
         for frames in blocks:
             counts = frame_counts(frames, table.shape, saturation)
@@ -142,7 +155,7 @@ def localize_blocks(
             spots = find_in(counts, table.shape, noise, threshold, width, done, threads)
             again = partial(fit, table, noise=noise, saturation=math.inf, starts=starts, threads=threads)
             found = _recentred(counts.marked(), spots.frame - done, spots.corners, table, again)
-            yield _localizations(spots, found, recording, widths)
+            yield _localizations(spots, found, recording, widths, table)
             done += len(frames)
             if progress is not None:
                 progress(done, shape[0])
@@ -277,7 +290,7 @@ def _opened(
 
 
 def _localizations(
-    spots: Spots, found: Molecules, recording: Recording, widths: tuple[Array, Array, Array]
+    spots: Spots, found: Molecules, recording: Recording, widths: tuple[Array, Array, Array], table: Table
 ) -> Localizations:
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel
     rows["frame"], rows["score"] = spots.frame, spots.score
@@ -290,6 +303,9 @@ def _localizations(
         rows[f"{to}_deviation"] = getattr(found.deviation, name) * scale
     heights, along_y, along_x = widths
     rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
+    if recording.along == "none":
+        rows["state"][(found.state == STATES.index("border")) & np.isin(found.z, table.z)] = 0
+        rows["z"] = rows["z_deviation"] = np.nan
     left = spots.borders, spots.overlapping, spots.saturated, spots.left_out
     return Localizations(rows, recording, len(spots), *left)
 

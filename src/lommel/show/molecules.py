@@ -29,15 +29,17 @@ def picture(
     """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
     axes = new_axes(ax, figsize=(6.4, 5.6))
     side = max(_LEAST, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST)
-    heights = 1e6 * rows["z"]
+    flat = along == "none"
+    heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
     low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
     map_ = library("matplotlib.cm", *USER).ScalarMappable(cmap=_COLOURS)
     map_.set_clim(low, max(high, low + 1e-3))
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
-    colours = map_.to_rgba(heights)[:, :3] if rows.size else np.zeros((0, 3))
+    colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
     axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
     figure: Any = axes.get_figure(root=True)
-    figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
+    if not flat:
+        figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
     return axes
 

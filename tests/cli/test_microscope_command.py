@@ -193,7 +193,7 @@ def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_lin
 )
 def test_commands_that_need_a_lens_refuse_a_microscope_in_a_sentence(line, folder, call_lommel):
     Image.fromarray(np.zeros((8, 9, 3), np.uint8)).save(folder / "photo.png")
-    tifffile.imwrite(folder / "depth.tif", np.ones((8, 9), np.float32))
+    tifffile.imwrite(folder / "depth.tif", np.full((8, 9), 2.0, np.float32))
     result = call_lommel(*line.split(), folder=folder)
     assert result.returncode == 2
     assert "objective.toml: describes a microscope, [objective], not a lens: " in result.stderr

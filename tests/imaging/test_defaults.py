@@ -34,7 +34,6 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("steps", "TotalVariation"): "counts steps of another kind than those of Richardson and Lucy",
     ("steps", "lommel restore"): "None takes that of the method",
     ("method", "lommel restore"): "spells out what None is elsewhere",
-    ("read", "estimate_noise"): "is not left to the noise model: a stack alone does not separate it from the offset",
     ("sharp", "LiveDepth"): "asks for images, where lommel depth names a file",
     ("unknown", "Restoration"): "is the share that was found, not what means unknown",
     ("unknown", "lommel blur"): "is repeated for each value",

@@ -223,7 +223,7 @@ def computed(value: Any) -> Any:
         return value
     if callable(compute := getattr(value, "compute", None)) and hasattr(value, "dask"):
         return compute()
-    held = getattr(value, "data", None)  # of astropy's NDData without a mask
+    held = None if hasattr(value, "__array__") else getattr(value, "data", None)  # of astropy's NDData
     return held if isinstance(held, np.ndarray) and hasattr(value, "mask") else value
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import dask.array
 import numpy as np
 import pytest
 import tifffile
+import zarr
 from astropy.io import fits
 from PIL import Image
 
-from lommel.recorded.frames import RecordingError, read_images
+from lommel.recorded.frames import RecordingError, open_frames, read_images
 
 STACK = np.arange(24, dtype=np.uint16).reshape(2, 3, 4) * 100
 
@@ -68,7 +70,7 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
         (("a.npy", "wide.npy"), r"wide.npy: images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
         (("a.npy", "float.npy"), r"images of 3 x 4 float64, those before are of 3 x 4 uint16"),
         (("line.npy",), r"line.npy: it must have images of one pixel or more, .*, got the shape \(4,\)"),
-        (("complex.npy",), "not grey images"),
+        (("complex.npy",), "save one stack of grey images"),
         (("text.tif",), "is not a TIFF"),
         (("sizes.tif",), r"sizes.tif: it holds 2 images \(3 x 4, 3 x 3\): name one, as in sizes.tif\[0\]"),
     ]:
@@ -149,3 +151,47 @@ def test_a_card_that_is_not_standard_does_no_harm_and_a_file_that_is_cut_off_is_
     (tmp_path / "cut.fits").write_bytes(data[:2900])
     with pytest.raises(RecordingError, match=r"cut\.fits: "):
         read_images([tmp_path / "cut.fits"])
+
+
+MANY = np.arange(2 * 3 * 4 * 6 * 7, dtype=np.uint16).reshape(2, 3, 4, 6, 7)
+
+
+@pytest.mark.parametrize("suffix", ["ome.tif", "ome.zarr", "array"])
+def test_frames_are_sliced_as_arrays_are_and_by_dask(suffix, tmp_path):
+    path = tmp_path / f"many.{suffix}"
+    if suffix == "ome.tif":
+        tifffile.imwrite(path, MANY, metadata={"axes": "TCZYX"}, compression="zlib")
+    elif suffix == "ome.zarr":
+        kinds = ["time", "channel", "space", "space", "space"]
+        axes = [{"name": name, "type": kind} for name, kind in zip("tczyx", kinds, strict=True)]
+        group = zarr.create_group(path, zarr_format=2)
+        group.create_array("0", data=MANY, chunks=(1, 1, 3, 4, 5))
+        scale = {"coordinateTransformations": [{"type": "scale", "scale": [1.0] * 5}]}
+        group.attrs["multiscales"] = [{"version": "0.4", "axes": axes, "datasets": [{"path": "0"} | scale]}]
+    with open_frames(MANY if suffix == "array" else path) as frames:
+        assert (frames.shape, frames.ndim, frames.dtype, len(frames)) == (MANY.shape, 5, MANY.dtype, 2)
+        assert frames.axes == ("QQQYX" if suffix == "array" else "TCZYX")
+        for at in (
+            0, -1, np.s_[1, 2], np.s_[:, 1], np.s_[..., 3], np.s_[0, ..., 2:5, ::-2], np.s_[::-1, 0, 1:1],
+            np.s_[1, 2, 3, 4, 5], np.s_[[1, 0], 2, :, 1:3], np.s_[...],
+        ):  # fmt: skip
+            found = frames[at]
+            np.testing.assert_array_equal(found, MANY[at])
+            assert np.shape(found) == MANY[at].shape
+        lazy = dask.array.from_array(frames, chunks=(1, 1, 2, 3, 7))
+        assert int(lazy[1].max().compute()) == MANY[1].max()
+        with pytest.raises(IndexError):
+            frames[2]
+        with pytest.raises(TypeError, match="rows and columns must be integers or slices"):
+            frames[0, 0, 0, [1, 2]]
+
+
+def test_an_array_in_a_file_stays_on_the_disk_until_it_is_read(tmp_path):
+    with (tmp_path / "long.npy").open("wb") as file:
+        np.lib.format.write_array_header_1_0(file, {"descr": "<u2", "fortran_order": False, "shape": (2**21, 64, 64)})
+        file.truncate(file.tell() + 2 * 2**21 * 64 * 64)  # 16 GB, of which the disk has nothing
+    assert not open_frames(tmp_path / "long.npy")[2**21 - 1, 60:].any()
+    with (tmp_path / "long.npy").open("rb") as file:
+        (tmp_path / "cut.npy").write_bytes(file.read(5000))
+    with pytest.raises(RecordingError, match=r"cut.npy: its values take 17179869184 bytes, got 4872"):
+        open_frames(tmp_path / "cut.npy")

@@ -198,6 +198,15 @@ def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.gene
     return values, data[start + count * kind.itemsize :]
 
 
+def npy_mapped(path: Path) -> NDArray[np.generic]:
+    """Return the array of a .npy file, whose values stay on the disk until they are read."""
+    at, shape, fortran, kind = _npy_header(start(path, _HEADER), validation.MAX_VALUES)
+    count, held = math.prod(shape) * kind.itemsize, size(path) - at
+    if count > held:
+        raise ValueError(f"its values take {count} bytes, got {held}")
+    return np.memmap(path, kind, "r", at, shape, "F" if fortran else "C") if count else np.zeros(shape, kind)
+
+
 def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:

@@ -31,6 +31,7 @@ __all__ = ["Frames", "RecordingError", "open_frames"]
 
 _JSON = 2**24  # bytes of a description that are parsed
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
+_NUMPY = b"\x93NUMPY"
 _CHANNELS = 4096  # of an OME-Zarr
 _PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 UNKNOWN = "Q"
@@ -114,6 +115,8 @@ class Frames:
             given = given[:k] + (slice(None),) * (self.ndim - len(given) + 1) + given[k + 1 :]
         lead = self.numbers.ndim
         chosen, part = self.numbers[given[:lead]], given[lead:]
+        if not all(isinstance(one, slice | int | np.integer) for one in part):
+            raise TypeError(f"rows and columns must be integers or slices, got {shown(part)}")
         if np.ndim(chosen) == 0:
             plane = self.planes.plane(int(chosen))
             return plane[part] if part else plane
@@ -339,6 +342,9 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
             return _zarr(where)
     start = reading.start(where, 16)
     photos.require_developed(where, start)
+    if start.startswith(_NUMPY):
+        with told_of(where):
+            return replace(_of_array(_grey(reading.npy_mapped(where)), "it"), path=where)
     if start.startswith(photos.TIFF):
         if part is not None:
             if not part.isdecimal():
@@ -521,8 +527,11 @@ def _look(folder: Path, below: str) -> None:
                 raise ValueError(f"{name}: {reading.reason(error)}") from None
 
 
-def _npy(data: bytes, _part: str | None) -> fits_images.Image:
-    return fits_images.Image(reading.npy(data, reading.MAX_PIXELS)[0], {})
+def _grey(values: Values) -> Values:
+    """Return the values of a file; ValueError if they are no grey image, nor a stack of them."""
+    if values.ndim > 3 or values.dtype.kind not in "iufb":
+        raise ValueError(f"it holds {values.dtype} of the shape {values.shape}; save one stack of grey images")
+    return values
 
 
 def _png(data: bytes, _part: str | None) -> fits_images.Image:
@@ -538,7 +547,6 @@ def _fits(data: bytes, part: str | None) -> fits_images.Image:
 
 _images = partial(Format, "images")
 registry.register(
-    _images((".npy",), read=_npy, starts=(b"\x93NUMPY",)),
     _images((".png",), read=_png, starts=photos.PNG, library="PIL.Image"),
     _images(fits_images.SUFFIXES, read=_fits, starts=(b"SIMPLE  =",), library="astropy"),
     _images(fits_images.PACKED, read=_fits, starts=fits_images.PACKED_STARTS, library="astropy"),

@@ -175,3 +175,15 @@ def test_sizes_far_beyond_the_files_are_refused(version, tmp_path):
     (path / "0" / key).parent.mkdir(parents=True, exist_ok=True)
     (path / "0" / key).write_bytes(bytes(1000))
     refused(path, "bytes of memory; the limit for a file of 1000 bytes")
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("stated", [10**7, None], ids=["too long", "no header"])
+def test_a_chunk_of_blosc_that_ends_before_it_says_is_refused(version, stated, tmp_path):
+    packer = numcodecs.Blosc() if version == 2 else zarr.codecs.BloscCodec()
+    path = made(tmp_path / "a.zarr", version, compressors=packer)
+    data = bytearray(chunks(path)[0].read_bytes())
+    if stated is not None:
+        struct.pack_into("<I", data, 12, stated)  # of which Blosc would read all
+    chunks(path)[0].write_bytes(data if stated is not None else data[:12])
+    refused(path, "its chunk .*0.0.0 is cut off: it ends before it says")

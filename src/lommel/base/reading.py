@@ -593,8 +593,9 @@ def tiff_array(page: Any) -> NDArray[Any]:
         image = _UNPACKED[page.parent] = TiffImageFile(page.parent.filehandle)
     dtype = np.dtype(page.dtype).newbyteorder("=")
     try:
-        image.seek(page.index)
-        values = np.asarray(image)
+        with _unprinted():
+            image.seek(page.index)
+            values = np.asarray(image)
     except (OSError, SyntaxError, TypeError) as error:  # TypeError: of a page below another
         raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
     if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
@@ -602,6 +603,25 @@ def tiff_array(page: Any) -> NDArray[Any]:
     return values.astype(dtype, copy=False)
 
 
+@contextmanager
+def _unprinted() -> Iterator[None]:
+    """Keep from standard error what libtiff prints there of damaged files, which an error tells; one at a time."""
+    with _PRINTING, Path(os.devnull).open("wb") as nothing:
+        try:
+            kept = os.dup(2)
+        except OSError:  # it is closed
+            kept = -1
+        try:
+            if kept >= 0:
+                os.dup2(nothing.fileno(), 2)
+            yield
+        finally:
+            if kept >= 0:
+                os.dup2(kept, 2)
+                os.close(kept)
+
+
+_PRINTING = threading.Lock()
 _LZW = 5
 _UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files as Pillow has them open
 
@@ -692,7 +712,7 @@ def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
             at += struct.calcsize("=" + entry) + inline
         return tags, int(struct.unpack_from(order + word, data, at)[0])
-    except struct.error:
+    except (struct.error, OverflowError):  # of places beyond what Python counts
         raise ValueError("its pages go beyond its end") from None
 
 

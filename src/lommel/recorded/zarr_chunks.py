@@ -112,6 +112,8 @@ class Chunks:
             return
         data = reading.contents(self._folder / key)
         for part in self._parts(data) if self._array.shards else (data,):
+            if self._packer == "blosc" and (len(part) < 16 or struct.unpack_from("<I", part, 12)[0] > len(part)):
+                raise ValueError(f"its chunk {key} is cut off: it ends before it says")  # Blosc would read on
             if _unpacked(self._packer, part, self._bytes + _ROOM) > 2 * self._bytes + _ROOM:
                 raise ValueError(f"its chunk {key} unpacks to more than its {self._bytes} bytes")
 

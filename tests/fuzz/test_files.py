@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import bz2
+import gzip
+import io
 import logging
 import os
 import random
+import re
 import shutil
 import warnings
+import zipfile
 from pathlib import Path
 
 import h5py
@@ -17,10 +22,13 @@ import zarr
 from PIL import Image
 
 import lommel as lm
+import readers
 from lommel import imaging, localize, microscopy
-from lommel.io import fits_images
+from lommel.io import fits_images, psf_files, psf_formats
 from lommel.lensfiles.tables import read_csv
+from lommel.localize import table
 from lommel.recorded.frames import read_images
+from lommel.stacks import stack, store
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)
@@ -54,6 +62,16 @@ pixel = "3 um"
 shape = [9, 11]
 [report]
 encircled_energy = ["5 um", "1 mrad"]
+"""
+
+CAMERA = """name = "a"
+source = "b"
+[camera]
+pixel = "6.5 um"
+read = 1.4
+full_well = 30000
+gain = 0.46
+offset = 100
 """
 
 OBJECTIVE = """name = "a"
@@ -156,7 +174,7 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     (folder / "lens.toml").write_text(LENS)
     found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
     (folder / "field.csv").write_text("x,y,Z4,Z8\n0,0,0.1,0.2\n1 mm,0,0.3,0.4\n0,1 mm,0.5,0.6\n")
-    found |= _more(folder, grid, of_psf, of_grid)
+    found |= _more(folder, grid, of_psf, of_grid) | _cameras(folder)
     found["field.csv"] = (folder / "field.csv", lambda path: read_csv(path, "noll"), False)
     grid.save(folder / "grid.zarr")
     found["grid.zarr"] = (folder / "grid.zarr", of_grid, True)
@@ -243,7 +261,34 @@ def _recordings(folder: Path) -> dict[str, tuple[Path, object, object]]:
 
     names = ("plain.ome.tif", "tiles.ome.tif", "imagej.tif", "chunks.zarr", "shards.zarr")
     found = {f"recording {name}": (folder / name, planes, False) for name in names}
-    return found | {f"movie {name}": (folder / name, frames, False) for name in names[:3]}
+    found |= {f"movie {name}": (folder / name, frames, False) for name in names[:3]}
+    first, *others = map(Image.fromarray, stack)
+    first.save(folder / "images.tif", save_all=True, append_images=others, compression="tiff_lzw")
+    first.save(folder / "images.png")
+    np.save(folder / "images.npy", stack)
+    packed = fits_images.write([(stack.astype(np.float32), {})])
+    (folder / "images.fits.gz").write_bytes(gzip.compress(packed))
+    (folder / "images.fits.bz2").write_bytes(bz2.compress(packed))
+    for suffix in (".tif", ".png", ".npy", ".fits.gz", ".fits.bz2"):
+        found[f"images{suffix}"] = (folder / f"images{suffix}", lambda path: read_images([path]), False)
+    return found
+
+
+def _cameras(folder: Path) -> dict[str, tuple[Path, object, object]]:
+    """Cameras, and tables of images of molecules."""
+    (folder / "camera.toml").write_text(CAMERA)
+    pupil = lm.Objective(NA=0.8, magnification=20, immersion=1.0, sample=1.33).pupil(depth=1e-6, wavelength=600e-9)
+    made = localize.Table(pupil, shape=5, pixel=6.5e-6, z=(-1e-7, 1e-7), reach=0.5, tol=0.05)
+    made.save(folder / "molecules.npz")
+
+    def of_table(path: Path) -> object:
+        loaded = localize.Table.load(path)
+        return loaded(2.0, 2.0, 0.0).tobytes(), repr(loaded), repr(loaded.pupil.to_dict())
+
+    return {
+        "camera.toml": (folder / "camera.toml", lm.load_camera, False),
+        "molecules.npz": (folder / "molecules.npz", of_table, True),
+    }
 
 
 def mutated(data: bytes, draw: random.Random) -> bytes:
@@ -317,7 +362,24 @@ KINDS = [
     *("exif.jpg", "exif.png", "levels.png", "stars.fits", "stars.tif"),
     *("recording plain.ome.tif", "recording tiles.ome.tif", "recording imagej.tif", "recording chunks.zarr"),
     *("recording shards.zarr", "movie plain.ome.tif", "movie tiles.ome.tif", "movie imagej.tif"),
+    *("images.tif", "images.png", "images.npy", "images.fits.gz", "images.fits.bz2", "camera.toml", "molecules.npz"),
 ]
+# Kinds with a checksum of ours, which says that a file is as it was written; it keeps out damage, not those who can
+# make it, too.
+RESEALED = [
+    *("psf.tif", "psf.npy", "psf.npz", "psf.fits", "psf.fits.gz", "psf.h5", "psf.mat", "psf.raw", "stack.npz"),
+    *("grid.tif", "grid.npz", "grid.fits", "grid.zarr", "store.zarr", "colour.npz", "molecules.npz"),
+]
+# Public functions that read files by others, which are fuzzed.
+BY_OTHERS = {
+    "imaging.render_dataset": "read_photo and read_depth; of its own folder what is made of these",
+    "live": "load_instrument",
+    "localize.localize_blocks": "open_movie",
+    "localize.localize_movie": "open_movie",
+    "microscopy.RestoredStack.save": "to write; whether a folder is its own",
+    "microscopy.restore": "open_recording; of its own folder what is made of this",
+    "psf_to": "open_stack",
+}
 
 
 @pytest.fixture(scope="module")
@@ -329,47 +391,138 @@ def good(tmp_path_factory):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_mutated_file_is_refused_or_read_as_it_was(kind, good, tmp_path, hunt, count):
+    path, read, sealed = copied(kind, good, tmp_path)
+    whole, parts = read(path), contents(path)
+
+    def case(k: int) -> str | None:
+        draw = random.Random(f"{kind} {k}")
+        mutate(path, parts, draw)
+        return judged(path, read, whole if sealed else None)
+
+    findings = hunt(case, count(15, 1000), seconds=10, memory=3 * 2**29)
+    assert not findings, "\n".join(findings)
+
+
+@pytest.mark.parametrize("kind", RESEALED)
+def test_a_mutated_file_whose_checksums_are_right_is_refused_or_read(kind, good, tmp_path, hunt, count, monkeypatch):
+    path, read, _ = copied(kind, good, tmp_path)
+    parts = contents(path)
+    for module in (table, psf_files, store, stack):
+        for name in {"checksum", "crc32"} & vars(module).keys():
+            monkeypatch.setattr(module, name, lambda *_: Right())
+
+    def case(k: int) -> str | None:
+        draw = random.Random(f"resealed {kind} {k}")
+        for part, data in parts.items():
+            part.write_bytes(data)
+        part = draw.choice(list(parts))
+        part.write_bytes(resealed(parts[part], draw))
+        return judged(path, read, None)
+
+    findings = hunt(case, count(15, 1000), seconds=10, memory=3 * 2**29)
+    assert not findings, "\n".join(findings)
+
+
+class Right(int):
+    """A checksum that is equal to that of any file: as if it had been made of what was mutated."""
+
+    __hash__ = int.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    def __ne__(self, other: object) -> bool:
+        return False
+
+
+def resealed(data: bytes, draw: random.Random) -> bytes:
+    """Return a mutated file with its checksums made anew: of archives, of gzip and of HDF5; others are `Right`."""
+    if data.startswith(b"PK"):
+        room = io.BytesIO()
+        with zipfile.ZipFile(io.BytesIO(data)) as before, zipfile.ZipFile(room, "w") as after:
+            chosen = draw.choice(before.namelist())
+            for name in before.namelist():
+                part = before.read(name)
+                after.writestr(name, reworded(part, draw) if name == chosen else part)
+        return room.getvalue()
+    if data.startswith(b"\x1f\x8b"):
+        return gzip.compress(reworded(gzip.decompress(data), draw))
+    at = data.find(psf_formats._CHECKED, 0, 512)
+    out = reworded(data, draw)
+    if at >= 0 and len(out) > 512:
+        at += len(psf_formats._CHECKED)
+        out = out[:at] + psf_formats._sum(out) + out[at + 8 :]
+    return out
+
+
+def reworded(data: bytes, draw: random.Random) -> bytes:
+    """Return bytes of which a word of the JSON in them is another, of the same length where others count on it."""
+    words = list(re.finditer(rb'-?\d+\.?\d*(?:e-?\d+)?|"[^"\\]{0,40}"|null|true|false', data[data.find(b'{"') :]))
+    if data.find(b'{"') < 0 or not words or draw.randrange(4) == 0:
+        return mutated(data, draw)
+    word, start = draw.choice(words), data.find(b'{"')
+    new = draw.choice((b"0", b"-1", b"1e400", b"NaN", b"99999999999", b"null", b"[]", b"{}", b"true", b'"x"', b"0.5"))
+    if draw.randrange(2):
+        new = new[: len(word[0])].ljust(len(word[0]))
+    return data[: start + word.start()] + new + data[start + word.end() :]
+
+
+def copied(kind, good, tmp_path):
+    """Copy the good files; return the one of a kind, renamed, what reads it, and whether it has a checksum."""
     folder, found = good
     shutil.copytree(folder, tmp_path, dirs_exist_ok=True)
     path, read, sealed = found[kind]
     path = tmp_path / path.relative_to(folder)
-    whole = read(path)
     others = [other for other in tmp_path.glob(f"{path.stem}.*") if {path.suffix, other.suffix} == {".raw", ".json"}]
     end = "".join(path.suffixes)
     path = path.rename(tmp_path / f"mutated{end}")
     for other in others:  # that which lies beside
         other.rename(tmp_path / f"mutated{other.suffix}")
+    return path, read, sealed
+
+
+def contents(path: Path) -> dict[Path, bytes]:
     files = sorted(path.rglob("*")) if path.is_dir() else [path]
-    parts = {part: part.read_bytes() for part in files if part.is_file()}
+    return {part: part.read_bytes() for part in files if part.is_file()}
 
-    def case(k: int) -> str | None:
-        draw = random.Random(f"{kind} {k}")
-        mutate(path, parts, draw)
-        records: list[logging.LogRecord] = []
-        handler = logging.Handler()
-        handler.emit = records.append  # type: ignore[method-assign]
-        logging.getLogger().addHandler(handler)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            try:
-                answer = read(path)
-            except (ValueError, OSError) as error:
-                message = str(error)
-                if isinstance(error, UnicodeError) or "mutated" not in message:
-                    return f"{type(error).__name__} that does not name the file: {message[:300]}"
-                most = 15 if path.suffix in (".toml", ".json", ".csv", ".txt") else 1
-                if len(message.splitlines()) > most or len(message) > 300 * most + 200:
-                    return (
-                        f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:300]}"
-                    )
-                return None if not records else f"logged: {records[0].getMessage()[:200]}"
-            except BaseException as error:
-                return f"{type(error).__name__}: {str(error)[:300]}"
-        if records:
-            return f"logged: {records[0].getMessage()[:200]}"
-        if sealed and answer != whole:
-            return "it was read as something else"
-        return None
 
-    findings = hunt(case, count(15, 1000), seconds=10, memory=3 * 2**29)
-    assert not findings, "\n".join(findings)
+def judged(path: Path, read, whole: object) -> str | None:
+    """Return what is wrong with how a file is read or refused; `whole` is what may come out of it, if not None."""
+    records: list[logging.LogRecord] = []
+    handler = logging.Handler()
+    handler.emit = records.append  # type: ignore[method-assign]
+    logging.getLogger().addHandler(handler)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            answer = read(path)
+        except (ValueError, OSError) as error:
+            message = str(error)
+            if isinstance(error, UnicodeError) or "mutated" not in message:
+                return f"{type(error).__name__} that does not name the file: {message[:300]}"
+            most = 15 if path.suffix in (".toml", ".json", ".csv", ".txt") else 1
+            if len(message.splitlines()) > most or len(message) > 300 * most + 200:
+                return f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:300]}"
+            return None if not records else f"logged: {records[0].getMessage()[:200]}"
+        except BaseException as error:
+            return f"{type(error).__name__}: {str(error)[:300]}"
+        finally:
+            logging.getLogger().removeHandler(handler)
+    if records:
+        return f"logged: {records[0].getMessage()[:200]}"
+    return "it was read as something else" if whole is not None and answer != whole else None
+
+
+def test_every_public_reader_is_fuzzed(good):
+    _, found = good
+    assert sorted(found) == sorted(KINDS)
+    public = readers.public_readers()
+    assert len(public) > 20
+    assert BY_OTHERS.keys() < public.keys()
+
+    def all_kinds() -> None:
+        for path, read, _ in found.values():
+            read(path)
+
+    called = readers.called(all_kinds, set(public.values()))
+    assert [name for name, code in public.items() if code not in called and name not in BY_OTHERS] == []

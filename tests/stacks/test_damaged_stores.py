@@ -13,10 +13,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base.checksums import sealed
+from lommel.base.checksums import crc32, sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import FileError
 from lommel.io.zarr_folders import Layout
+from lommel.stacks import store
 
 PUPILS = lm.Pupil(lm.Wavefront(np.linspace(0.0, 1.0, 6), nonradial={(3, 1): 0.2}))
 
@@ -115,6 +116,22 @@ def test_a_damaged_store_with_a_new_seal_is_a_fault_of_the_file(change, good, tm
     resealed(path, change)
     with pytest.raises(FileError, match=r"a\.zarr is not a stack of PSFs written by lommel"):
         lm.open_stack(path)[1]
+
+
+@pytest.mark.parametrize("place", [0, 1])
+def test_a_method_that_a_store_does_not_have_is_a_fault_of_the_file(place, good, tmp_path):
+    path = copied(good, tmp_path)
+    chunk = path / "method" / "c.0"
+    data = bytearray(chunk.read_bytes())
+    data[place] = 31
+    chunk.write_bytes(data)
+    with pytest.raises(FileError, match="its checksum is another"):
+        lm.open_stack(path)[:]
+    own = lm.open_stack(path)._store
+    made, pupils = ({name: own.given(name, (0,)) for name in names} for names in (store.OF_CHUNK, own.pupils))
+    own.keep((0,), made, crc32({}, pupils))
+    with pytest.raises(FileError, match=r"a\.zarr is not a stack .*: it names method 31 of 2"):
+        lm.open_stack(path)[:]
 
 
 def test_an_array_that_is_stored_another_way_is_refused(tmp_path):

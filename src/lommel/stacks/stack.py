@@ -172,6 +172,9 @@ class PSFStack:
         which, found = self._members(index)
         said = self._store.said
         ways = np.unique(found["method"])
+        with told(self._store.path, WHAT):
+            if ways[-1] >= len(self._methods):
+                raise ValueError(f"it names method {ways[-1]} of {len(self._methods)}")
         if ways.size != 1:
             names = " and ".join(type(self._methods[way]).__name__ for way in ways)
             raise ValueError(f"these were computed by {names}; take them apart: stack[...] has one method")

@@ -90,7 +90,9 @@ def test_pages_are_found_as_tifffile_finds_them(way, tmp_path, monkeypatch):
     assert answer(path, image) == found
     if way in WRITERS:
         assert found[2] == STACK[35 if image else 0 :].tobytes()
-        assert quick < 100 < len(tags) - quick  # those of the first and the last
+        with tifffile.TiffFile(path) as file:
+            told = hasattr(file.pages, "_loaded")  # not of older releases
+        assert quick < 100 < len(tags) - quick or not told  # those of the first and the last
     else:
         assert quick == len(tags) - quick
 

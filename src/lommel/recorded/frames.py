@@ -508,6 +508,8 @@ def _zarr(path: Path) -> Frames:
     )
     planes = _Chunked(path, array)
     missing, total = planes.chunks.missing()
+    if missing == total:
+        raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
     notes = [
         f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
         "empty, or the copy is not complete."

@@ -242,11 +242,14 @@ def section_of(module: str) -> Section:
 def groups() -> dict[str, tuple[Section, list[str], list[str]]]:
     """Return, by name of the page, each section with its public names and those of its modules."""
     found, names = {}, public()
+    seen: set[int] = set()  # of what several packages have under one name
     for section in SECTIONS:
         listed = sorted((name for name, module in names.items() if section_of(module) is section), key=str.lower)
         if section.package:
             package = import_module(f"lommel.{section.package}")
-            listed += [f"{section.package}.{n}" for n in package.__all__ if callable(getattr(package, n))]
+            own = {n: getattr(package, n) for n in package.__all__ if callable(getattr(package, n))}
+            listed += [f"{section.package}.{n}" for n, one in own.items() if id(one) not in seen]
+            seen |= {id(one) for one in own.values()}
         more = section.more.split()
         # Functions of `lommel.show` and methods have a short name too.
         short = [name for name in more if name.startswith("show.") or name.count(".") == 1]

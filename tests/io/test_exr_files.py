@@ -42,10 +42,16 @@ def test_halves_are_read_and_depth_maps_keep_what_is_unknown(tmp_path):
 def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
     light = np.zeros((5, 6, 4), np.float32)
     write(tmp_path / "alpha.exr", {"RGBA": light})
-    with pytest.raises(lm.imaging.PhotoError, match="channels are A, B, G, R"):
+    with pytest.raises(lm.imaging.PhotoError, match="alpha that is not 1 everywhere: put it on a background"):
         lm.imaging.read_photo(tmp_path / "alpha.exr")
-    with pytest.raises(lm.imaging.PhotoError, match="a depth map has one, or one named Z"):
-        lm.imaging.read_depth(tmp_path / "alpha.exr")
+    write(tmp_path / "two.exr", {"U": light[..., 0], "V": light[..., 1]})
+    with pytest.raises(lm.imaging.PhotoError, match="channels are U, V, neither R, G, B nor Y"):
+        lm.imaging.read_photo(tmp_path / "two.exr")
+    coloured = np.random.default_rng(1).random((5, 6, 3)).astype(np.float32)
+    write(tmp_path / "coloured.exr", {"RGB": coloured})
+    for name in ("two.exr", "coloured.exr"):
+        with pytest.raises(lm.imaging.PhotoError, match="a depth map has one, or one named Z"):
+            lm.imaging.read_depth(tmp_path / name)
     corners = (np.array([0, 0], np.int32), np.array([9, 9], np.int32))
     write(tmp_path / "part.exr", {"Y": light[..., 0]}, displayWindow=corners)
     with pytest.raises(lm.imaging.PhotoError, match="save it uncropped"):
@@ -57,3 +63,17 @@ def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
             lm.imaging.read_depth(tmp_path / "short.exr")
     with pytest.raises(ValueError, match="no ICC profile"):
         lm.imaging.write_photo(tmp_path / "b.exr", light[..., 0], dtype=np.float32, profile=b"x")
+
+
+def test_opaque_alpha_depth_beside_grey_in_three_channels_and_layers_are_read(tmp_path):
+    light = np.random.default_rng(0).random((5, 6, 4)).astype(np.float32)
+    light[..., 3] = 1.0
+    depth = np.linspace(0.5, 9.0, 30, dtype=np.float32).reshape(5, 6)
+    write(tmp_path / "opaque.exr", {"RGBA": light, "Z": depth})
+    assert np.array_equal(lm.imaging.read_photo(tmp_path / "opaque.exr").values, light[..., :3])
+    assert np.array_equal(lm.imaging.read_depth(tmp_path / "opaque.exr"), depth)
+    write(tmp_path / "grey.exr", {"RGB": np.repeat(depth[..., None], 3, axis=2)})
+    assert np.array_equal(lm.imaging.read_depth(tmp_path / "grey.exr"), depth)
+    layers = {f"ViewLayer.Combined.{name}": light[..., k] for k, name in enumerate("RGBA")}
+    write(tmp_path / "layers.exr", layers | {"ViewLayer.Depth.Z": depth})
+    assert np.array_equal(lm.imaging.read_depth(tmp_path / "layers.exr"), depth)

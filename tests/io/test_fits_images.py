@@ -15,7 +15,8 @@ FILE = fits_images.write([(VALUES, {"BUNIT": ("m", "a comment"), "NUMBER": 2.5})
 
 @pytest.mark.parametrize("data", [FILE, gzip.compress(FILE)], ids=["plain", "packed"])
 def test_images_come_with_their_cards(data):
-    ((values, header),) = fits_images.read(data, 12)
+    ((values, header, number, primary),) = fits_images.read(data, 12)
+    assert (number, primary) == (0, header)
     np.testing.assert_array_equal(values, VALUES)
     assert values.dtype == np.float64
     assert (header["BUNIT"], header["NUMBER"]) == ("m", 2.5)

@@ -160,6 +160,15 @@ def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
     assert flat.plot().get_figure(root=True).axes[1:] == []  # no bar of colours
 
 
+def test_what_is_masked_in_a_movie_does_not_count(table, counts):
+    hidden = np.zeros(counts.shape, dtype=bool)
+    hidden[:, 40:42] = True
+    known = localize_movie(np.where(hidden, np.nan, counts), table, noise=CAMERA, block=9)
+    found = localize_movie(np.ma.masked_array(counts, hidden), table, noise=CAMERA, block=9)
+    np.testing.assert_array_equal(found.table, known.table)
+    assert found.left_out == known.left_out > 0
+
+
 def test_maps_of_the_camera_are_those_of_each_box(table, molecules):
     draw = np.random.default_rng(3)
     shape = (SIDE, SIDE)

@@ -49,7 +49,7 @@ def test_what_was_assumed_or_may_be_saturated_is_said_once():
     found = counted(bright.astype(np.uint16))
     assert found.saturation == 1023
     said = remarks([found[0], found[1], found[2]], NOISE, "image")
-    assert said.count("that of 10 bits: they were taken as saturated; saturation= (--saturation) states another") == 1
+    assert said.count("that of 10 bits: they were taken as saturated; saturation= states another") == 1
     other = counted(np.minimum(bright, 1000.0))
     said = remarks([other[k] for k in range(3)], NOISE, "image")
     assert "pixels of image 1 have exactly the largest value, 1000: if they are saturated, state it" in said

@@ -19,6 +19,7 @@ from PIL import Image
 
 import containers
 from lommel import microscopy
+from lommel.recorded.frames import open_frames
 from objectives import OIL_FILE
 from small_recordings import DEPTH, bead, coloured, grey, movie, pair, sky, stack, stars
 
@@ -305,10 +306,103 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
     named.facts.pop("noise", None)
     named.facts.pop("assumed", None)
     equal(named.facts, expected.facts, 1e-12)
-    _, said = asked(without, EGAIN=-2.0, GAIN=120)
+    _, said = asked([*words, "--white" if command in ("retrieve", "fit-field") else "--gain", gain], EGAIN=-2.0)
     assert "The header of the images states gain -2.0, which cannot be used." in said
+    for cards in ({"EGAIN": -2.0}, {"BUNIT": "electron/s"}):
+        result = call_lommel(command, with_header(command, folder, **cards), *without, "--json", folder=folder)
+        assert re.search(r"header of the images states gain .*: state --(white|gain)", result.stderr), result.stderr
+    _, said = asked([*words], BAYERPAT="RGGB")
+    assert "states BAYERPAT = RGGB, a mosaic of colours" in said
     _, said = asked(without, GAIN=120)
     assert "states GAIN = 120, which was not taken" in said
+
+
+def test_files_whose_headers_contradict_each_other_are_refused(folder, call_lommel, caplog):
+    names = []
+    for k, (image, gain) in enumerate(zip(stars(), (0.5, 0.48, 0.5), strict=True)):
+        unit = fits.PrimaryHDU(image)
+        unit.header["EGAIN"] = gain
+        unit.writeto(folder / f"star-{k}.fits")
+        names.append(folder / f"star-{k}.fits")
+    words = [word for word in options_of("retrieve") if word not in ("--white", "0.5")]
+    result = call_lommel("retrieve", *names, *words, "--json", folder=folder)
+    assert "states gain of 0.5, 0.48 in different files: state --white" in result.stderr
+    result = call_lommel("retrieve", *names, *words, "--white", "0.5", "--json", folder=folder)
+    assert "states gain of 0.5, 0.48 in different files, which cannot be used" in result.stdout
+
+
+def test_extensions_have_the_numbers_and_versions_of_fits_and_the_header_of_the_first(folder, call_lommel, caplog):
+    images = stars().astype(np.uint16)
+    primary = fits.PrimaryHDU()
+    primary.header["EGAIN"], primary.header["RDNOISE"] = 0.5, 2.0
+    units = [
+        primary,
+        *(fits.ImageHDU(one, name="SCI", ver=k + 1) for k, one in enumerate(images)),
+        fits.ImageHDU(images[0]),
+    ]
+    fits.HDUList(units).writeto(folder / "all.fits")
+    for part, k in (("1", 0), ("2", 1), ("sci,3", 2), ("SCI,1", 0), ("4", 0)):
+        with open_frames(f"{folder}/all.fits[{part}]") as frames:
+            np.testing.assert_array_equal(frames[...], images[k])
+            assert (frames.said["gain"], frames.said["read"]) == (0.5, 2.0)
+    for part in ("0", "SCI", "SCI,4", "5"):
+        with pytest.raises(
+            ValueError, match=r"4 images, \[SCI,1\] of .*, \[4\] of .*: name one, as in file.fits\[SCI,1\]"
+        ):
+            open_frames(f"{folder}/all.fits[{part}]")
+
+
+def test_a_mask_of_stars_leaves_out_pixels(folder, call_lommel, caplog):
+    spoilt, mask = stars().copy(), np.zeros(stars().shape[1:], np.uint8)
+    spoilt[:, 10, 12:14], mask[10, 12:14] = 60000, 1
+    fits.HDUList([fits.PrimaryHDU(spoilt), fits.ImageHDU(mask, name="BAD")]).writeto(folder / "spoilt.fits")
+    words = [*options_of("retrieve"), "--json"]
+    masked = call_lommel(
+        "retrieve", folder / "spoilt.fits[0]", *words, "--mask", folder / "spoilt.fits[BAD]", folder=folder
+    )
+    fits.PrimaryHDU(np.where(mask, np.nan, stars())).writeto(folder / "without.fits")
+    without = call_lommel("retrieve", folder / "without.fits", *words, folder=folder)
+    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
+
+
+@pytest.mark.parametrize("command", ["beads", "localize"])
+def test_pixels_and_wavelengths_that_are_not_those_of_the_microscope_are_told(command, folder, call_lommel):
+    sizes = {"PhysicalSizeX": 0.16, "PhysicalSizeY": 0.16, "Channel": {"EmissionWavelength": 680}}
+    axes = "TYX" if command == "localize" else "ZYX"
+    tifffile.imwrite(folder / "other.ome.tif", IMAGES[command](), metadata={"axes": axes, **sizes})
+    result = call_lommel(command, folder / "other.ome.tif", *options_of(command), "--json", folder=folder)
+    notes = " ".join(json.loads(result.stdout)["notes"])
+    assert "The images state pixels of 160 nm in the sample; " in notes
+    assert "The images state an emission of 680 nm; " in notes
+
+
+def test_a_wavelength_of_the_stack_that_is_not_the_objective_s_is_told(folder, call_lommel):
+    sizes = {"PhysicalSizeX": 0.1, "PhysicalSizeY": 0.1, "PhysicalSizeZ": 0.25}
+    meta = {"axes": "ZYX", **sizes, "Channel": {"EmissionWavelength": 680}}
+    tifffile.imwrite(folder / "red.ome.tif", stack(), metadata=meta)
+    words = [*options_of("deconvolve"), "--step", "300nm", "--json"]
+    notes = " ".join(
+        json.loads(call_lommel("deconvolve", folder / "red.ome.tif", *words, folder=folder).stdout)["notes"]
+    )
+    assert "The stack has an emission wavelength of 680 nm, the objective file " in notes
+    assert "was taken, not that of the file." in notes
+
+
+def test_a_mask_of_beads_leaves_out_pixels(folder, call_lommel, caplog):
+    spoilt, mask = bead().copy(), np.zeros(bead().shape[1:], np.uint8)
+    spoilt[:, 2, 3], mask[2, 3] = 9000, 1
+    np.save(folder / "spoilt.npy", spoilt)
+    np.save(folder / "mask.npy", mask)
+    np.save(folder / "without.npy", np.where(mask, np.nan, bead()))
+    masked = call_lommel("beads", "spoilt.npy", *options_of("beads"), "--mask", "mask.npy", "--json", folder=folder)
+    without = call_lommel("beads", "without.npy", *options_of("beads"), "--json", folder=folder)
+    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
+
+
+def test_a_flat_top_of_a_movie_is_told(folder, call_lommel):
+    np.save(folder / "clipped.npy", np.minimum(movie(), int(np.sort(movie().ravel())[-30])))
+    result = call_lommel("localize", "clipped.npy", *options_of("localize"), "--json", folder=folder)
+    assert "pixels have exactly the largest value" in " ".join(json.loads(result.stdout)["notes"])
 
 
 @pytest.mark.parametrize("command", list(IMAGES))

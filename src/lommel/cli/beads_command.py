@@ -18,6 +18,8 @@ from lommel.cli.instruments import (
     CAMERA,
     LENS,
     SQUARE_PIXEL,
+    differing,
+    mask_of,
     microscope_of,
     noise_facts,
     noise_in_words,
@@ -44,7 +46,7 @@ from lommel.estimation.objective_field import fit_objective_field
 from lommel.estimation.phase_retrieval import label
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_each
-from lommel.recorded.metadata import Unusable
+from lommel.recorded.metadata import Unusable, of_all
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -90,6 +92,8 @@ _MOST = 20  # beads
         Option("--offset", type=float,
                help="Counts of a pixel without electrons; by default that of the camera, or 0."),
         Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
+        Option("--mask", "masked", type=PATH,
+               help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each."),
         SQUARE_PIXEL,
         Option("--window", type=click.IntRange(9, 101), default=31,
                help="Side in pixels of the windows around beads, where a file shows a field of them."),
@@ -112,6 +116,7 @@ def beads(
     window: int,
     threshold: float,
     saturation: float | None,
+    masked: Path | None,
     pixel: float | None,
     wavelength: float | None,
     **given: Any,
@@ -153,11 +158,12 @@ def beads(
         read = list(read_each(stacks))
         options = {name: given[name] for name in ("white", "read", "offset")}
         given["saturation"] = saturation
-        header = take_header(given, read[0].said, microscope.camera)
+        header = take_header(given, of_all([each.said for each in read]), microscope.camera)
         saturation = given.pop("saturation")
         noise = noise_of(given, microscope.camera)
         camera = noise_facts(options, microscope.camera, noise)
         notes += [noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"), *header]
+        notes += differing(read[0].said, microscope)
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
@@ -165,7 +171,10 @@ def beads(
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
             notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
-            cut, size = _beads(file, stack.values, window, threshold, noise, saturation)
+            values = stack.values
+            if masked is not None:
+                values = np.ma.masked_array(values, np.broadcast_to(mask_of(masked, values), values.shape))
+            cut, size = _beads(file, values, window, threshold, noise, saturation)
             sizes.add(size)
             for k, (one, corner) in enumerate(cut):
                 windows.append(one)

@@ -11,7 +11,16 @@ import click
 import numpy as np
 
 from lommel.base.units import parse_length
-from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of, require_noise, take_header
+from lommel.cli.instruments import (
+    LENS,
+    OBJECT_DISTANCE,
+    SQUARE_PIXEL,
+    instrument_of,
+    mask_of,
+    noise_of,
+    require_noise,
+    take_header,
+)
 from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, PATH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -26,9 +35,8 @@ from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
-    from lommel.base.arrays import Array, Values
+    from lommel.base.arrays import Array
     from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
     from lommel.localize.point_sources import PointSources
@@ -87,7 +95,8 @@ _LISTED = 12  # stars left out, that are printed one by one
         Option("--white", type=float,
                help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
                "By default 1, images in electrons."),
-        documented(Noise, "read", type=float, required=True),
+        documented(Noise, "read", type=float, default=None,
+                   help="Read noise, rms electrons; 0 for none; by default that of the header."),
         Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
         Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
         SQUARE_PIXEL,
@@ -161,8 +170,8 @@ def fit_field(
         given["saturation"] = saturation
         notes = [*read.notes, *take_header(given, read.said)]
         saturation = given.pop("saturation")
-        noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
-        out = None if masked is None else _mask(masked, exposures)
+        noise = noise_of(given, None)
+        out = None if masked is None else mask_of(masked, exposures)
         colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
         if defocus is None and colours is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
@@ -224,20 +233,6 @@ def fit_field(
     report = Report(facts, [*_parts(made, found, told, blur), *map(Wrapped, notes)], made.converged)
     verdict = "" if made.converged else f", of a fit that has not converged: {made.message.partition(':')[0]}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
-
-
-def _mask(path: Path, images: Values) -> NDArray[np.bool_]:
-    """Return the pixels of images that a file says to leave out."""
-    found = read_images([path]).values
-    if found.shape[1:] != images.shape[1:] or len(found) not in (1, len(images)):
-        raise ValueError(
-            f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
-            f"got {len(found)} of {found.shape[1]} x {found.shape[2]}"
-        )
-    out = np.asarray(found != 0)  # NaN, too
-    if out.all():
-        raise ValueError(f"--mask must be 0 where pixels are to be used, got no 0 in {path}")
-    return out[0] if len(out) == 1 else out
 
 
 def _lengths(text: str, exposures: int) -> list[float]:

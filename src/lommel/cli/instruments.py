@@ -17,7 +17,9 @@ from lommel.recorded.metadata import Found, Unusable
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
-    from lommel.base.arrays import Array
+    from numpy.typing import NDArray
+
+    from lommel.base.arrays import Array, Values
     from lommel.lensfiles.camera import Camera
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
@@ -54,6 +56,22 @@ def camera_map(text: str, name: str) -> float | Array:
         defect = "; a read noise of 1000 electrons tells that a pixel is a defect" if name == "read" else ""
         raise ValueError(f"--{name} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
     return values
+
+
+def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
+    """Return the pixels of images that a file says to leave out."""
+    from lommel.recorded.frames import read_images
+
+    found = read_images([path]).values
+    if found.shape[1:] != images.shape[1:] or len(found) not in (1, len(images)):
+        raise ValueError(
+            f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
+            f"got {len(found)} of {found.shape[1]} x {found.shape[2]}"
+        )
+    out = np.asarray(found != 0)  # NaN, too
+    if out.all():
+        raise ValueError(f"--mask must be 0 where pixels are to be used, got no 0 in {path}")
+    return out[0] if len(out) == 1 else out
 
 
 LENS = click.Argument(["lens"], type=FILE)
@@ -200,6 +218,8 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
     for name, (key, words) in _STATED.items():
         value = said.get(key)
         if isinstance(value, Unusable):
+            if key != "saturation" and given[name] is None and known.get(name) is None:
+                raise ValueError(f"the header of the images states {key} {value.words}: state {name}=")
             notes.append(f"The header of the images states {key} {value.words}, which cannot be used.")
         if not isinstance(value, float):
             continue
@@ -215,6 +235,20 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
             "or a setting of the camera; the option of the gain states it."
         )
     return notes
+
+
+def differing(said: Found, microscope: Microscope) -> list[str]:
+    """Return what images state of pixels and emission where it is not that of the microscope, which is taken."""
+    known = {
+        "pixels of {} in the sample": (said.get("pixel"), microscope.pixel / microscope.objective.magnification),
+        "an emission of {}": (next(iter(said.get("emission") or ()), None), microscope.wavelength),
+    }
+    return [
+        f"The images state {words.format(format_length(value, digits=4))}; {format_length(taken, digits=4)} was "
+        "taken."
+        for words, (value, taken) in known.items()
+        if isinstance(value, float) and abs(value - taken) > _ALIKE * taken
+    ]
 
 
 def require_noise(given: Facts) -> None:

@@ -20,6 +20,7 @@ from lommel.cli.instruments import (
     LENS,
     SQUARE_PIXEL,
     camera_map,
+    differing,
     microscope_of,
     noise_of,
     take_header,
@@ -40,11 +41,12 @@ from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, s
 from lommel.cli.progress import progress
 from lommel.io import registry
 from lommel.localize import Localizations, Movie, Table, find, fit, localize_blocks, open_movie, writer
-from lommel.localize.detection import DEFECT
+from lommel.localize.detection import DEFECT, frame_counts
 from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
 from lommel.localize.movie_fits import Recurrence, likelier
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.recorded.counts import remarks
 from lommel.recorded.movies import BLOCK
 from lommel.recorded.noise import Noise
 
@@ -165,6 +167,7 @@ def localize(
     with progress("table of images") as step, open_movie(movie) as frames:
         maps["saturation"] = given["saturation"]
         header = [*frames.notes, *take_header(maps, frames.said, microscope.camera)]
+        header += differing(frames.said, microscope)
         given["saturation"] = maps.pop("saturation")
         noise = noise_of(maps, microscope.camera)
         table = Table(
@@ -187,7 +190,7 @@ def localize(
                 ends += _at_ends(part, table)
                 seen.count(part)
                 parts.append(part if figure is not None else _brief(part))
-        dark = _below(frames, noise)
+        dark, flat_tops = _first(frames, noise, table.shape, given["saturation"])
         flat = given.pop("flat")
         turned = None if flat else _turned(frames, table, microscope, noise=noise, threads=threads, **given)
     found = joined(parts)
@@ -202,7 +205,7 @@ def localize(
     values = {} if own is None else {"gain": (white, own.gain), "offset": (offset, own.offset)}
     facts |= {"assumed": [name for name, pair in values.items() if pair == (None, None)]}
     facts |= {"recurring": seen.places(), "opposite_astigmatism": turned}
-    facts |= {"notes": [*header, *_notes(facts, microscope, dark)]}
+    facts |= {"notes": [*header, *([f"{flat_tops}."] if flat_tops else []), *_notes(facts, microscope, dark)]}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
     trusted = facts["written"] > 0 and not _is_opposite(turned)
     return Report(facts, _parts(facts, noise), trusted) + written([*places, figure])
@@ -226,11 +229,12 @@ def _at_ends(part: Localizations, table: Table) -> int:
     return int(np.isin(part.table["z"][part.table["state"] == _BORDER], table.z).sum())
 
 
-def _below(frames: Movie, noise: Noise) -> float:
-    """Return the share of counts of the first frames that are below the offset."""
+def _first(frames: Movie, noise: Noise, box: tuple[int, int], saturation: float | None) -> tuple[float, str]:
+    """Return of the first frames the share of counts below the offset, and what to say of their largest value."""
     _, rows, columns = frames.shape
     first = frames.frames(0, min(len(frames), max(1, BLOCK // (rows * columns))))
-    return float(np.mean(first < noise.offset))
+    told = remarks([frame_counts(first, box, saturation)], noise, "movie").partition("; ")[2]
+    return float(np.mean(first < noise.offset)), told if "exactly the largest value" in told else ""
 
 
 def _turned(

@@ -354,6 +354,7 @@ def with_options(message: str) -> str:
     if given is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", _NAMED.sub(renamed, message))
+    message = message.replace(", in metres", ", with a unit")
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )

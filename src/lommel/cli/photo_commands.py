@@ -490,8 +490,7 @@ class Job:
 
     def __post_init__(self) -> None:
         self.picture = read_photo(self.photo, self.encoding)
-        self.light = self.picture.light()
-        self.distance = read_depth(self.depth, shape=self.light.shape, **self.values)
+        self.distance = read_depth(self.depth, shape=self.picture.values.shape, **self.values)
         if self.pixel_from_exif:
             if self.pixel is not None:
                 raise ValueError("give one of --pixel and --pixel-from-exif")
@@ -516,7 +515,7 @@ class Job:
         return Lens(
             focal_length=self._agreed("--focal-length", self.focal_length, exif.focal_length, format_length),
             f_number=self._agreed("--f-number", self.f_number, exif.f_number, lambda n: f"f/{n:g}"),
-            wavelength=540e-9 if self.light.ndim == 3 else 550e-9,
+            wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
         )
 
     def _agreed(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
@@ -564,7 +563,9 @@ class Job:
     def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
         """Return the blurred light; `progress` is called with the fraction of the work done."""
         settings = self.settings
-        plan = FocusPlan(self.light, self.distance, lens, self.pitch, encoding="linear", keep=1, **vars(settings))
+        plan = FocusPlan(
+            self.picture.light(), self.distance, lens, self.pitch, encoding="linear", keep=1, **vars(settings)
+        )
         if progress is not None:
             blur = plan.blur()
             # Where the whole PSF is kept, occlusion blurs white images too: twice for each spectrum.
@@ -589,9 +590,9 @@ class Job:
         self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
     ) -> Report:
         """Return the report of the job: the facts and lines of a command, within those that all have."""
-        read, (height, width, *_) = read_as(self.picture, self.encoding), self.light.shape
+        read, (height, width, *_) = read_as(self.picture, self.encoding), self.picture.values.shape
         common = {
-            "shape": list(self.light.shape),
+            "shape": list(self.picture.values.shape),
             "encoding": {"photo": self.picture.encoding, "output": self.stored_as},
             "read": read,
             "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),

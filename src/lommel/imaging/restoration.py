@@ -326,7 +326,8 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
     """Return the light from which on pixels of a photograph are saturated, stated or not."""
     if saturation is not None:
         stated = validation.real("saturation", saturation, above=0.0, infinite=True)
-        return min(stated, 1.0) if photo.dtype.kind == "u" else stated
+        # A value of float32 that is nearest to what was stated may be below it.
+        return min(stated, 1.0) if photo.dtype.kind == "u" else min(stated, float(photo.dtype.type(stated)))
     if photo.dtype.kind != "u":
         return 1.0
     full, _ = full_value([photo], None)

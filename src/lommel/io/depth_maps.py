@@ -139,6 +139,11 @@ class DepthValues:
                 f"{name} must hold 0 to {top:g} for `inverse`, got {ends[0]:g} to {ends[1]:g}; divide by the largest "
                 "value, or state values that mean unknown as `unknown`"
             )
+        if 0.0 < ends[1] < top / 8.0:
+            notes.tell(
+                f"the brightest level of {name} is {ends[1]:g}, and `inverse` takes {top:g} for the nearest "
+                "distance: scale levels of fewer bits to all of them"
+            )
         near, far = (1.0 / each for each in self.inverse)
         found *= (near - far) / top
         found += far

@@ -48,23 +48,34 @@ def read_photo(data: bytes) -> tuple[Values, Any, bytes | None]:
     from PIL import Image
 
     with _opened(data) as channels:
-        names = set(channels)
+        alpha = channels.pop("A", None)
+        if alpha is not None and not (alpha == 1.0).all():
+            raise ValueError("it has alpha that is not 1 everywhere: put it on a background first")
+        names = set(channels) - {"Z"}  # depth beside
         if names == {"R", "G", "B"}:
             values = np.stack([channels[name] for name in "RGB"], axis=-1)
         elif names == {"Y"}:
             values = channels["Y"]
         else:
-            raise ValueError(f"its channels are {', '.join(sorted(names))}, neither R, G, B nor Y")
+            raise ValueError(f"its channels are {', '.join(sorted(names))}, neither R, G, B nor Y; save these alone")
     if values.dtype.kind != "f":
         raise ValueError(f"it holds {values.dtype}, not floats")
     return values.astype(np.float32), Image.Exif(), None
 
 
 def read_depth(data: bytes, _scale: float | None) -> Values:
-    """Return the channel Z of a depth map, or its only one."""
+    """Return the channel Z of a depth map, also of a layer, or its only one, which may be stored as three."""
     with _opened(data) as channels:
-        name = "Z" if "Z" in channels else next(iter(channels), "")
-        if len(channels) != 1 and name != "Z":
+        deep = [name for name in channels if name.split(".")[-1] == "Z"]
+        others = [name for name in channels if name != "A"]
+        if (
+            len(deep) != 1
+            and set(others) == {"R", "G", "B"}
+            and all(np.array_equal(channels[name], channels["R"], equal_nan=True) for name in "GB")
+        ):
+            deep = ["R"]
+        (name,) = deep if len(deep) == 1 else others if len(others) == 1 else ("",)
+        if not name:
             raise ValueError(f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z")
         return np.array(channels[name])
 

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base import atomic, reading
-from lommel.io.registry import Description, Values
+from lommel.io.registry import Values
 
 SUFFIXES = (".fits", ".fit")
 PACKED = (".fits.gz", ".fit.gz")
@@ -30,10 +30,12 @@ _TIMES = 4  # of a file unpacked are in memory while its values are read
 
 
 class Image(NamedTuple):
-    """An image and its header, from the name of a card to its value."""
+    """An image, its header from the name of a card to its value, its number in the file, and the primary header."""
 
     values: Values
     header: Mapping[str, Any]
+    number: int = 0
+    primary: Mapping[str, Any] = {}
 
 
 def write(images: Sequence[tuple[Values, Mapping[str, Any]]]) -> bytes:
@@ -68,15 +70,19 @@ def read(data: bytes, most: int) -> list[Image]:
     from astropy.io import fits
 
     plain = _unpacked(data)
-    found, total = [], 0
+    found, total, primary = list[Image](), 0, dict[str, Any]()
     with warnings.catch_warnings():
         # Comments in other letters and cards that are not standard do no harm.
         warnings.simplefilter("ignore")
         warnings.filterwarnings("error", ".*truncated")
         # One after the other: the next begins where the sizes of the last say, which are checked first.
         with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
-            for unit in file:
-                header = unit.header
+            for number, unit in enumerate(file):
+                header, cards = unit.header, dict[str, Any]()
+                for card in header.cards:
+                    with suppress(Exception):  # of a card that nobody reads
+                        cards[card.keyword] = card.value
+                primary = primary or cards
                 if header.get("XTENSION", "IMAGE").strip() != "IMAGE" or not header["NAXIS"]:
                     continue  # a table, or a header alone
                 sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MOST_AXES))]
@@ -85,27 +91,41 @@ def read(data: bytes, most: int) -> list[Image]:
                     raise ValueError(
                         f"it has {' x '.join(map(str, sides))} values, more than it holds or than {most}"
                     )
-                cards: Description = {}
-                for card in header.cards:
-                    with suppress(Exception):  # of a card that nobody reads
-                        cards[card.keyword] = card.value
-                found.append(Image(np.asarray(unit.data, unit.data.dtype.newbyteorder("=")), cards))
+                values = np.asarray(unit.data, unit.data.dtype.newbyteorder("="))
+                found.append(Image(values, cards, number, primary))
     if not found:
         raise ValueError("it holds no image; one in a compressed table (.fz) is to be unpacked first")
     return found
 
 
 def only(images: Sequence[Image], name: str | None) -> Image:
-    """Return the image of a name or number, or the only one; ValueError where there are more."""
-    called = [str(image.header.get("EXTNAME", k)).strip() for k, image in enumerate(images)]
+    """Return the image of a name, a name and version as SCI,2, or a number, 0 being the primary; or the only one.
+
+    ValueError where there is none, or more.
+    """
     if name is None and len(images) == 1:
         return images[0]
-    wanted = [k for k, own in enumerate(called) if name is not None and name.upper() in (own.upper(), str(k))]
+    called = [str(image.header.get("EXTNAME", "")).strip().upper() for image in images]
+    versions = [f"{own},{image.header.get('EXTVER', 1)}" for own, image in zip(called, images, strict=True)]
+    asked = "" if name is None else name.upper().replace(" ", "")
+    wanted = [
+        image
+        for image, own, version in zip(images, called, versions, strict=True)
+        if asked and asked in (own, version, str(image.number))
+    ]
     if len(wanted) == 1:
-        return images[wanted[0]]
-    told = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(called, images, strict=True)]
+        return wanted[0]
+    names = [
+        own
+        if own and called.count(own) == 1
+        else version
+        if own and versions.count(version) == 1
+        else str(image.number)
+        for image, own, version in zip(images, called, versions, strict=True)
+    ]
+    told = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(names, images, strict=True)]
     listed = ", ".join(told[:4]) + (f" and {len(told) - 4} more" if len(told) > 4 else "")
-    raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{called[0]}]")
+    raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{names[0]}]")
 
 
 def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:

@@ -263,7 +263,7 @@ def _unit(text: Any) -> str | None:
 
 
 def _read_fits(data: bytes) -> Measured:
-    values, header = fits_images.read(data, reading.MAX_PIXELS)[0]
+    values, header, *_ = fits_images.read(data, reading.MAX_PIXELS)[0]
 
     def length(name: str, metres: float = 1.0) -> float | None:
         value = header.get(name)

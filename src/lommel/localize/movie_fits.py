@@ -280,10 +280,12 @@ def _opened(
     elif isinstance(movie, Movie):
         yield movie.shape, movie.blocks(block), Path(movie.path).name
     else:
-        frames = validation.number_array("movie", movie)
-        if frames.ndim != 3 or 0 in frames.shape:
-            raise ValueError(f"movie must have the shape (frames, rows, columns), got {frames.shape}")
-        count, rows, across = frames.shape
+        values, hidden = validation.parted("movie", movie)
+        frames = values if hidden is None else np.ma.masked_array(values, mask=hidden)
+        shape = frames.shape
+        if len(shape) != 3 or 0 in shape:
+            raise ValueError(f"movie must have the shape (frames, rows, columns), got {shape}")
+        count, rows, across = shape
         each = max(1, BLOCK // (rows * across)) if block is None else block
         validation.integer("block", each, least=1, most=validation.MAX_VALUES)
         yield (count, rows, across), (frames[k : k + each] for k in range(0, count, each)), ""

@@ -304,7 +304,7 @@ def restore(
     TypeError, ValueError
         If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
         stack is thinner than three planes; if another call writes to `out`;
-        :class:`lommel.recorded.recordings.RecordingError` for files.
+        :class:`lommel.recorded.frames.RecordingError` for files.
     OSError, ImportError
         If a file cannot be read or written, or a library for it is not installed.
 
@@ -426,7 +426,10 @@ class _Sizes:
         notes: list[str],
     ) -> float:
         if asked is not None:
-            return validation.real(name, asked, above=0.0)
+            value = validation.real(name, asked, above=0.0)
+            if told is not None and abs(value - told) > _OFF * told:
+                notes.append(f"Of the {name}, {name}={format_length(value)} was taken, not that of the file.")
+            return value
         what = "an array" if opened.path is None else line(opened.path)
         if name in opened.unusable:
             where = "in the sample" if name == "pixel" else "between planes"
@@ -475,6 +478,11 @@ def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes
                 )
             wave = given.wavelength
             notes.append(f"The wavelength of the objective file, {format_length(wave)}, was taken.")
+        elif len(chosen) == 1 and given is not None and abs(wave - given.wavelength) > _OFF * wave:
+            notes.append(
+                f"The stack has an emission wavelength of {format_length(wave)}, the objective file "
+                f"{format_length(given.wavelength)}: that of the stack was taken; wavelength= states another."
+            )
         found.append(validation.wavelength(float(wave)))
     return found
 

@@ -82,6 +82,13 @@ class Counts:
         if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
             raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
         left = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
+        if values.dtype.kind == "f" and values.size:
+            far = np.abs(values, where=~left, out=np.zeros_like(values))
+            if not far.max() < _LARGEST:
+                raise ValueError(
+                    f"{name} must be within {_LARGEST:g}, or NaN where a value is unknown, got "
+                    f"{values.flat[int(far.argmax())]:g}"
+                )
         if hidden is not None:
             left |= hidden
         if mask is not None:

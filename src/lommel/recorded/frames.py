@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, Protocol, Self
 
 import numpy as np
@@ -72,7 +73,7 @@ class Frames:
     dtype : dtype
         As stored, in the byte order of this machine.
     said : dict
-        What the file says, by name, see :mod:`lommel.recorded.metadata`.
+        What the file says, by name: "pixel", "step", "emission", "gain" and others, in metres and electrons.
     by : str
         Who says so: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
     path : Path or None
@@ -404,13 +405,12 @@ def _whole(path: Path, part: str | None) -> Frames:
             else "is empty"
         )
         raise RecordingError(f"{line(path)} {what}") from None
-    values, header = form.read(data, part)
-    if values.ndim > 3 or values.dtype.kind not in "iufb":
-        raise ValueError(
-            f"it holds {values.dtype} of the shape {values.shape}, not grey images; save one stack of them"
-        )
-    made = _of_array(values, "it")
-    return replace(made, said=metadata.of_fits(header), by="FITS" if header else "", path=path)
+    values, header, *more = form.read(data, part)
+    primary = more[1] if len(more) > 1 else {}
+    made = _of_array(_grey(values), "it")
+    said = metadata.of_fits({**primary, **header})
+    notes = tuple(metadata.fits_notes(header))
+    return replace(made, said=said, by="FITS" if header else "", path=path, notes=notes)
 
 
 def _tiff(path: Path, image: int | None) -> Frames:
@@ -429,6 +429,10 @@ def _tiff(path: Path, image: int | None) -> Frames:
 def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
     notes: list[str] = []
     every = file.series
+    if image is None and len(every) > 1 and _are_pages(file, every):
+        pages = [one.pages[0] for one in every]
+        alike = _Pages(path, SimpleNamespace(pages=pages, **{k: getattr(every[0], k) for k in _OF_SERIES}))
+        return Frames(alike, np.arange(len(pages)), f"{UNKNOWN}YX", path=path, closed=file.close)
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
@@ -453,21 +457,35 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
     require_numbers("it", series.dtype)
     lead = tuple(side for _, side in sizes)
     count = math.prod(lead)
-    mapped = reading.tiff_mapped(file, series, path, count)
+    mapped = (
+        reading.tiff_values(page, tuple(series.shape), np.dtype(series.dtype))
+        if "S" in letters
+        else reading.tiff_mapped(file, series, path, count)
+    )
     by, found = "", {}
     if file.is_ome:
         by, found = "OME", metadata.of_ome(file, place)
     elif file.is_imagej:
         by, found = "ImageJ", metadata.of_imagej(file)
-    if mapped is None and "S" in letters:
-        mapped = reading.tiff_values(page, tuple(series.shape), np.dtype(series.dtype))
     planes = _Pages(path, series) if mapped is None else _Held(mapped, "it")
+    turned = page.tags.get("Orientation")
+    if turned is not None and turned.value != 1:
+        notes.append(f"The file states the orientation {turned.value}, which was not applied.")
     left = reading.tiff_left_out(file)
     if left:
         notes.append(f"The file holds {left}; the others were left out.")
     axes = "".join(letter for letter, _ in sizes) + "YX"
     numbers = np.arange(count).reshape(lead)
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
+
+
+_OF_SERIES = ("shape", "dtype", "is_multifile")
+
+
+def _are_pages(file: Any, every: Sequence[Any]) -> bool:
+    """Return whether a file holds grey images of one size and type that were written one after the other."""
+    kinds = {(one.axes, one.shape, one.dtype) for one in every}
+    return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
 
 
 def _zarr(path: Path) -> Frames:
@@ -531,6 +549,8 @@ def _look(folder: Path, below: str) -> None:
 
 def _grey(values: Values) -> Values:
     """Return the values of a file; ValueError if they are no grey image, nor a stack of them."""
+    if values.ndim > 3:
+        values = values.reshape([side for side in values.shape[:-2] if side != 1] + list(values.shape[-2:]))
     if values.ndim > 3 or values.dtype.kind not in "iufb":
         raise ValueError(f"it holds {values.dtype} of the shape {values.shape}; save one stack of grey images")
     return values
@@ -615,6 +635,6 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
     return Images(
         np.concatenate([one.values for one in found]),
         tuple(name for one in found for name in one.names),
-        found[0].said,
-        tuple(note for one in found for note in one.notes),
+        metadata.of_all([one.said for one in found]),
+        tuple(dict.fromkeys(note for one in found for note in one.notes)),
     )

@@ -6,7 +6,7 @@ A look-up has three outcomes: nothing is stated, a value is, or something is sta
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,6 +32,10 @@ _UNITS = _OTHERS | {
 }
 # Cards of FITS headers, each with all names that are common.
 _GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
+_NAMED = {
+    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass those of one",
+    "PEDESTAL": "which was not subtracted: state it by the offset",
+}
 _UNSURE = "GAIN"  # electrons per count of observatories, a setting of amateurs' cameras
 
 
@@ -142,8 +146,31 @@ def of_fits(header: Mapping[str, Any]) -> Found:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     found: Found = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_FULL)}
-    if "electron" in str(header.get("BUNIT", "")).lower():
+    unit = str(header.get("BUNIT", "")).strip()
+    if unit.lower().rstrip("s") in ("electron", "e", "e-"):
         found["gain"] = 1.0
+    elif "electron" in unit.lower():
+        found["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in electrons")
     elif found["gain"] is None and header.get(_UNSURE) not in (None, ""):
         found["unsure"] = f"{_UNSURE} = {validation.brief(str(header[_UNSURE]), 60)}"
+    return found
+
+
+def fits_notes(header: Mapping[str, Any]) -> list[str]:
+    """Return what a FITS header states and what is not taken into account, in sentences."""
+    said = {name: validation.brief(str(header[name]), 60) for name in _NAMED if header.get(name) not in (None, "", 0)}
+    return [f"The header of the images states {name} = {value}, {_NAMED[name]}." for name, value in said.items()]
+
+
+def of_all(said: Sequence[Found]) -> Found:
+    """Return what several files say of their camera; where they contradict each other it cannot be used."""
+    found = dict(said[0])
+    for key in ("gain", "read", "saturation"):
+        values = [each.get(key) for each in said]
+        if any(value != values[0] for value in values):
+            words = [
+                value.words if isinstance(value, Unusable) else "none" if value is None else f"{value:g}"
+                for value in values
+            ]
+            found[key] = Unusable(f"of {', '.join(dict.fromkeys(words))} in different files")
     return found

@@ -24,7 +24,7 @@ _JSON = 2**24  # bytes of a description that are parsed
 _CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
 _SHARE = 1e-4  # of lengths that count as equal
 _LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
-_SIDES = 1e-12, 1e-3  # metres, of voxels
+_SIDES = 1e-12, 1e-4  # metres, of voxels in the sample
 _WAVES = 1e-7, 1e-4  # metres, of light in microscopes: 0.52 nm is a wavelength in micrometres whose unit is wrong
 
 

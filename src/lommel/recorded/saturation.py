@@ -40,7 +40,7 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
         return most, ""
     return top, (
         f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: they "
-        "were taken as saturated; saturation= (--saturation) states another"
+        "were taken as saturated; saturation= states another"
     )
 
 

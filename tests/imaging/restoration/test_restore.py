@@ -170,6 +170,7 @@ def test_light_is_known_below_white():
     clipped = np.minimum(np.arange(9000).reshape(90, 100), 4095).astype(np.uint16)  # of 12 bits
     assert full_light(clipped, "linear", None) == 4095 / 65535
     floats = np.array([[0.2, 1.0, 3.0, np.nan]])
+    assert full_light(floats.astype(np.float32), "linear", 0.95) == float(np.float32(0.95)) < 0.95
     for given, limit in ((None, 1.0), (2.0, 2.0), (np.inf, np.inf)):
         assert full_light(floats, "linear", given) == limit
         np.testing.assert_array_equal(recorded(floats, "linear", limit), floats)

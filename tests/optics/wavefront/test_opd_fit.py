@@ -464,3 +464,13 @@ def test_maps_in_coarse_steps_are_measurements(levels, power):
 
 def test_a_map_of_one_value_alone_is_flat():
     assert lm.fit_opd(np.full((40, 40), 3.0), unit="waves").piston == pytest.approx(3.0)
+
+
+def test_what_rounding_leaves_of_zeros_around_a_pupil_is_no_measurement():
+    y, x = np.mgrid[-1.2:1.2:97j, -1.2:1.2:97j]
+    inside = x * x + y * y <= 1.0
+    rest = 1e-16 * np.random.default_rng(2).standard_normal(x.shape)
+    opd = np.where(inside, 0.3 * (x * x - y * y), rest)
+    for values, way in ((opd, r"such as abs\(opd\) > \de-10"), (np.where(inside, opd, 0.0), "such as opd != 0")):
+        with pytest.raises(ValueError, match=rf"opd is 0 at .* where nothing was measured: give mask=.*{way}"):
+            lm.fit_opd(values, unit="waves", radius=57.0, center=(48, 48))

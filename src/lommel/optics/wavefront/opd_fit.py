@@ -25,6 +25,7 @@ MAX_GROWTH = 1e4
 MAX_ROUNDING = 1e7
 """Largest condition number at which terms can be orthogonalised on the samples."""
 
+_RESIDUE = 1e-9  # of the largest value, that rounding leaves of a 0
 # Pixels of one value that are taken as not measured: how many at least, over all, and over those of any other value.
 _LEAST_BLANK, _BLANK, _BLANK_OVER_OTHERS = 8, 0.002, 8
 _BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
@@ -518,7 +519,9 @@ def _require_filled(valid: NDArray[np.bool_]) -> None:
 def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
     """Raise ValueError if areas of a map have one value, as files have it where nothing was measured."""
     # Neighbours that are alike: none where numbers are measured, and of stored steps about as many of each.
-    for opd, inside in zip(maps, used, strict=True):
+    for given, inside in zip(maps, used, strict=True):
+        tiny = _RESIDUE * float(np.abs(given[inside]).max(initial=0.0))
+        opd = np.where(np.abs(given) <= tiny, 0.0, given)
         alike = np.zeros_like(inside)
         for one, next_ in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
             pairs = (opd[one] == opd[next_]) & inside[one] & inside[next_]
@@ -530,7 +533,9 @@ def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
         k, total = int(counts.argmax()), int(inside.sum())
         others = int(np.delete(counts, k).max(initial=0))
         if max(_LEAST_BLANK, _BLANK * total, _BLANK_OVER_OTHERS * others) <= counts[k] and np.ptp(opd[inside]) > 0.0:
-            such = "such as opd != 0, or " if values[k] == 0.0 else ""
+            exact = 2 * np.count_nonzero(alike & (given == 0.0)) > counts[k]
+            such = "opd != 0" if exact else f"abs(opd) > {tiny:.1g}"
+            such = f"such as {such}, or " if values[k] == 0.0 else ""
             raise ValueError(
                 f"opd is {values[k]:g} at {counts[k]} neighbouring pixels of the pupil ({counts[k] / total:.1%}), as "
                 "files have it where nothing was measured: give mask=, True where there is a measurement "

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+
 import dask.array
 import numpy as np
 import pytest
@@ -216,3 +218,12 @@ def test_axes_of_one_are_none(tmp_path):
 def test_an_orientation_that_is_not_applied_is_told(tmp_path):
     tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0, 0], extratags=[(274, 3, 1, 4, True)], metadata=None)
     assert read_images([tmp_path / "a.tif"]).notes == ("The file states the orientation 4, which was not applied.",)
+
+
+def test_a_file_in_one_piece_is_not_held_open(tmp_path):
+    tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0], photometric="minisblack")
+    frames = open_frames(tmp_path / "a.tif")
+    (tmp_path / "a.tif").rename(tmp_path / "b.tif")
+    np.testing.assert_array_equal(frames[...], MANY[0, 0])
+    del frames
+    gc.collect()  # an open file would be told by a warning, which is an error here

@@ -476,6 +476,8 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
         notes.append(f"The file holds {left}; the others were left out.")
     axes = "".join(letter for letter, _ in sizes) + "YX"
     numbers = np.arange(count).reshape(lead)
+    if mapped is not None:  # what is mapped needs no open file
+        file.close()
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
 
 

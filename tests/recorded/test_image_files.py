@@ -206,6 +206,11 @@ def test_pages_that_were_written_one_by_one_are_a_stack(options, tmp_path):
             file.write(one, **options)
     np.testing.assert_array_equal(read_images([tmp_path / "pages.tif"]).values, MANY[0, 0])
     np.testing.assert_array_equal(read_images([f"{tmp_path}/pages.tif[2]"]).values[0], MANY[0, 0, 2])
+    with tifffile.TiffWriter(tmp_path / "complex.tif") as file:
+        for one in MANY[0, 0]:
+            file.write(one.astype(np.complex64), photometric="minisblack", **options)
+    with pytest.raises(RecordingError, match="must hold real numbers, got complex64"):
+        read_images([tmp_path / "complex.tif"])
 
 
 def test_axes_of_one_are_none(tmp_path):

@@ -46,7 +46,7 @@ from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
 from lommel.localize.movie_fits import Recurrence, likelier
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.recorded.counts import remarks
+from lommel.recorded.counts import flat_tops
 from lommel.recorded.movies import BLOCK
 from lommel.recorded.noise import Noise
 
@@ -233,8 +233,8 @@ def _first(frames: Movie, noise: Noise, box: tuple[int, int], saturation: float 
     """Return of the first frames the share of counts below the offset, and what to say of their largest value."""
     _, rows, columns = frames.shape
     first = frames.frames(0, min(len(frames), max(1, BLOCK // (rows * columns))))
-    told = remarks([frame_counts(first, box, saturation)], noise, "movie").partition("; ")[2]
-    return float(np.mean(first < noise.offset)), told if "exactly the largest value" in told else ""
+    told = flat_tops([frame_counts(first, box, saturation)], noise, "movie")
+    return float(np.mean(first < noise.offset)), told
 
 
 def _turned(

@@ -66,18 +66,16 @@ def read_photo(data: bytes) -> tuple[Values, Any, bytes | None]:
 def read_depth(data: bytes, _scale: float | None) -> Values:
     """Return the channel Z of a depth map, also of a layer, or its only one, which may be stored as three."""
     with _opened(data) as channels:
-        deep = [name for name in channels if name.split(".")[-1] == "Z"]
-        others = [name for name in channels if name != "A"]
-        if (
-            len(deep) != 1
-            and set(others) == {"R", "G", "B"}
-            and all(np.array_equal(channels[name], channels["R"], equal_nan=True) for name in "GB")
+        found = [name for name in channels if name.split(".")[-1] == "Z"]
+        if len(found) != 1:
+            found = [name for name in channels if name != "A"]
+        if set(found) == {"R", "G", "B"} and all(
+            np.array_equal(channels[name], channels["R"], equal_nan=True) for name in "GB"
         ):
-            deep = ["R"]
-        (name,) = deep if len(deep) == 1 else others if len(others) == 1 else ("",)
-        if not name:
+            found = ["R"]
+        if len(found) != 1:
             raise ValueError(f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z")
-        return np.array(channels[name])
+        return np.array(channels[found[0]])
 
 
 def _written(channels: dict[str, Values]) -> bytes:

@@ -82,13 +82,7 @@ class Counts:
         if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
             raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
         left = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
-        if values.dtype.kind == "f" and values.size:
-            far = np.abs(values, where=~left, out=np.zeros_like(values))
-            if not far.max() < _LARGEST:
-                raise ValueError(
-                    f"{name} must be within {_LARGEST:g}, or NaN where a value is unknown, got "
-                    f"{values.flat[int(far.argmax())]:g}"
-                )
+        _require_within(name, values)
         if hidden is not None:
             left |= hidden
         if mask is not None:
@@ -116,8 +110,8 @@ class Counts:
         """Return it; ValueError if an image has no pixel that is known, or less than this share of them."""
         shares = self.known.mean(axis=(-2, -1))
         few = np.argwhere((shares == 0.0) | (shares < least))
-        if few.size or (shares.ndim == 0 and shares == 0.0):
-            at = few[0].tolist() if few.size else []
+        if len(few):
+            at = few[0].tolist()
             count = int(self.known[*at].sum())
             raise ValueError(
                 f"{name}{at or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
@@ -136,7 +130,7 @@ class Counts:
         values, known = (part.reshape(-1, *self.values.shape[-2:]) for part in (self.values, self.known))
         for place, image, good in zip(np.ndindex(*self.values.shape[:-2]), values, known, strict=True):
             if np.ptp(image[good]) == 0:
-                where = f"{name}[{', '.join(map(str, place))}]" if place else name
+                where = f"{name}{list(place) or ''}"
                 raise ValueError(f"{where} must show {what}, got the value {image[good][0]:g} everywhere")
 
     def __getitem__(self, at: Any) -> Counts:
@@ -151,15 +145,21 @@ def remarks(images: Sequence[Counts], noise: Noise, name: str) -> str:
     said = f"; {count} of {every} pixels left out (masked, saturated or NaN)" if count else ""
     for words in dict.fromkeys(each.assumed for each in images if each.assumed):
         said += f"; {words}"
+    told = flat_tops(images, noise, name)
+    return f"{said}; {told}" if told else said
+
+
+def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
+    """Return what is to be said of the first image with a flat top, which may be saturated; or ""."""
     for k, each in enumerate(images):
         top, equal = flat_top(each.values, each.known, noise)
         if equal:
             where = f" of {name} {k}" if len(images) > 1 else ""
-            return said + (
-                f"; {equal} pixels{where} have exactly the largest value, {top:.10g}: if they are saturated, state "
-                f"it (saturation={top:.10g}, --saturation {top:.10g})"
+            return (
+                f"{equal} pixels{where} have exactly the largest value, {top:.10g}: if they are saturated, state it "
+                f"(saturation={top:.10g}, --saturation {top:.10g})"
             )
-    return said
+    return ""
 
 
 def plane_of(stack: Any, number: int) -> Values:
@@ -169,7 +169,15 @@ def plane_of(stack: Any, number: int) -> Values:
         return values
     unknown = np.isinf(values)
     values = np.where(unknown, values.dtype.type(np.nan), values) if unknown.any() else values
-    if values.size and not np.fmax.reduce(np.abs(values), axis=None, initial=0.0) < _LARGEST:
-        largest = float(np.nanmax(np.abs(values)))
-        raise ValueError(f"stack must be within {_LARGEST:g}, or NaN where a value is unknown, got {largest:g}")
+    _require_within("stack", values)
     return values
+
+
+def _require_within(name: str, values: Values) -> None:
+    """Raise ValueError if a finite value is too large to be squared in single precision."""
+    if values.dtype.kind != "f":
+        return
+    far = np.abs(values, where=np.isfinite(values), out=np.zeros_like(values))
+    if not far.max(initial=0.0) < _LARGEST:
+        got = values.flat[int(far.argmax())]
+        raise ValueError(f"{name} must be within {_LARGEST:g}, or NaN where a value is unknown, got {got:g}")

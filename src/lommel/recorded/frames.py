@@ -405,12 +405,9 @@ def _whole(path: Path, part: str | None) -> Frames:
             else "is empty"
         )
         raise RecordingError(f"{line(path)} {what}") from None
-    values, header, *more = form.read(data, part)
-    primary = more[1] if len(more) > 1 else {}
-    made = _of_array(_grey(values), "it")
-    said = metadata.of_fits({**primary, **header})
-    notes = tuple(metadata.fits_notes(header))
-    return replace(made, said=said, by="FITS" if header else "", path=path, notes=notes)
+    values, header = form.read(data, part)
+    made, notes = _of_array(_grey(values), "it"), tuple(metadata.fits_notes(header))
+    return replace(made, said=metadata.of_fits(header), by="FITS" if header else "", path=path, notes=notes)
 
 
 def _tiff(path: Path, image: int | None) -> Frames:
@@ -430,9 +427,7 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
     notes: list[str] = []
     every = file.series
     if image is None and len(every) > 1 and _are_pages(file, every):
-        pages = [one.pages[0] for one in every]
-        alike = _Pages(path, SimpleNamespace(pages=pages, **{k: getattr(every[0], k) for k in _OF_SERIES}))
-        return Frames(alike, np.arange(len(pages)), f"{UNKNOWN}YX", path=path, closed=file.close)
+        every = [_joined(every)]
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
@@ -481,13 +476,19 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
 
 
-_OF_SERIES = ("shape", "dtype", "is_multifile")
-
-
 def _are_pages(file: Any, every: Sequence[Any]) -> bool:
     """Return whether a file holds grey images of one size and type that were written one after the other."""
     kinds = {(one.axes, one.shape, one.dtype) for one in every}
     return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
+
+
+def _joined(every: Sequence[Any]) -> SimpleNamespace:
+    """Return series of one image each as one series."""
+    first = every[0]
+    return SimpleNamespace(
+        axes=f"{UNKNOWN}{first.axes}", shape=(len(every), *first.shape), dtype=first.dtype, kind=first.kind,
+        pages=[one.pages[0] for one in every], keyframe=first.keyframe, dataoffset=None, is_multifile=False,
+    )  # fmt: skip
 
 
 def _zarr(path: Path) -> Frames:
@@ -558,15 +559,16 @@ def _grey(values: Values) -> Values:
     return values
 
 
-def _png(data: bytes, _part: str | None) -> fits_images.Image:
+def _png(data: bytes, _part: str | None) -> tuple[Values, dict[str, Any]]:
     values: Values = photos.read_png(data)[0]
     if values.ndim != 2:
         raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
-    return fits_images.Image(values, {})
+    return values, {}
 
 
-def _fits(data: bytes, part: str | None) -> fits_images.Image:
-    return fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+def _fits(data: bytes, part: str | None) -> tuple[Values, dict[str, Any]]:
+    found = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+    return found.values, {**found.primary, **found.header}  # what an extension does not state, the primary does
 
 
 _images = partial(Format, "images")
@@ -587,7 +589,7 @@ class Images:
     names : tuple of str
         Of each, by its file and its place in there.
     said : dict
-        What the first file says.
+        What the files say, Unusable where they contradict each other.
     notes : tuple of str
     """
 
@@ -605,9 +607,10 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
     done: set[str] = set()
     for path in paths:
         with open_frames(path) as opened:
-            if opened.files and opened.files <= done:
+            files = opened.files
+            if files and files <= done:
                 continue
-            done |= opened.files
+            done |= files
             stack = opened.as_stack()
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")

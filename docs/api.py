@@ -153,6 +153,13 @@ SECTIONS = [
         package="recorded",
     ),
     Section(
+        "Fits",
+        "What every fit reports: findings, and the verdict that follows from them.",
+        "See [](../retrieve.md).",
+        ("fit",),
+        package="fit",
+    ),
+    Section(
         "Imaging",
         "Depth-of-field rendering, deblurring, depth from defocus, photographs and depth maps.",
         "See [](../imaging.md), [](../restore.md) and [](../depth.md).",

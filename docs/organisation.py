@@ -27,6 +27,7 @@ ORDER = [
     {"measures"},
     {"io"},
     {"recorded"},
+    {"fit"},
     {"show"},
     {"traced"},
     {"psf"},

@@ -7,6 +7,7 @@ from lommel import (
     compat as compat,
     estimation as estimation,
     field as field,
+    fit as fit,
     imaging as imaging,
     io as io,
     lensfiles as lensfiles,

@@ -11,7 +11,6 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import (
     AMPLITUDES,
     CONSTANTS,
@@ -24,7 +23,8 @@ from lommel.estimation.bead_images import (
     likelihood,
     part_of,
 )
-from lommel.estimation.goodness_of_fit import SURE
+from lommel.fit import goodness_of_fit
+from lommel.fit.goodness_of_fit import SURE
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")

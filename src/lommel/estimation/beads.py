@@ -15,7 +15,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
@@ -31,6 +30,7 @@ from lommel.estimation.bead_search import (
     start_of,
 )
 from lommel.estimation.phase_retrieval import label, star_counts
+from lommel.fit import goodness_of_fit
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective

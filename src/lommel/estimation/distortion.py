@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
+from lommel.fit import goodness_of_fit
 
 POSES = ("free", "known")
 _FAR = 0.2  # of the spread of places: no lens distorts more in the rms

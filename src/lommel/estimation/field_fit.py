@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Outcome, Search
@@ -27,6 +26,7 @@ from lommel.estimation.phase_retrieval import label
 from lommel.estimation.star_images import Unknowns
 from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap
+from lommel.fit import goodness_of_fit
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.star_images import Scores, climb
+from lommel.fit import goodness_of_fit
+from lommel.fit.goodness_of_fit import SURE
 from lommel.methods.derivative_names import SHIFTS, term_of
 
 _SINGLES = 60  # stars that are fitted by themselves

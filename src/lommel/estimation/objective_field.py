@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import Setup
 from lommel.estimation.beads import BeadFit
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
+from lommel.fit import goodness_of_fit
 from lommel.methods.derivative_names import Term
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil

@@ -15,8 +15,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation import goodness_of_fit
-from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.star_images import (
     Scores,
     StarImages,
@@ -27,6 +25,8 @@ from lommel.estimation.star_images import (
     covariance,
     uncertainty,
 )
+from lommel.fit import goodness_of_fit
+from lommel.fit.goodness_of_fit import SURE
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
 from lommel.optics.layers.objective_pupil import ObjectivePupil

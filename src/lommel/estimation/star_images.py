@@ -19,8 +19,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Pixels, ToleranceError
 from lommel.core.engine import star_likelihood
-from lommel.estimation import goodness_of_fit
-from lommel.estimation.goodness_of_fit import SURE
+from lommel.fit import goodness_of_fit
+from lommel.fit.goodness_of_fit import SURE
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from lommel.estimation import goodness_of_fit
+from lommel.fit import goodness_of_fit
 
 
 @pytest.mark.parametrize("freedom", [5, 40, 1500, 2e4])

@@ -1,0 +1,46 @@
+"""Results as plain data: texts, numbers, lists and dictionaries, as JSON has them."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from enum import Enum
+from typing import Any
+
+import numpy as np
+
+
+def plain(value: Any) -> Any:
+    """Return a value as plain data.
+
+    Dataclasses and named tuples become dictionaries of their public fields (of a dataclass those shown in its repr),
+    arrays and sequences lists, keys that are tuples text such as "2,0", and numbers that are not finite None.
+    """
+    if hasattr(value, "to_dict"):
+        return plain(value.to_dict())
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return plain(fields_of(value))
+    if hasattr(value, "_asdict"):
+        return {name: plain(each) for name, each in value._asdict().items()}
+    if isinstance(value, Mapping):
+        return {_key(name): plain(each) for name, each in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, tuple | list):
+        return [plain(each) for each in value]
+    if isinstance(value, Enum):
+        return plain(value.value)
+    if isinstance(value, float | np.floating):
+        return float(value) if math.isfinite(value) else None
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def fields_of(value: Any) -> dict[str, Any]:
+    """Return the public fields of a dataclass that its repr shows."""
+    shown = (each.name for each in dataclasses.fields(value) if each.repr and not each.name.startswith("_"))
+    return {name: getattr(value, name) for name in shown}
+
+
+def _key(name: object) -> str:
+    return ",".join(map(str, name)) if isinstance(name, tuple) else str(name)

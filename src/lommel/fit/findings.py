@@ -1,0 +1,182 @@
+"""What is to be said of a result: findings, and the verdict that follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias, get_args
+
+from lommel.base.plain import fields_of, plain
+
+__all__ = ["CODES", "Finding", "Findings", "FitReport"]
+
+Severity: TypeAlias = Literal["error", "doubt", "note"]
+
+CODES: Mapping[str, str] = {
+    "another_minimum": "another set of parameters, far from the answer, fits as well",
+    "flat_top": "many pixels have exactly the largest value: they may be saturated",
+    "interrupted": "the search was interrupted: the answer is the best so far",
+    "misfit": "the images differ from the model by more than noise",
+    "no_light": "the light of a source is within the noise",
+    "not_settled": "the steps of the search did not settle",
+    "rare_chi2": "noise alone seldom leaves so large a chi2",
+    "too_quiet": "the images are less noisy than gain, offset and read noise state",
+}
+"""Codes of findings, and what each says."""
+
+_SEVERITIES: tuple[Severity, ...] = get_args(Severity)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A check of a result that found something.
+
+    Parameters
+    ----------
+    code : str
+        One of :data:`lommel.fit.CODES`, such as "misfit".
+    severity : {"error", "doubt", "note"}
+        An "error" makes a result one that did not converge, a "doubt" one that is not reliable; a "note" takes
+        nothing back.
+    text : str
+        What was found, and what to do, in a sentence without capital and period.
+    numbers : mapping of str to number or text
+        What the sentence states, such as ``{"chi2": 3.1, "limit": 1.2}``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such code or severity.
+    """
+
+    code: str
+    severity: Severity
+    text: str
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name, value, known in (("code", self.code, CODES), ("severity", self.severity, _SEVERITIES)):
+            if value not in known:
+                raise ValueError(f"{name} must be one of {', '.join(known)}, got {value!r}")
+
+    def __str__(self) -> str:
+        return self.text
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as plain data.
+
+        Returns
+        -------
+        dict
+        """
+        return {
+            "code": self.code,
+            "severity": self.severity,
+            "text": self.text,
+            "numbers": plain(self.numbers),
+        }
+
+
+class Findings(tuple[Finding, ...]):
+    """Findings of one result, errors first, then doubts, then notes; a tuple, from which the verdict follows.
+
+    Parameters
+    ----------
+    findings : iterable of Finding
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, findings: Iterable[Finding] = ()) -> Findings:
+        """Sort findings by severity; of one severity the order stays."""
+        return super().__new__(cls, sorted(findings, key=lambda each: _SEVERITIES.index(each.severity)))
+
+    @property
+    def converged(self) -> bool:
+        """Whether no finding is an error."""
+        return not any(each.severity == "error" for each in self)
+
+    @property
+    def reliable(self) -> bool:
+        """Whether no finding is an error or a doubt."""
+        return all(each.severity == "note" for each in self)
+
+    @property
+    def status(self) -> str:
+        """The code of the first error, else "doubtful" or "converged"."""
+        if not self.converged:
+            return self[0].code
+        return "converged" if self.reliable else "doubtful"
+
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """The codes, the gravest first."""
+        return tuple(each.code for each in self)
+
+    @property
+    def text(self) -> str:
+        """All texts, one after the other."""
+        return "; ".join(each.text for each in self)
+
+    def get(self, code: str) -> Finding | None:
+        """Return the first finding of a code.
+
+        Parameters
+        ----------
+        code : str
+
+        Returns
+        -------
+        Finding or None
+        """
+        return next((each for each in self if each.code == code), None)
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class FitReport:
+    """What every fit reports: findings, the verdict that follows from them, and plain data.
+
+    Attributes
+    ----------
+    findings : Findings
+        What the checks of the fit found; empty where all is well.
+    summary : str
+        Goodness of fit, and the work that was done.
+    """
+
+    findings: Findings
+    summary: str
+
+    @property
+    def converged(self) -> bool:
+        """Whether no finding is an error: the search settled at a model that explains the images."""
+        return self.findings.converged
+
+    @property
+    def reliable(self) -> bool:
+        """Whether no finding is an error or a doubt: what is stated, standard errors too, holds."""
+        return self.findings.reliable
+
+    @property
+    def status(self) -> str:
+        """The code of the first error, "doubtful", or "converged"."""
+        return self.findings.status
+
+    @property
+    def message(self) -> str:
+        """Status, summary and the texts of all findings."""
+        words = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
+        return "; ".join([f"{words}: {self.summary}", *(each.text for each in self.findings)])
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain data, as JSON has it, without images.
+
+        Returns
+        -------
+        dict
+            Status, converged, reliable, message, findings, and the numbers of the fit; None where these are not
+            finite.
+        """
+        verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable", "message")}
+        numbers: dict[str, Any] = plain(fields_of(self))
+        return verdict | numbers

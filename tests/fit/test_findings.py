@@ -1,0 +1,75 @@
+"""Findings make the verdict: flags follow from severities, and everything is plain data."""
+
+import json
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from lommel.base.plain import plain
+from lommel.fit import CODES, Finding, Findings, FitReport
+
+NOTE = Finding("rare_chi2", "note", "noise alone exceeds this chi2 in 0.1 % of fits")
+DOUBT = Finding("too_quiet", "doubt", "the images are less noisy than stated", {"chi2": np.float64(0.5)})
+ERROR = Finding("misfit", "error", "noise alone stays below 1.2", {"chi2": 3.1, "limit": 1.2})
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Fit(FitReport):
+    coefficients: dict[object, float]
+
+
+@pytest.mark.parametrize(
+    ("findings", "converged", "reliable", "status"),
+    [
+        ((), True, True, "converged"),
+        ((NOTE,), True, True, "converged"),
+        ((NOTE, DOUBT), True, False, "doubtful"),
+        ((NOTE, DOUBT, ERROR), False, False, "misfit"),
+        ((ERROR,), False, False, "misfit"),
+    ],
+)
+def test_the_verdict_follows_from_the_gravest_finding(findings, converged, reliable, status):
+    made = Fit(findings=Findings(findings), summary="chi2 1.02", coefficients={})
+    assert (made.converged, made.reliable, made.status) == (converged, reliable, status)
+    assert (made.findings.converged, made.findings.reliable) == (converged, reliable)
+
+
+def test_findings_are_sorted_by_severity_and_found_by_code():
+    found = Findings([NOTE, DOUBT, ERROR])
+    assert found.codes == ("misfit", "too_quiet", "rare_chi2")
+    assert found.get("too_quiet") is DOUBT
+    assert found.get("flat_top") is None
+
+
+def test_the_message_states_the_verdict_the_summary_and_every_finding():
+    made = Fit(findings=Findings([NOTE, ERROR]), summary="chi2 3.1 after 4 steps", coefficients={})
+    assert made.message == f"misfit: chi2 3.1 after 4 steps; {ERROR.text}; {NOTE.text}"
+    assert Fit(findings=Findings(), summary="chi2 1", coefficients={}).message == "converged: chi2 1"
+    assert Fit(findings=Findings([DOUBT]), summary="s", coefficients={}).message.startswith(
+        "converged, but in doubt: s"
+    )
+
+
+def test_a_fit_is_plain_data():
+    made = Fit(findings=Findings([DOUBT]), summary="chi2 1", coefficients={(2, 0): np.inf, "NA": np.float32(1.5)})
+    facts = json.loads(json.dumps(made.to_dict(), allow_nan=False))
+    assert facts["coefficients"] == {"2,0": None, "NA": 1.5}
+    assert facts["findings"] == [
+        {"code": "too_quiet", "severity": "doubt", "text": DOUBT.text, "numbers": {"chi2": 0.5}}
+    ]
+    assert (facts["status"], facts["converged"], facts["reliable"]) == ("doubtful", True, False)
+
+
+def test_plain_data_of_arrays_and_nested_results():
+    assert plain({"a": (np.arange(2), [np.nan]), "b": np.bool_(True)}) == {"a": [[0, 1], [None]], "b": True}
+
+
+@pytest.mark.parametrize(("code", "severity"), [("no such code", "note"), ("misfit", "fatal")])
+def test_unknown_codes_and_severities_are_refused(code, severity):
+    with pytest.raises(ValueError, match="must be one of"):
+        Finding(code, severity, "text")
+
+
+def test_codes_are_described():
+    assert all(code.replace("_", "").isalnum() and words[0].islower() for code, words in CODES.items())

@@ -14,7 +14,6 @@ import simulated_fields as simulated
 from lommel.estimation import field_fit
 from lommel.estimation.field_search import Search
 from lommel.estimation.field_signs import monomials, robust
-from lommel.estimation.star_images import Scores, climb, damped
 from lommel.estimation.star_readout import STEP, StarReadout
 from lommel.lensfiles.tables import read_csv
 
@@ -164,55 +163,6 @@ def test_a_field_with_much_spherical_aberration_is_found_from_two_foci_without_f
     assert fit.converged, fit.message
     values, errors = fit.at(*position(places))
     assert np.sqrt((((values - true[:, [0, 3, 4, 7]]) / errors) ** 2).mean()) < 1.8
-
-
-class Bounded:
-    """A parabola whose lowest point is beyond the limit of its parameter."""
-
-    size, tested, alternatives = 1, 100, False
-
-    def images(self, x, *, fast=False):
-        return None, None
-
-    def scores(self, x, *, fast=False, rows=None):
-        one = np.ones(len(x))
-        return Scores(0.5 * (x[:, 0] - 3.0) ** 2, 3.0 - x, np.ones((len(x), 1, 1)), one, 0.1 * one)
-
-    def scores_of(self, x, values, slopes):
-        return self.scores(x)
-
-    def within(self, x, before):
-        return np.clip(x, -1.0, 1.0, out=x)
-
-    def rms(self, steps):
-        return np.zeros(len(steps))
-
-    def steps(self, scores, damping):
-        return damped(scores, damping)
-
-
-def test_a_search_settles_at_the_limit_of_a_parameter():
-    x, scores, settled, taken = climb(Bounded(), np.zeros((1, 1)), 20, lambda *_: None, fast=False)
-    assert (x[0, 0], scores.deviance[0], settled[0]) == (1.0, 2.0, True)
-    assert taken < 5
-
-
-class Swinging(Bounded):
-    """A parabola whose information is stated as little more than half of its curvature."""
-
-    def scores(self, x, *, fast=False, rows=None):
-        found = super().scores(x)
-        return found._replace(information=np.full((len(x), 1, 1), 0.505))
-
-    def within(self, x, before):
-        return x
-
-
-def test_steps_that_swing_beside_the_answer_are_damped():
-    x, _, settled, taken = climb(Swinging(), np.array([[2.2]]), 20, lambda *_: None, fast=False)
-    assert settled[0]
-    assert abs(x[0, 0] - 3.0) < 0.1
-    assert taken < 10
 
 
 def test_stars_without_blur_settle_at_none():

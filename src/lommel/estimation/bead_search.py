@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
@@ -25,11 +27,10 @@ from lommel.estimation.bead_images import (
 )
 from lommel.fit import goodness_of_fit
 from lommel.fit.goodness_of_fit import SURE
+from lommel.fit.scoring import Policy, Report, Rows, fisher_scoring
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
-_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
-_DAMPING = 1e-2, 1e-6, 1e7  # at first, at least, and where a search gives up
 _FAR = 1.0  # radians rms: no step changes the wavefront by more
 _ALIKE = 1.0  # of minus the log-likelihood: starts that end so near have found one minimum
 _LEFT = 1.5  # times the median chi2, from which a bead is left out
@@ -285,6 +286,66 @@ class BeadModel:
         return total / most, math.sqrt(spread * share) / most
 
 
+@dataclass(frozen=True, eq=False)
+class Evaluated:
+    """A state with its images, its deviance with priors, slopes and information: as arrays of one."""
+
+    state: State
+    values: list[Array]
+    normal: Normal
+    deviance: Array
+    chi2: Array
+    spread: Array
+
+    @staticmethod
+    def of(model: BeadModel, state: State, values: list[Array], deviance: float) -> Evaluated:
+        """Return what a state with its light is worth."""
+        normal = model.normal(state, values)
+        chi2, spread = model.chi2_of(normal.parts)
+        return Evaluated(state, values, normal, np.array([deviance]), np.array([chi2]), np.array([spread]))
+
+
+BeadStep: TypeAlias = tuple[Array, list[Array]]
+"""A step of what is shared, and of each bead."""
+
+
+class _BeadProblem:
+    """The search for the state of a model, as :func:`lommel.fit.scoring.fisher_scoring` asks."""
+
+    def __init__(self, model: BeadModel) -> None:
+        self.model, self.tested = model, model.tested
+
+    def step(self, x: State, now: Evaluated, at: Rows, damping: Array) -> tuple[BeadStep, Array]:
+        shared, each, promised = self.model.step(now.state, now.normal, float(damping[0]))
+        return (shared, each), np.array([promised])
+
+    def of(self, step: BeadStep, moving: NDArray[np.bool_]) -> BeadStep:
+        return step
+
+    def rms(self, step: BeadStep) -> Array:
+        return np.array([math.sqrt(float(step[0] @ step[0]))])
+
+    def attempt(
+        self, x: State, now: Evaluated, at: Rows, step: BeadStep, factor: Array
+    ) -> tuple[State, Evaluated | None]:
+        with suppress(Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
+            tried, values, deviance = self.model.lit(self.model.moved(now.state, *step))
+            if deviance < now.deviance[0]:  # slopes take far longer than images
+                return tried, Evaluated.of(self.model, tried, values, deviance)
+        return x, None
+
+    def merged(
+        self, x: State, now: Evaluated, tried: State, new: Evaluated, at: Rows, better: NDArray[np.bool_]
+    ) -> tuple[State, Evaluated]:
+        return tried, new
+
+    def enough(self, done: NDArray[np.bool_], now: Evaluated, at: Rows) -> bool:
+        return bool(done.all())
+
+
+_POLICY = Policy(most=1e7, stretch=False, patience=None, interruptible=True)
+
+
 class Climbed(NamedTuple):
     """The end of a search."""
 
@@ -297,32 +358,13 @@ class Climbed(NamedTuple):
     interrupted: bool
 
 
-def climb(model: BeadModel, start: State, most: int, report: Callable[[int, float], object]) -> Climbed:
+def climb(model: BeadModel, start: State, most: int, report: Report) -> Climbed:
     """Take damped steps from a start until they settle; an interrupt ends the search with the best so far."""
-    state, values, deviance = model.lit(start)
-    normal = model.normal(state, values)
-    damping, settled, taken, interrupted = _DAMPING[0], False, 0, False
-    try:
-        while True:
-            shared, each, promised = model.step(state, normal, damping)
-            settled = promised < _SETTLED and damping <= 1.0
-            report(taken, model.chi2_of(normal.parts)[0])
-            if settled or taken >= most or damping > _DAMPING[2]:
-                break
-            taken += 1
-            try:
-                tried, made, new = model.lit(model.moved(state, shared, each))
-                there = model.normal(tried, made) if new < deviance else None
-            except (Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
-                there = None
-            if there is None:
-                damping *= 6.0
-                continue
-            state, values, deviance, normal = tried, made, new, there
-            damping = max(0.1 * damping, _DAMPING[1])
-    except KeyboardInterrupt:
-        interrupted = True
-    return Climbed(state, values, deviance, normal, settled, taken, interrupted)
+    now = Evaluated.of(model, *model.lit(start))
+    end = fisher_scoring(_BeadProblem(model), now.state, now, most, report, _POLICY)
+    best = end.now
+    deviance, settled = float(best.deviance[0]), bool(end.settled[0])
+    return Climbed(best.state, best.values, deviance, best.normal, settled, end.steps, end.interrupted)
 
 
 class Search:

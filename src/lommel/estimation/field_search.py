@@ -15,9 +15,9 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.star_images import Scores, climb
 from lommel.fit import goodness_of_fit
 from lommel.fit.goodness_of_fit import SURE
+from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import SHIFTS, term_of
 
 _SINGLES = 60  # stars that are fitted by themselves
@@ -153,7 +153,7 @@ class Search:
                 self.report(share[0] + share[1] * (turn + step / _STEPS) / _STARTS, value)
 
             with suppress(Declined, ToleranceError):
-                x, scores, _, taken = climb(model, x, _STEPS, report, fast=True)
+                x, scores, _, taken = search_rows(model, x, _STEPS, report, fast=True)
                 self.taken += taken
                 before = chi2[open_]
                 better = scores.chi2 < before
@@ -315,7 +315,7 @@ class Search:
             def report(step: int, value: float) -> None:
                 self.report(share[0] + share[1] * step / (most + 1), value)
 
-            x, scores, settled, taken = climb(model, x, most, report, fast=fast)
+            x, scores, settled, taken = search_rows(model, x, most, report, fast=fast)
         except (Declined, ToleranceError):
             return None
         self.taken += taken
@@ -331,7 +331,7 @@ class Search:
         if not self.stars.cornered:  # whose places are known to a pixel
             tilts += self.stars.shifts(chosen, model.images(x, fast=True)[0]) * self.stars.one.tilt_of_pixel
         x = model.row(polynomials, squares, tilts, first)
-        x, _, _, taken = climb(model, x, 6, lambda *_: None, fast=True)
+        x, _, _, taken = search_rows(model, x, 6, lambda *_: None, fast=True)
         self.taken += taken
         return np.concatenate(model.parts(x)[2:], axis=1)
 
@@ -419,7 +419,9 @@ class Search:
         with suppress(Declined, ToleranceError):
             own = self.placed(lost, found.polynomials(), squares)
             x = stars.joined(model, np.broadcast_to(squares, (len(lost), len(squares))), own[:, :2], own[:, 2:])
-            x, scores, _, taken = climb(SingleStars(stars, lost, self.widest), x, _STEPS, lambda *_: None, fast=True)
+            x, scores, _, taken = search_rows(
+                SingleStars(stars, lost, self.widest), x, _STEPS, lambda *_: None, fast=True
+            )
             self.taken += taken
             fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), stars.split(x)[0]
         if not fits.all():
@@ -461,7 +463,7 @@ class Search:
         basis = self.basis(chosen[out])
         model = WholeField(self.stars, chosen[out], basis, held=True)
         x = model.row(rest.polynomials(), rest.squares(), own[out][:, :2], own[out][:, 2:])
-        _, scores, _, _ = climb(model, x, 6, lambda *_: None, fast=True)
+        _, scores, _, _ = search_rows(model, x, 6, lambda *_: None, fast=True)
         return float(scores.chi2[0]), float(scores.spread[0])
 
 

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
-from lommel.estimation.star_images import Scores, StarImages, Unknowns, carrying, covariance, damped
+from lommel.estimation.star_images import StarImages, Unknowns, carrying
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
+from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background
 from lommel.methods.derivative_names import SHIFTS, Name
 from lommel.methods.question import asked_about, output_type
 from lommel.optics.pupil import Pupil
@@ -313,12 +314,7 @@ class FieldStars:
         """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs."""
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
         counted, _, read, valid = self.star[:, stars]
-        weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
-        total, data = weight.sum(axis=-1), weight * counted
-        mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
-        square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
-        flux = np.maximum(((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300), 1.0)
-        return np.stack([flux, level - flux * mean], axis=1)
+        return np.stack(flux_background(psf, counted, read, valid), axis=1)
 
     def centroids(self) -> Array:
         """Return tilts (n, 2, e) that put each star at the centroid of its light, and corners where lines cross."""
@@ -442,7 +438,7 @@ class SingleStars:
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps and what they promise."""
-        return damped(scores, damping)
+        return damped_steps(scores, damping)
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,17 +16,15 @@ from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.star_images import (
-    Scores,
     StarImages,
     Unknowns,
     carrying,
     changes,
-    climb,
-    covariance,
     uncertainty,
 )
 from lommel.fit import goodness_of_fit
 from lommel.fit.goodness_of_fit import SURE
+from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -363,7 +361,7 @@ def retrieve(
                 progress((before + at_once * step / (most + 1)) / count, chi2)
 
         try:
-            x, scores, settled, steps_taken = climb(model, x, most, report, fast=True)
+            x, scores, settled, steps_taken = search_rows(model, x, most, report, fast=True)
         except (Declined, ToleranceError):  # a random start that is too strong to be computed
             if tries == 0:
                 raise
@@ -381,7 +379,7 @@ def retrieve(
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
-    lowest, best, settled, more = climb(model, lowest, most if fits else 0, lambda *_: None, fast=False)
+    lowest, best, settled, more = search_rows(model, lowest, most if fits else 0, lambda *_: None, fast=False)
     return _retrieval(model, lowest, best, fits and bool(settled[0]), counts, noise, (taken + more, tries))
 
 

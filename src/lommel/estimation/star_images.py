@@ -6,21 +6,19 @@ Fisher scoring: damped steps (Levenberg-Marquardt) by Fisher's information, whos
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple, Protocol, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Pixels, ToleranceError
+from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
-from lommel.fit import goodness_of_fit
-from lommel.fit.goodness_of_fit import SURE
+from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
@@ -136,49 +134,6 @@ def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
 
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
 _LEAST = 0.05  # electrons squared: the smallest variance of reading
-
-
-class Scores(NamedTuple):
-    """Quality of the fit for several sets of parameters.
-
-    `deviance` (s,) is minus the log-likelihood, `slope` (s, p) minus its gradient, `information` (s, p, p) Fisher's;
-    `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where the model is right.
-    """
-
-    deviance: Array
-    slope: Array
-    information: Array
-    chi2: Array
-    spread: Array
-
-
-class Searched(Protocol):
-    """A model of images whose parameters :func:`climb` looks for."""
-
-    size: int
-    tested: int  # pixels less parameters, of a row
-    alternatives: bool  # whether rows are starts for the same images, of which the first that fits ends the search
-
-    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return the PSFs of images, and their derivatives."""
-
-    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit for parameters `x`, which stand in these rows of the search."""
-
-    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the same from images and derivatives."""
-
-    def with_light(self, x: Array, values: Any) -> Array:
-        """Return the parameters with flux and background from least squares."""
-
-    def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place."""
-
-    def rms(self, steps: Array) -> Array:
-        """Return the rms phase of steps."""
-
-    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps and the gain in deviance that their slopes promise."""
 
 
 class StarImages:
@@ -359,20 +314,14 @@ class StarImages:
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps (s, p) and the gain in deviance that their slopes promise."""
-        return damped(scores, damping)
+        return damped_steps(scores, damping)
 
     def with_light(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares, given the PSFs of images."""
-        psf = values.reshape(len(x), self.count, -1).astype(np.float64)
-        weight = self.valid / (np.maximum(self.counted, 0.0) + self.read + 1.0)
-        total, data = weight.sum(axis=-1), weight * self.counted
-        mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
-        square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
-        flux = ((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300)
         found = x.copy()
         own = self.per_image(found)
-        own[:, -2] = np.maximum(flux, 1.0)
-        own[:, -1] = level - own[:, -2] * mean
+        psf = values.reshape(len(x), self.count, -1).astype(np.float64)
+        own[:, -2], own[:, -1] = flux_background(psf, self.counted, self.read, self.valid)
         return found
 
     def within(self, x: Array, before: Array) -> Array:
@@ -393,120 +342,6 @@ class StarImages:
         """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
         edge = steps[:, self.waves] @ self.directions
         return np.asarray(np.sqrt((edge * edge) @ self.mean_squares))
-
-
-_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
-_NEARLY = 1.0  # the same of a fast search, whose last step is taken
-_SWINGS = 0.5  # damping of steps that swing
-_FAR = 2.0  # radians rms: no step changes the wavefront by more
-_DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and where a search gives up
-_STRETCH = 16.0  # times the length of a step, at most
-_IDLE = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
-_PATIENCE = 3  # such steps one after the other
-
-
-def climb(
-    model: Searched, x: Array, most: int, report: Callable[[int, float], object], *, fast: bool
-) -> tuple[Array, Scores, NDArray[np.bool_], int]:
-    """Take damped steps from starts `x` until they settle or one fits; `report` gets number and best chi2.
-
-    Return the ends, their scores, whether they settled, and the number of all steps. A `fast` search begins with the
-    flux and background of least squares.
-    """
-    # Steps grow where the last one gained nearly all that its slope promised: far from the answer the information
-    # overstates the curvature of the likelihood.
-    count = len(x)
-    values, slopes = model.images(x, fast=fast)
-    if fast:
-        x = model.with_light(x, values)
-    now = model.scores_of(x, values, slopes)
-    damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
-    settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    taken, idle = 0, np.zeros(count, dtype=int)
-    for turn in range(most + 1):
-        report(turn, float(now.chi2.min()))
-        at = np.flatnonzero(moving)
-        there = now if at.size == count else Scores(*(part[at] for part in now))
-        step, promised = model.steps(there, damping[at])
-        # What is at a limit, such as the place of a star that its window does not show, is at its best there.
-        allowed = model.within(x[at] + step, x[at]) - x[at]
-        promised = np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
-        done = (promised < (_NEARLY if fast else _SETTLED)) & (damping[at] <= 1.0)
-        settled[at] = done
-        moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
-        fitting = model.alternatives and (done & (there.chi2 < goodness_of_fit.most(there.spread, SURE))).any()
-        if turn == most or not moving.any() or fitting:
-            if fast and done.any():  # the last step is worth taking, but not its scores
-                last = at[done]
-                x[last] = model.within(x[last] + step[done], x[last])
-            break
-        go = moving[at]
-        at, step, promised = at[go], step[go], promised[go]
-        reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
-        tried = model.within(x[at] + reach[:, None] * step, x[at])
-        new: Scores | None = None
-        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
-            new = model.scores(tried, fast=fast, rows=at)
-        taken += at.size
-        gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
-        promised *= reach
-        better = gain > 0.0
-        stretched = stretch[at] > 1.0
-        straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
-        longer = np.minimum(2.0 * np.maximum(reach, 1.0), _STRETCH)
-        stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
-        damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
-        # Near the end, steps that gain little of what they promise go to and fro beside the answer.
-        swings = better & (promised < 1.0) & (gain < 0.25 * promised)
-        damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
-        np.maximum(damping, _DAMPING[1], out=damping)
-        slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - goodness_of_fit.most(now.spread[at])))
-        idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
-        if new is None:
-            continue
-        if at.size == count and better.all():
-            x, now = tried, new
-            continue
-        x[at[better]] = tried[better]
-        for mine, theirs in zip(now, new, strict=True):
-            mine[at[better]] = theirs[better]
-    return x, now, settled, taken
-
-
-def damped(scores: Scores, damping: Array) -> tuple[Array, Array]:
-    """Return steps of Levenberg and Marquardt (s, p), and the gain in deviance that their slopes promise."""
-    scale = deviations(scores.information)
-    matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
-    diagonal = np.arange(scale.shape[1])
-    matrix[:, diagonal, diagonal] += damping[:, None]
-    step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
-    return step, np.einsum("si,si->s", step, scores.slope)
-
-
-def covariance(information: Array) -> Array:
-    """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
-    scale = deviations(information[None])[0]
-    alike = information / np.outer(scale, scale)
-    # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
-    with suppress(np.linalg.LinAlgError):
-        found = np.linalg.inv(alike)
-        if np.linalg.norm(found) < 1e8:  # so that no eigenvalue is below 1e-8
-            return np.asarray(0.5 * (found + found.T) / np.outer(scale, scale))
-    values, vectors = np.linalg.eigh(alike)
-    # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
-    blind = values < 1e-10
-    unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
-    values = np.where(blind, np.inf, values)
-    found = (vectors / values) @ vectors.T / np.outer(scale, scale)
-    found[unknown] = found[:, unknown] = 0.0
-    found[unknown, unknown] = np.inf
-    return np.asarray(found)
-
-
-def deviations(information: Array) -> Array:
-    """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
-    diagonal = information.diagonal(axis1=1, axis2=2)
-    return np.asarray(np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0)))
 
 
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:

@@ -1,0 +1,319 @@
+"""Fisher scoring: damped steps (Levenberg and Marquardt) to the parameters of maximum likelihood.
+
+Steps are by Fisher's information, whose inverse at the end is the covariance. A model states its images and their
+derivatives (:class:`RowModel`); one whose parameters are no rows of numbers states its steps (:class:`Problem`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined, ToleranceError
+from lommel.fit import goodness_of_fit
+
+SETTLED = 1e-2  # squared length of a step, in standard errors, that is not worth taking
+_NEARLY = 1.0  # the same of a fast search, whose last step is taken
+_SWINGS = 0.5  # damping of steps that swing
+_LONGEST = 2.0  # radians rms: no step changes the wavefront by more
+_FIRST, _LEAST, _MOST = 1e-2, 1e-6, 1e8  # damping at first, at least, and where a search gives up
+_STRETCH = 16.0  # times the length of a step, at most
+_STALLED = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
+_PATIENCE = 3  # such steps one after the other
+
+Report = Callable[[int, float], object]
+"""Gets the number of a step and the best chi2 before it."""
+
+
+class Scores(NamedTuple):
+    """Quality of the fit for several sets of parameters.
+
+    `deviance` (s,) is minus the log-likelihood, `slope` (s, p) minus its gradient, `information` (s, p, p) Fisher's;
+    `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where the model is right.
+    """
+
+    deviance: Array
+    slope: Array
+    information: Array
+    chi2: Array
+    spread: Array
+
+
+class RowModel(Protocol):
+    """A model of images whose parameters are rows of numbers."""
+
+    size: int
+    tested: int  # pixels less parameters, of a row
+    alternatives: bool  # whether rows are starts for the same images, of which the first that fits ends the search
+
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
+        """Return the PSFs of images, and their derivatives."""
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit for parameters `x`, which stand in these rows of the search."""
+
+    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+        """Return the same from images and derivatives."""
+
+    def with_light(self, x: Array, values: Any) -> Array:
+        """Return the parameters with flux and background from least squares."""
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Limit parameters in place."""
+
+    def rms(self, steps: Array) -> Array:
+        """Return the rms phase of steps."""
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps and the gain in deviance that their slopes promise."""
+
+
+class Evaluation(Protocol):
+    """Quality of the fit of several sets of parameters, as :class:`Scores` has it."""
+
+    @property
+    def deviance(self) -> Array:
+        """Minus the log-likelihood."""
+
+    @property
+    def chi2(self) -> Array:
+        """Pearson's, over its expectation."""
+
+    @property
+    def spread(self) -> Array:
+        """Standard deviation of chi2 where the model is right."""
+
+
+Point = TypeVar("Point")
+Step = TypeVar("Step")
+Value = TypeVar("Value", bound=Evaluation)
+Rows = NDArray[np.intp]
+
+
+class Problem(Protocol[Point, Step, Value]):
+    """What a search asks: `x` are several sets of parameters, `now` what they are worth, `at` those that move."""
+
+    tested: int
+
+    def step(self, x: Point, now: Value, at: Rows, damping: Array) -> tuple[Step, Array]:
+        """Return damped steps and the gain in deviance that they promise."""
+
+    def of(self, step: Step, moving: NDArray[np.bool_]) -> Step:
+        """Return some of the steps."""
+
+    def rms(self, step: Step) -> Array:
+        """Return the rms phase of steps, radians."""
+
+    def attempt(self, x: Point, now: Value, at: Rows, step: Step, factor: Array) -> tuple[Point, Value | None]:
+        """Return parameters so many steps on and what they are worth, None where that cannot be computed."""
+
+    def merged(self, x: Point, now: Value, tried: Point, new: Value, at: Rows, better: Any) -> tuple[Point, Value]:
+        """Return the better of parameters before and after a step."""
+
+    def enough(self, done: NDArray[np.bool_], now: Value, at: Rows) -> bool:
+        """Return whether the search ends with those of `at` that are done."""
+
+
+@dataclass(frozen=True)
+class Policy:
+    """How a search goes on.
+
+    `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
+    damping above `most`. Steps that `stretch` grow where the last one gained nearly all that its slope promised: far
+    from the answer the information overstates the curvature of the likelihood. A search without `patience` goes on
+    in a minimum that does not fit. `interruptible` ones end at an interrupt with the best so far.
+    """
+
+    settled: float = SETTLED
+    most: float = _MOST
+    stretch: bool = True
+    patience: int | None = _PATIENCE
+    interruptible: bool = False
+
+
+class Ascent(NamedTuple, Generic[Point, Value]):
+    """The end of a search: parameters, what they are worth, which have settled, how many steps were taken."""
+
+    x: Point
+    now: Value
+    settled: NDArray[np.bool_]
+    steps: int
+    interrupted: bool
+
+
+def fisher_scoring(
+    problem: Problem[Point, Step, Value],
+    x: Point,
+    now: Value,
+    most: int,
+    report: Report,
+    policy: Policy,
+    last: Callable[[Point, Step, Rows, NDArray[np.bool_]], object] | None = None,
+) -> Ascent[Point, Value]:
+    """Take at most so many damped steps from parameters `x`, worth `now`, until they settle or one is enough.
+
+    `last` gets the steps of those that have settled, which are not taken.
+    """
+    count = len(now.chi2)
+    damping, stretch = np.full(count, _FIRST), np.ones(count)
+    settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
+    taken, stalled, interrupted = 0, np.zeros(count, dtype=int), False
+    patience = most + 1 if policy.patience is None else policy.patience
+    try:
+        for turn in range(most + 1):
+            report(turn, float(now.chi2.min()))
+            at = np.flatnonzero(moving)
+            step, promised = problem.step(x, now, at, damping[at])
+            done = (promised < policy.settled) & (damping[at] <= 1.0)
+            settled[at] = done
+            moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < patience)
+            if turn == most or not moving.any() or problem.enough(done, now, at):
+                if last is not None and done.any():
+                    last(x, step, at, done)
+                break
+            go = moving[at]
+            at, promised, step = at[go], promised[go], problem.of(step, go)
+            factor = np.ones(at.size)
+            if policy.stretch:
+                factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
+            tried, new = problem.attempt(x, now, at, step, factor)
+            taken += at.size
+            gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
+            promised = promised * factor
+            better, stretched = gain > 0.0, stretch[at] > 1.0
+            damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+            if policy.stretch:
+                straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
+                longer = np.minimum(2.0 * np.maximum(factor, 1.0), _STRETCH)
+                stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
+                # Near the end, steps that gain little of what they promise go to and fro beside the answer.
+                swings = better & (promised < 1.0) & (gain < 0.25 * promised)
+                damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
+            np.maximum(damping, _LEAST, out=damping)
+            if policy.patience is not None:
+                excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
+                slow = better & (gain < _STALLED * problem.tested * excess)
+                stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
+            if new is not None:
+                x, now = problem.merged(x, now, tried, new, at, better)
+    except KeyboardInterrupt:
+        if not policy.interruptible:
+            raise
+        interrupted = True
+    return Ascent(x, now, settled, taken, interrupted)
+
+
+class _RowProblem:
+    """The problem of a model of rows: a `fast` one computes images as exactly as a search needs."""
+
+    def __init__(self, model: RowModel, fast: bool) -> None:
+        self.model, self.fast, self.tested = model, fast, model.tested
+
+    def step(self, x: Array, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
+        there = now if at.size == len(x) else Scores(*(part[at] for part in now))
+        step, promised = self.model.steps(there, damping)
+        # What is at a limit, such as the place of a star that its window does not show, is at its best there.
+        allowed = self.model.within(x[at] + step, x[at]) - x[at]
+        return step, np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
+
+    def of(self, step: Array, moving: NDArray[np.bool_]) -> Array:
+        return step[moving]
+
+    def rms(self, step: Array) -> Array:
+        return self.model.rms(step)
+
+    def attempt(self, x: Array, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Array, Scores | None]:
+        tried = self.model.within(x[at] + factor[:, None] * step, x[at])
+        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
+            return tried, self.model.scores(tried, fast=self.fast, rows=at)
+        return tried, None
+
+    def merged(
+        self, x: Array, now: Scores, tried: Array, new: Scores, at: Rows, better: NDArray[np.bool_]
+    ) -> tuple[Array, Scores]:
+        if at.size == len(x) and better.all():
+            return tried, new
+        x[at[better]] = tried[better]
+        for mine, theirs in zip(now, new, strict=True):
+            mine[at[better]] = theirs[better]
+        return x, now
+
+    def enough(self, done: NDArray[np.bool_], now: Scores, at: Rows) -> bool:
+        fits = now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE)
+        return self.model.alternatives and bool((done & fits).any())
+
+    def take(self, x: Array, step: Array, at: Rows, done: NDArray[np.bool_]) -> None:
+        """Take steps of rows that are done, in place; their scores stay."""
+        x[at[done]] = self.model.within(x[at[done]] + step[done], x[at[done]])
+
+
+def search_rows(
+    model: RowModel, x: Array, most: int, report: Report, *, fast: bool
+) -> tuple[Array, Scores, NDArray[np.bool_], int]:
+    """Take damped steps from starts `x` (s, p) until they settle or one fits.
+
+    Return the ends, their scores, whether they settled, and the number of all steps. A `fast` search begins with the
+    flux and background of least squares, and takes its last step, which it does not score.
+    """
+    problem = _RowProblem(model, fast)
+    values, slopes = model.images(x, fast=fast)
+    if fast:
+        x = model.with_light(x, values)
+    policy = Policy(settled=_NEARLY if fast else SETTLED, most=np.nextafter(_MOST, 0.0))
+    now = model.scores_of(x, values, slopes)
+    return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)[:4]
+
+
+def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tuple[Array, Array]:
+    """Return flux (at least 1) and background (...,) of weighted least squares, of PSFs and pixels (..., pixels).
+
+    Weights are those of the counts themselves: 1 / (counted + read + 1) of valid pixels.
+    """
+    weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
+    total, data = weight.sum(axis=-1), weight * counted
+    mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+    square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
+    flux = np.maximum(((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300), 1.0)
+    return flux, level - flux * mean
+
+
+def damped_steps(scores: Scores, damping: Array) -> tuple[Array, Array]:
+    """Return steps of Levenberg and Marquardt (s, p), and the gain in deviance that their slopes promise."""
+    scale = information_roots(scores.information)
+    matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
+    diagonal = np.arange(scale.shape[1])
+    matrix[:, diagonal, diagonal] += damping[:, None]
+    step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
+    return step, np.einsum("si,si->s", step, scores.slope)
+
+
+def covariance(information: Array) -> Array:
+    """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
+    scale = information_roots(information[None])[0]
+    alike = information / np.outer(scale, scale)
+    # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
+    with suppress(np.linalg.LinAlgError):
+        found = np.linalg.inv(alike)
+        if np.linalg.norm(found) < 1e8:  # so that no eigenvalue is below 1e-8
+            return np.asarray(0.5 * (found + found.T) / np.outer(scale, scale))
+    values, vectors = np.linalg.eigh(alike)
+    # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
+    blind = values < 1e-10
+    unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
+    values = np.where(blind, np.inf, values)
+    found = (vectors / values) @ vectors.T / np.outer(scale, scale)
+    found[unknown] = found[:, unknown] = 0.0
+    found[unknown, unknown] = np.inf
+    return np.asarray(found)
+
+
+def information_roots(information: Array) -> Array:
+    """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
+    diagonal = information.diagonal(axis1=1, axis2=2)
+    return np.asarray(np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0)))

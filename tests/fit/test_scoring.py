@@ -1,0 +1,143 @@
+"""Fisher scoring: searches end at limits, steps that swing are damped, interrupts keep the best so far."""
+
+import numpy as np
+import pytest
+
+from lommel.fit.scoring import (
+    Policy,
+    Scores,
+    covariance,
+    damped_steps,
+    fisher_scoring,
+    flux_background,
+    search_rows,
+)
+
+
+class Bounded:
+    """A parabola whose lowest point is beyond the limit of its parameter."""
+
+    size, tested, alternatives = 1, 100, False
+
+    def images(self, x, *, fast=False):
+        return None, None
+
+    def scores(self, x, *, fast=False, rows=None):
+        one = np.ones(len(x))
+        return Scores(0.5 * (x[:, 0] - 3.0) ** 2, 3.0 - x, np.ones((len(x), 1, 1)), one, 0.1 * one)
+
+    def scores_of(self, x, values, slopes):
+        return self.scores(x)
+
+    def within(self, x, before):
+        return np.clip(x, -1.0, 1.0, out=x)
+
+    def rms(self, steps):
+        return np.zeros(len(steps))
+
+    def steps(self, scores, damping):
+        return damped_steps(scores, damping)
+
+
+def test_a_search_settles_at_the_limit_of_a_parameter():
+    x, scores, settled, taken = search_rows(Bounded(), np.zeros((1, 1)), 20, lambda *_: None, fast=False)
+    assert (x[0, 0], scores.deviance[0], settled[0]) == (1.0, 2.0, True)
+    assert taken < 5
+
+
+class Swinging(Bounded):
+    """A parabola whose information is stated as little more than half of its curvature."""
+
+    def scores(self, x, *, fast=False, rows=None):
+        found = super().scores(x)
+        return found._replace(information=np.full((len(x), 1, 1), 0.505))
+
+    def within(self, x, before):
+        return x
+
+
+def test_steps_that_swing_beside_the_answer_are_damped():
+    x, _, settled, taken = search_rows(Swinging(), np.array([[2.2]]), 20, lambda *_: None, fast=False)
+    assert settled[0]
+    assert abs(x[0, 0] - 3.0) < 0.1
+    assert taken < 10
+
+
+class Curve:
+    """One parameter of a quartic, whose steps are by the curvature, as a problem of its own."""
+
+    tested = 100
+
+    def worth(self, x):
+        return Scores(*(np.array([part]) for part in (x**4, -4.0 * x**3, 12.0 * x**2 + 1e-9, 1.0, 0.1)))
+
+    def step(self, x, now, at, damping):
+        step = float(now.slope[0] / (now.information[0] * (1.0 + damping[0])))
+        return step, np.array([step * float(now.slope[0])])
+
+    def of(self, step, moving):
+        return step
+
+    def rms(self, step):
+        return np.array([abs(step)])
+
+    def attempt(self, x, now, at, step, factor):
+        return x + float(factor[0]) * step, self.worth(x + float(factor[0]) * step)
+
+    def merged(self, x, now, tried, new, at, better):
+        return tried, new
+
+    def enough(self, done, now, at):
+        return bool(done.all())
+
+
+class Interrupted(Curve):
+    def attempt(self, x, now, at, step, factor):
+        if x < 2.0:
+            raise KeyboardInterrupt
+        return super().attempt(x, now, at, step, factor)
+
+
+def test_a_problem_states_its_own_steps():
+    end = fisher_scoring(Curve(), 3.0, Curve().worth(3.0), 40, lambda *_: None, Policy(settled=1e-6))
+    assert end.settled[0]
+    assert abs(end.x) < 0.05
+    assert not end.interrupted
+
+
+def test_an_interrupt_keeps_the_best_so_far_where_a_search_allows_it():
+    ask = 5.0, Curve().worth(5.0), 40, lambda *_: None
+    end = fisher_scoring(Interrupted(), *ask, Policy(interruptible=True))
+    assert end.interrupted
+    assert 0.0 < end.x < 2.0
+    with pytest.raises(KeyboardInterrupt):
+        fisher_scoring(Interrupted(), *ask, Policy())
+
+
+def test_steps_do_not_stretch_unless_they_may():
+    steps = [
+        fisher_scoring(Curve(), 1e3, Curve().worth(1e3), 100, lambda *_: None, Policy(stretch=stretch)).steps
+        for stretch in (False, True)
+    ]
+    assert steps[0] < 60 < steps[1]  # those that stretch are limited to radians, for all but wavefronts far too long
+
+
+def test_flux_and_background_are_those_of_weighted_least_squares():
+    draw = np.random.default_rng(2)
+    psf, valid = draw.random((3, 30)), (draw.random((3, 30)) < 0.9).astype(float)
+    counted, read = draw.poisson(50.0, (3, 30)).astype(float), np.full((3, 30), 4.0)
+    flux, background = flux_background(psf, counted, read, valid)
+    for k in range(3):
+        root = np.sqrt(valid[k] / (counted[k] + read[k] + 1.0))
+        sides = np.stack([root * psf[k], root], axis=1)
+        best = np.linalg.lstsq(sides, root * counted[k], rcond=None)[0]
+        expected = best if best[0] > 1.0 else (1.0, best[1] + (best[0] - 1.0) * (root**2 @ psf[k]) / (root**2).sum())
+        np.testing.assert_allclose([flux[k], background[k]], expected, rtol=1e-9)
+
+
+def test_the_covariance_is_infinite_where_nothing_is_known():
+    information = np.diag([4.0, 0.0, 1.0])
+    information[0, 2] = information[2, 0] = 1.0
+    found = covariance(information)
+    assert np.isinf(found[1, 1])
+    np.testing.assert_allclose(found[np.ix_([0, 2], [0, 2])], np.linalg.inv(information[np.ix_([0, 2], [0, 2])]))

@@ -131,7 +131,7 @@ def test_a_search_checks_and_chooses_once_rather_than_at_every_step():
     found = profile.runcall(lm.retrieve, measured, lm.Pupil(), defocus=DEFOCUS, **ASKED)
     calls = {key: value[1] for key, value in pstats.Stats(profile).stats.items() if package in key[0]}
     assert found.converged
-    assert sum(calls.values()) <= 1050
+    assert sum(calls.values()) <= 1000
     assert sum(count for (_, _, name), count in calls.items() if name == "candidates") <= 4
 
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
+from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import light_by_rule
 from lommel.methods.layers.chordal_debye import Rule
@@ -353,10 +354,7 @@ def light_of(values: Array, star: Array, before: Array | None = None) -> Array:
             assert given is not None
             mean = given[0][:, None] * psf + given[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
-        total, data = weight.sum(axis=-1), weight * counted
-        middle, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
-        square = (weight * psf * psf).sum(axis=-1) - total * middle * middle
-        flux = ((data * psf).sum(axis=-1) - total * middle * level) / np.maximum(square, 1e-300)
+        flux, level, middle = weighted_light(psf, counted, weight)
         found[0] = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
         found[1] = level - found[0] * middle
     return found

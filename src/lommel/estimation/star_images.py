@@ -295,7 +295,7 @@ class StarImages:
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
         """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
         light = np.ascontiguousarray(self.per_image(x)[:, -2:])
-        images = [values, *(slope.values for slope in slopes)]
+        images = [values, *[slope.values for slope in slopes]]
         numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
         deviance, total, spread = numbers.sum(axis=-1)
         # Where nothing is expected (images below 0, read without noise) any square is a misfit. Each fitted parameter

@@ -69,12 +69,8 @@ class Finding:
         -------
         dict
         """
-        return {
-            "code": self.code,
-            "severity": self.severity,
-            "text": self.text,
-            "numbers": plain(self.numbers),
-        }
+        found: dict[str, Any] = plain(fields_of(self))
+        return found
 
 
 class Findings(tuple[Finding, ...]):
@@ -166,7 +162,8 @@ class FitReport:
     def message(self) -> str:
         """Status, summary and the texts of all findings."""
         words = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
-        return "; ".join([f"{words}: {self.summary}", *(each.text for each in self.findings)])
+        verdict = f"{words}: {self.summary}"
+        return f"{verdict}; {self.findings.text}" if self.findings else verdict
 
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain data, as JSON has it, without images.

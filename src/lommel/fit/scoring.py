@@ -18,7 +18,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.fit import goodness_of_fit
 
-SETTLED = 1e-2  # squared length of a step, in standard errors, that is not worth taking
+_SETTLED = 1e-2  # squared length of a step, in standard errors, that is not worth taking
 _NEARLY = 1.0  # the same of a fast search, whose last step is taken
 _SWINGS = 0.5  # damping of steps that swing
 _LONGEST = 2.0  # radians rms: no step changes the wavefront by more
@@ -130,7 +130,7 @@ class Policy:
     in a minimum that does not fit. `interruptible` ones end at an interrupt with the best so far.
     """
 
-    settled: float = SETTLED
+    settled: float = _SETTLED
     most: float = _MOST
     stretch: bool = True
     patience: int | None = _PATIENCE
@@ -245,8 +245,10 @@ class _RowProblem:
         return x, now
 
     def enough(self, done: NDArray[np.bool_], now: Scores, at: Rows) -> bool:
+        if not self.model.alternatives:
+            return False
         fits = now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE)
-        return self.model.alternatives and bool((done & fits).any())
+        return bool((done & fits).any())
 
     def take(self, x: Array, step: Array, at: Rows, done: NDArray[np.bool_]) -> None:
         """Take steps of rows that are done, in place; their scores stay."""
@@ -265,7 +267,7 @@ def search_rows(
     values, slopes = model.images(x, fast=fast)
     if fast:
         x = model.with_light(x, values)
-    policy = Policy(settled=_NEARLY if fast else SETTLED, most=np.nextafter(_MOST, 0.0))
+    policy = Policy(settled=_NEARLY if fast else _SETTLED)
     now = model.scores_of(x, values, slopes)
     return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)[:4]
 
@@ -275,12 +277,20 @@ def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tu
 
     Weights are those of the counts themselves: 1 / (counted + read + 1) of valid pixels.
     """
-    weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
+    flux, level, middle = weighted_light(psf, counted, valid / (np.maximum(counted, 0.0) + read + 1.0))
+    flux = np.maximum(flux, 1.0)
+    return flux, level - flux * middle
+
+
+def weighted_light(psf: Array, counted: Array, weight: Array) -> tuple[Array, Array, Array]:
+    """Return the flux of least squares, and the weighted means of counts and PSF, (...,) each.
+
+    The background of a flux is the mean of the counts less flux times that of the PSF.
+    """
     total, data = weight.sum(axis=-1), weight * counted
-    mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
-    square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
-    flux = np.maximum(((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300), 1.0)
-    return flux, level - flux * mean
+    middle, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+    square = (weight * psf * psf).sum(axis=-1) - total * middle * middle
+    return ((data * psf).sum(axis=-1) - total * middle * level) / np.maximum(square, 1e-300), level, middle
 
 
 def damped_steps(scores: Scores, damping: Array) -> tuple[Array, Array]:

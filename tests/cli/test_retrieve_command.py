@@ -81,12 +81,13 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
     np.save(folder / "dim.npy", lm.Noise(read=2.0).record(mean, seed=4))
     options = ["dim.npy", "lens.toml", "--defocus=-4 0 4", "--read", 2]
     shown = " ".join(call_lommel("retrieve", *options, folder=folder).stdout.split())
-    said = "converged, but the standard errors are not to be trusted: "
+    said = "converged, but in doubt: chi2"
     assert said in shown
     found = json.loads(call_lommel("retrieve", *options, "--json", folder=folder).stdout)
     assert found["converged"]
     assert not found["reliable"]
     assert found["message"].startswith(said)
+    assert [each["code"] for each in found["findings"]] == ["too_dim"]
     assert shown.endswith(found["message"])
 
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import errno
 import math
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
-from numpy.typing import ArrayLike
 
 from lommel.cli.instruments import (
     CAMERA,
@@ -209,7 +207,7 @@ def retrieve(
     if microscope is not None:
         parts.append(Wrapped("Of a point, with all constants held; lommel beads estimates and tests them."))
     parts += [Wrapped(note) for note in notes]
-    return Report({"images": names} | _facts(found) | {"notes": notes}, parts, found.converged) + made
+    return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
 
 
 def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:
@@ -280,21 +278,3 @@ def _terms(text: str) -> list[str]:
 
 
 _NAMED = 66  # Noll's last term that has a name of its own
-
-
-def _facts(found: Retrieval) -> Facts:
-    """Return the results as JSON can hold them; null is infinite."""
-
-    def plain(value: ArrayLike) -> float | list[Any] | None:
-        if np.ndim(value):
-            return [plain(part) for part in np.asarray(value)]
-        number = float(np.asarray(value))
-        return number if np.isfinite(number) else None
-
-    def named(values: Mapping[Any, ArrayLike]) -> Facts:
-        return {name if isinstance(name, str) else ",".join(map(str, name)): plain(v) for name, v in values.items()}
-
-    plainly = ("covariance", "flux", "background", "center")
-    facts = {name: getattr(found, name) for name in ("converged", "reliable", "message", "chi2", "steps", "starts")}
-    named_facts = {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
-    return facts | named_facts | {name: plain(getattr(found, name)) for name in plainly}

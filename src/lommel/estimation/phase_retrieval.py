@@ -23,6 +23,7 @@ from lommel.estimation.star_images import (
     uncertainty,
 )
 from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -31,7 +32,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
-from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
@@ -46,6 +47,7 @@ _AGREEING = 3
 _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
 _CERTAIN = 0.25
+_DECIDED = 2.0  # times as far from the given wavefront: a twin that the start decides against
 # Factor by which a standard error may change within one standard deviation of the answer.
 _STEADY = 1.125
 _NORMALIZED = 0.05  # by which the sum of a normalised image may differ from 1
@@ -53,14 +55,16 @@ _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Retrieval:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Retrieval(FitReport):
     """Result of a phase retrieval: the answer of :func:`lommel.retrieve`.
 
     Attributes
     ----------
     wavefront : Wavefront
         Estimated terms and the fixed ones of `pupil`, without tilts of images and known defoci.
+    twin : Wavefront or None
+        The wavefront with the even part of its phase negated, where it has the same images (see "sign_open").
     pupil : Pupil or ObjectivePupil
         With this wavefront, and the estimated f-number, wavelength or obscuration.
     coefficients : dict of name to float
@@ -75,15 +79,15 @@ class Retrieval:
     chi2 : float
         Pearson's chi2 per degree of freedom: about 1 where pupil, pixel and noise are right, however few the
         electrons.
-    converged : bool
-        Whether the steps settled, at a chi2 that is consistent with the noise.
-    reliable : bool
-        Whether it converged and its standard errors hold. False where the errors of the phase of an image exceed 0.25
-        radians rms, for then other wavefronts may fit as well, or where a standard error changes by more than an
-        eighth within one standard deviation.
-    message : str
-        The verdict: "converged", "converged, but the standard errors ... are not to be trusted", "the steps did not
-        settle", "no star" or "misfit", and why.
+    findings : lommel.fit.Findings
+        What the checks found. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" where the even part
+        of the phase may have the other sign, and neither `pupil` nor a known defocus decides; "too_dim" where the
+        errors of the phase of an image exceed 0.25 radians rms, for then other wavefronts may fit as well;
+        "errors_change" where a standard error changes by more than an eighth within one standard deviation;
+        "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
+    converged, reliable, status, message
+        The verdict that follows from these, as of :class:`lommel.fit.FitReport`: `converged` without an error,
+        `reliable` without an error or a doubt.
     flux, background : ndarray, shape (n,)
         Electrons of a star in an infinite window, and electrons a pixel.
     center : ndarray, shape (n, 2)
@@ -103,16 +107,14 @@ class Retrieval:
     mean of 0.96 to 1.02 from 100 electrons an image on.
     """
 
-    wavefront: Wavefront
-    pupil: Pupil | ObjectivePupil
+    wavefront: Wavefront = field(repr=False)
+    twin: Wavefront | None = field(repr=False)
+    pupil: Pupil | ObjectivePupil = field(repr=False)
     coefficients: dict[Name, float]
     deviation: dict[Name, Any]
     covariance: Array
     units: dict[Name, str]
     chi2: float
-    converged: bool
-    reliable: bool
-    message: str
     flux: Array
     background: Array
     center: Array
@@ -502,52 +504,36 @@ def _retrieval(
         own_errors[place] = own_errors[place] / per_pixel
     wavefront = model.wavefront(x[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
-    limit = float(goodness_of_fit.most(spread))
-    visible = own[-2] / own_errors["flux"]
-    converged = bool(settled and chi2 < limit and visible.min() >= _VISIBLE)
-    quiet = ""
-    if chi2 < goodness_of_fit.least(spread):
-        quiet = "the images are less noisy than white, read and offset state, so that standard errors do not hold"
-    doubt = (quiet or _doubt(model, x, inverse)) if converged else ""
-    work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    if chi2 >= limit:
-        message = (
-            f"misfit: {work}, noise alone stays below {limit:.3g}; pupil, pixel, noise or "
-            f"{_between(model.pupil)} are wrong, terms are missing, or all "
-            "starts converged to local minima"
-        )
-    elif visible.min() < _VISIBLE:
-        message = f"no star: {work}, but the flux of image {int(np.argmin(visible))} is within the noise"
-    elif not settled:
-        message = f"the steps did not settle: {work}"
-    else:
-        message = f"converged, but {doubt}; {work}" if doubt else f"converged: {work}"
-        message += goodness_of_fit.remark(chi2, spread)
-    if quiet and not converged:
-        message += f"; {quiet}"
-    if model.sign_ambiguous:
-        message += "; one defocus of all images leaves the common sign of the even terms open: add a second one"
+    summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
+    causes = (
+        f"pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, or all starts converged to "
+        "local minima"
+    )
+    found = goodness_of_fit.chi2_findings(chi2, spread, causes)
+    found += [*_light_findings(own[-2], own_errors["flux"]), *_sign_findings(model, x)]
+    if not settled:
+        found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
+    light = counts.filled().sum(axis=(1, 2))
+    if not Findings(found).converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
+        text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or state white"
+        found.append(Finding("unit_sum", "note", text))
+    found += _error_findings(model, x, inverse) if Findings(found).converged else []
     if not np.isfinite(errors).all():
         blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
-        message += f"; the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
-    light = counts.filled().sum(axis=(1, 2))
-    if not converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
-        message += (
-            "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons of the star, or "
-            "state white"
-        )
-    message += remarks([counts[k] for k in range(model.count)], noise, "image")
+        text = f"the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
+        found.append(Finding("undetermined", "note", text))
+    found += recording_findings([counts[k] for k in range(model.count)], noise, "image")
     return Retrieval(
         wavefront=wavefront,
+        twin=model.wavefront(model.even_part_negated(x)[0]) if model.sign_ambiguous else None,
         pupil=carrying(model.pupil, wavefront, **optics),
         coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
         deviation=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
         covariance=inverse[:shared, :shared],
         units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *own_errors)},
         chi2=chi2,
-        converged=converged,
-        reliable=converged and not doubt,
-        message=message,
+        findings=Findings(found),
+        summary=summary,
         flux=own[-2].copy(),
         background=own[-1].copy(),
         center=center,
@@ -575,21 +561,47 @@ def label(name: Name) -> str:
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
-def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
-    """Return why the standard errors at the answer `x` do not hold, or ""."""
+def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
+    """Return the finding of the image whose star is within the noise."""
+    visible = flux / errors
+    if visible.min() >= _VISIBLE:
+        return []
+    k = int(np.argmin(visible))
+    return [Finding("no_light", "error", f"the flux of image {k} is within the noise", {"image": k})]
+
+
+def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
+    """Return the finding of even terms whose sign the images leave open."""
+    if not model.sign_ambiguous:
+        return []
+    start = np.pad(model.start, (0, model.size - len(model.start)))
+    near, far = (float(model.rms(each - start)[0]) for each in (x, model.even_part_negated(x)))
+    text = "one defocus of all images leaves the common sign of the even terms open"
+    if far >= _DECIDED * near:
+        text += ": the answer near the given wavefront and defocus was taken"
+    else:
+        text += ": add a second one, or give a wavefront that is near"
+    numbers = {"rms": near, "rms_of_other": far}
+    return [Finding("sign_open", "note" if far >= _DECIDED * near else "doubt", text, numbers)]
+
+
+def _error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
+    """Return why the standard errors at the answer `x` do not hold."""
     error, axes = uncertainty(model, inverse)
     if error > _CERTAIN:
-        return (
+        text = (
             f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
             "image, and other wavefronts may fit as well"
         )
+        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _CERTAIN})]
     factors = changes(model, x, inverse, axes)
     worst = [k for k in np.argsort(-factors) if factors[k] > _STEADY]
     if not worst:
-        return ""
+        return []
     names = ", ".join(label(model.names[k]) for k in worst[:3])
     more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
-    return (
+    text = (
         f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
         f"they change by a factor of up to {factors[worst[0]]:.3g}"
     )
+    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in worst})]

@@ -14,13 +14,26 @@ Severity: TypeAlias = Literal["error", "doubt", "note"]
 
 CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the answer, fits as well",
+    "errors_change": "a standard error changes within one standard deviation of the answer",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
+    "held_out": "what was left out of the fit does not follow it",
     "interrupted": "the search was interrupted: the answer is the best so far",
+    "left_out": "some sources, windows or pixels were left out",
     "misfit": "the images differ from the model by more than noise",
+    "model_error": "images of the search are not those that are certified",
+    "moved": "planes are shifted against the others",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
+    "other_explanation": "something that the model does not have, or another constant, explains the data better",
     "rare_chi2": "noise alone seldom leaves so large a chi2",
+    "reversed_z": "planes in the reversed order fit far better",
+    "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
+    "sign_open": "the sign of the even terms is open: another wavefront has the same images",
+    "stated": "what was stated beside the images, and is used as it is",
+    "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
+    "undetermined": "the images do not determine a parameter",
+    "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
 }
 """Codes of findings, and what each says."""
 

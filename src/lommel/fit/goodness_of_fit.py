@@ -14,6 +14,7 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array
+from lommel.fit.findings import Finding
 
 BY_CHANCE = 1e-4
 """Probability with which noise alone makes a fit a misfit."""
@@ -40,7 +41,25 @@ def chance(chi2: float, spread: float) -> float:
     return float(special.gammaincc(shape, shape * chi2))
 
 
+def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
+    """Return the finding of a chi2 that noise does not explain, or seldom; `causes` of a misfit in words."""
+    limit, floor, rare = float(most(spread)), float(least(spread)), chance(chi2, spread)
+    numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": rare}
+    if chi2 >= limit:
+        return [Finding("misfit", "error", f"noise alone stays below {limit:.3g}; {causes}", numbers)]
+    if chi2 < floor:
+        text = "the images are less noisy than gain, read noise and offset state, so that standard errors do not hold"
+        return [Finding("too_quiet", "doubt", text, numbers)]
+    if rare < _DOUBTED:
+        return [Finding("rare_chi2", "note", f"noise alone exceeds this chi2 in {_percent(rare)} % of fits", numbers)]
+    return []
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * max(share, 1e-6):.1g}"
+
+
 def remark(chi2: float, spread: float) -> str:
     """Return what is to be said of a chi2 that noise seldom exceeds, or ""."""
     rare = chance(chi2, spread)
-    return "" if rare >= _DOUBTED else f"; noise alone exceeds this chi2 in {100.0 * max(rare, 1e-6):.1g} % of fits"
+    return "" if rare >= _DOUBTED else f"; noise alone exceeds this chi2 in {_percent(rare)} % of fits"

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 from lommel.recorded.saturation import flat_top, full_value
 
@@ -136,6 +137,21 @@ class Counts:
     def __getitem__(self, at: Any) -> Counts:
         """Return some of the images, by the axes before the last two."""
         return Counts(self.values[at], self.hidden[at], self.full[at], self.saturation, self.assumed)
+
+
+def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:
+    """Return how many pixels of images are left out, and which may be saturated."""
+    every = sum(each.values.size for each in images)
+    count = every - sum(int(each.known.sum()) for each in images)
+    found = []
+    if count:
+        text = f"{count} of {every} pixels left out (masked, saturated or NaN)"
+        found.append(Finding("left_out", "note", text, {"pixels": count, "of": every}))
+    assumed = dict.fromkeys(each.assumed for each in images if each.assumed)
+    found += [Finding("saturation_assumed", "note", words) for words in assumed]
+    if told := flat_tops(images, noise, name):
+        found.append(Finding("flat_top", "note", told))
+    return found
 
 
 def remarks(images: Sequence[Counts], noise: Noise, name: str) -> str:

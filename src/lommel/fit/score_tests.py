@@ -1,0 +1,129 @@
+"""Score tests (Rao): what a model does not have, and how likely the data make it.
+
+Of unknowns t and a candidate c, with information I and slope U of the log-likelihood at the answer, the part of the
+candidate that no unknown takes up is ``S = I_cc - I_ct I_tt^-1 I_tc``, ``V = U_c - I_ct I_tt^-1 U_t``. The candidate
+has then the size ``S^-1 V`` with the covariance ``S^-1`` (C. R. Rao, doi:10.1017/S0305004100023987), and the Bayes
+factor for a size of N(0, tau^2) against N(0, sigma^2), sigma being what is known of it beforehand, is that of these
+two normal distributions widened by the covariance: a candidate that could be anything pays for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import special
+
+from lommel.base.arrays import Array
+from lommel.fit.findings import Finding
+
+SEEN = 3.0  # ln of the Bayes factor, besides that of the number of candidates
+RIVAL = 5.0  # of ln of the Bayes factor: candidates so near to the best explain the data as well
+_BLIND = 1e-9  # of the information of a candidate: less is nothing
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """What a model may lack.
+
+    `columns` are its places in information and slope, `scale` the size (tau) that it may have. Of an unknown with a
+    prior, `known` is the standard deviation of that prior, which information and slope hold, and `offset` how far the
+    answer is from its middle.
+    """
+
+    name: str
+    columns: tuple[int, ...]
+    scale: float
+    known: float = 0.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True)
+class ScoreTest:
+    """The result of a score test.
+
+    Attributes
+    ----------
+    name : str
+        Of the candidate.
+    size, errors : ndarray, shape (q,)
+        What the data alone want, one step of Fisher scoring from the answer, and the standard errors.
+    sigmas : float
+        Distance from what was stated, in standard deviations of both; of several columns of that chance.
+    log_bayes : float
+        Natural logarithm of the Bayes factor for the candidate.
+    """
+
+    name: str
+    size: Array
+    errors: Array
+    sigmas: float
+    log_bayes: float
+
+
+def score_tests(
+    information: Array, slope: Array, unknowns: Sequence[int], candidates: Sequence[Candidate]
+) -> tuple[ScoreTest, ...]:
+    """Return the tests of candidates, the most likely first; those of which the data say nothing are left out.
+
+    `information` (p, p) and `slope` (p,) are of the log-likelihood at its maximum, with priors; `unknowns` are the
+    columns that the fit estimates.
+    """
+    found = []
+    for one in candidates:
+        at = list(one.columns)
+        others = [j for j in unknowns if j not in one.columns]
+        own, pull = information[np.ix_(at, at)], slope[at]
+        if one.known:  # what the prior says is not what the data say
+            own = own - np.eye(len(at)) / one.known**2
+            pull = pull + one.offset / one.known**2
+        carried = _solved(information[np.ix_(others, others)], information[np.ix_(others, at)])
+        square = own - information[np.ix_(at, others)] @ carried
+        if (np.diag(square) <= _BLIND * np.diag(information)[at]).any():
+            continue
+        covariance = np.linalg.inv(square)
+        size = covariance @ (pull - carried.T @ slope[others]) + one.offset
+        near, far = (covariance + np.eye(len(at)) * width**2 for width in (one.known, one.scale))
+        distances = [float(size @ np.linalg.solve(each, size)) for each in (near, far)]
+        weights = [float(np.linalg.slogdet(each)[1]) for each in (near, far)]
+        log_bayes = 0.5 * (distances[0] - distances[1] + weights[0] - weights[1])
+        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(covariance)), _sigmas(size, distances[0]), log_bayes))
+    return tuple(sorted(found, key=lambda test: -test.log_bayes))
+
+
+def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
+    """Return the best candidate, if the data want it beyond chance, and its rivals."""
+    if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):
+        return ()
+    return tuple(test for test in tests if test.log_bayes >= max(tests[0].log_bayes - RIVAL, 0.0))
+
+
+def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:
+    """Return the finding of candidates that were seen, each in words."""
+    first, *others = words
+    text = f"the data favour {first}"
+    if others:
+        text += f", or as well {' or '.join(others[:3])}, which they cannot tell apart"
+    numbers = {
+        one.name: {"size": one.size, "errors": one.errors, "sigmas": one.sigmas, "log_bayes": one.log_bayes}
+        for one in rivals
+    }
+    return Finding("other_explanation", "doubt", text, numbers)
+
+
+def _solved(square: Array, right: Array) -> Array:
+    """Return the solution of scaled equations."""
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(square), 1e-300))
+    alike = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
+    return np.asarray(scale[:, None] * np.linalg.solve(alike, scale[:, None] * right))
+
+
+def _sigmas(size: Array, square: float) -> float:
+    """Return a distance in standard deviations, with the sign of one column."""
+    if len(size) == 1:
+        return math.copysign(math.sqrt(square), size[0])
+    # In logarithms: chances of many standard deviations are below the smallest number.
+    chance = special.gammaincc(0.5 * len(size), 0.5 * square)
+    return float(-special.ndtri(0.5 * chance)) if chance > 1e-300 else math.sqrt(square)

@@ -30,7 +30,6 @@ from lommel.core.caches import clear_caches as clear_caches
 from lommel.estimation.beads import (
     BeadFit as BeadFit,
     FittedBead as FittedBead,
-    Suspect as Suspect,
     fit_beads as fit_beads,
 )
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision

@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.fit import Finding, Findings
 
 OIL = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33)
 Z = np.linspace(-0.6e-6, 0.6e-6, 5)
 CAMERA = lm.Noise(read=1.6)
 SENSOR = (1000, 2000)
 PRIOR = 0.003
+MISFIT = Finding("misfit", "error", "the images do not fit")
 PLACES = np.stack(np.meshgrid([50, 500, 950], [100, 700, 1300, 1900], indexing="ij"), axis=-1).reshape(-1, 2)
 
 
@@ -52,7 +54,7 @@ def simulated(draw, scatter=0.0, places=PLACES):
         covariance = np.linalg.inv(information + prior)
         values = covariance @ (information @ seen + prior @ [0.0, 0.0, 1.33])
         coefficients = dict(zip(fit.coefficients, values.tolist(), strict=True))
-        made.append(replace(fit, coefficients=coefficients, covariance=covariance, converged=True))
+        made.append(replace(fit, coefficients=coefficients, covariance=covariance, findings=Findings()))
     return made, sample
 
 
@@ -101,13 +103,18 @@ def test_scatter_and_a_wrong_fit_are_told():
     places = np.concatenate([PLACES, PLACES + 7])
     found = lm.fit_objective_field(simulated(draw, 0.1, places)[0], places, sensor=SENSOR, degree=2)
     assert 0.06 < found.scatter < 0.15
-    assert "they scatter by 0.1" in found.message or "they scatter by 0.0" in found.message
+    assert found.findings.get("scatter").numbers["scatter"] == found.scatter
     exact = simulated(draw, 0.0, places)[0]
     shifted = {name: value + 2.0 for name, value in exact[4].coefficients.items()}
-    wrong = [*exact[:4], replace(exact[4], coefficients=shifted), replace(exact[5], converged=False), *exact[6:]]
+    wrong = [
+        *exact[:4],
+        replace(exact[4], coefficients=shifted),
+        replace(exact[5], findings=Findings([MISFIT])),
+        *exact[6:],
+    ]
     found = lm.fit_objective_field(wrong, places, sensor=SENSOR, degree=2)
     assert np.flatnonzero(~found.used).tolist() == [4, 5]
-    assert "1 far off rejected; 1 did not converge" in found.message
+    assert found.findings.text.endswith("1 far off rejected; 1 did not converge")
 
 
 @pytest.mark.parametrize(
@@ -126,7 +133,7 @@ def test_scatter_and_a_wrong_fit_are_told():
 def test_what_cannot_be_combined_is_told(change, message):
     fits = simulated(np.random.default_rng(2))[0][: change.get("count", 12)]
     if "other" in change:
-        fits[3] = replace(fitted(400, 700, 1, **change["other"]), converged=True)
+        fits[3] = replace(fitted(400, 700, 1, **change["other"]), findings=Findings())
     fits = change.get("fits", fits)
     places = change.get("places", PLACES[: len(fits)])
     with pytest.raises((TypeError, ValueError), match=message):

@@ -69,7 +69,7 @@ _MOST = 20  # beads
     Option("--bead", "diameter", type=MICROMETRES, default="0.1um", help="Diameter of the beads, such as 0.1um."),
     Option("--depth", type=MICROMETRES,
            help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
-    Option("--terms", type=click.IntRange(1, 200), default=17, help="Number of Zernike terms from Noll 5 on."),
+    Option("--terms", type=click.IntRange(1, 200), default=18, help="Number of Zernike terms from Noll 5 on."),
     documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
     Option("--fixed/--free", default=False,
            help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
@@ -222,7 +222,7 @@ def beads(
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
     facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera, "notes": notes}
     facts |= _facts(found, corners)
-    verdict = "" if found.converged else f", of a fit that has not converged: {found.message.partition(':')[0]}"
+    verdict = "" if found.converged else f", of a fit that has not converged: {found.status}"
     files = written([output, figure], lambda path: verdict if path == output else "")
     return Report(facts, _parts(found, names, corners, notes), found.converged) + files
 
@@ -303,34 +303,12 @@ def _of_field(
 
 
 def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
-    def named(values: dict[Any, float]) -> Facts:
-        return {name if isinstance(name, str) else ",".join(map(str, name)): _plain(v) for name, v in values.items()}
-
-    facts: Facts = {name: getattr(found, name) for name in ("converged", "reliable", "message", "chi2", "steps")}
-    facts["held_out"] = _plain(found.held_out)
-    facts |= {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
-    facts["suspects"] = [dict(each._asdict()) for each in found.suspects]
+    facts = found.to_dict()
     facts["places"] = [
-        {"row": one.row + corner[0], "column": one.column + corner[1]}
-        | {name: getattr(one, name) for name in ("z", "depth", "chi2", "used")}
-        | {
-            "moved": {str(plane): list(by) for plane, by in one.moved.items()},
-            "deviation": one.deviation,
-            "flux": one.flux.tolist(),
-            "background": one.background.tolist(),
-        }
-        | {f"{name}_deviation": _numbers(getattr(one, f"{name}_deviation")) for name in ("flux", "background")}
-        for one, corner in zip(found.beads, corners, strict=False)
+        one | {"row": one["row"] + corner[0], "column": one["column"] + corner[1]}
+        for one, corner in zip(facts.pop("beads"), corners, strict=False)
     ]
-    return facts | {"covariance": found.covariance.tolist(), "model_error": _plain(found.model_error)}
-
-
-def _numbers(values: Values) -> list[float | None]:
-    return [_plain(value) for value in values]
-
-
-def _plain(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None
+    return facts
 
 
 def _parts(

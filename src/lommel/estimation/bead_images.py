@@ -30,6 +30,8 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.stratified import Layer
 from lommel.special import zernike
 
+GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
+NONLINEAR = "nonlinear"  # share of electrons that counts lack at 10^4
 LEAST = 0.05  # electrons squared: the smallest variance of reading
 _MOST_NODES = 160
 _TURNS = 4  # of the search for the light of a plane
@@ -212,6 +214,10 @@ class BeadImages:
         self.fixed = {term: fixed[term] for term in others}  # radians at the edge
         self._others = np.array([*self.fixed.values()])
         self.threads = threads
+
+    def with_terms(self, more: Sequence[Term]) -> BeadImages:
+        """Return the images with further terms, at the end of those that are estimated."""
+        return BeadImages((*self.solved, *more), self.fixed, self.threads) if more else self
 
     def without_terms(self, waves: Array) -> BeadImages:
         """Return the images with these coefficients of all terms, which are no longer parameters."""

@@ -16,6 +16,8 @@ from lommel.core.answers import Declined
 from lommel.estimation.bead_images import (
     AMPLITUDES,
     CONSTANTS,
+    GRADIENT,
+    NONLINEAR,
     BeadImages,
     Part,
     Place,
@@ -136,15 +138,20 @@ class BeadModel:
         self.size = len(self.names) + len(self.own) * len(self.stacks)
         self.tested = sum(stack.tested for stack in stacks) - self.size - 2 * sum(len(s.z) for s in stacks)
 
+    @property
+    def drifts(self) -> bool:
+        """Whether beads move from plane to plane."""
+        return DRIFT[0] in self.own
+
     def alone(self, k: int) -> BeadModel:
         """Return the model of one bead, with the constants of the microscope and its depth fixed."""
         depth = Prior(self.depths[k].value, 0.0)
-        return BeadModel(self.images, [self.stacks[k]], {}, [depth], drift=DRIFT[0] in self.own)
+        return BeadModel(self.images, [self.stacks[k]], {}, [depth], drift=self.drifts)
 
     def having(self, kept: Sequence[int]) -> BeadModel:
         """Return the model of some of the beads."""
         stacks, depths = [self.stacks[k] for k in kept], [self.depths[k] for k in kept]
-        return BeadModel(self.images, stacks, self.priors, depths, drift=DRIFT[0] in self.own)
+        return BeadModel(self.images, stacks, self.priors, depths, drift=self.drifts)
 
     def prior_deviance(self, state: State) -> float:
         """Return what priors add to the deviance."""
@@ -174,7 +181,8 @@ class BeadModel:
         shared, slope = np.zeros((k, k)), np.zeros(k)
         across, own, own_slope, parts = [], [], [], []
         for stack, place, psf, light in zip(self.stacks, state.places, values, state.light, strict=True):
-            slopes, chain = self._slopes(state, place, stack, names)
+            mean = light[0][:, None, None] * psf + light[1][:, None, None]
+            slopes, chain = self._slopes(state, place, stack, names, mean, light)
             part = part_of(psf, slopes, chain, stack, light, self.images.threads)
             parts.append(part)
             shared += part.information[:k, :k]
@@ -195,7 +203,9 @@ class BeadModel:
                 own[j][at, at] += square
         return Normal(shared, slope, tuple(across), tuple(own), tuple(own_slope), tuple(parts))
 
-    def _slopes(self, state: State, place: Place, stack: Stack, names: Sequence[object]) -> tuple[Array, Array]:
+    def _slopes(
+        self, state: State, place: Place, stack: Stack, names: Sequence[object], mean: Array, light: Array
+    ) -> tuple[Array, Array]:
         """Return derivatives of images, and of images by parameters by these in each plane."""
         images, setup, waves = self.images, state.setup, state.waves
         amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
@@ -213,6 +223,11 @@ class BeadModel:
         for j, amplitude in enumerate(amplitudes):
             at[amplitude] = k + 3 + j, ones
         wanted = (*(name for name in names if name in CONSTANTS), *(("depth",) if "depth" in self.own else ()))
+        for name in (*GRADIENT, NONLINEAR):
+            if name in names:
+                at[name] = count, 1.0 / light[0]  # they are no part of the light, which slopes are multiplied by
+                found.append(_of_camera(name, plain[0].shape, mean)[None].astype(plain.dtype))
+                count += 1
         for name in dict.fromkeys(map(str, wanted)):
             if name in at:
                 continue
@@ -344,6 +359,15 @@ class _BeadProblem:
 
 
 _POLICY = Policy(most=1e7, stretch=False, patience=None, interruptible=True)
+
+
+def _of_camera(name: str, shape: tuple[int, ...], mean: Array) -> Array:
+    """Return the derivative of electrons (planes, height, width) by what is of the camera or the background."""
+    if name == NONLINEAR:
+        return -(mean**2) / 1e4
+    axis = 1 + GRADIENT.index(name)
+    along = np.linspace(-0.5, 0.5, shape[axis])
+    return np.broadcast_to(np.expand_dims(along, (0, 3 - axis)), shape)
 
 
 class Climbed(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,8 +13,19 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.plain import fields_of, plain
 from lommel.base.units import with_error
-from lommel.core.answers import Declined
+from lommel.estimation.bead_checks import (
+    available_constants,
+    held_out_chi2,
+    held_out_findings,
+    missing_findings,
+    missing_tests,
+    model_error,
+    moved_findings,
+    moved_planes,
+    reversed_findings,
+)
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
@@ -25,20 +36,19 @@ from lommel.estimation.bead_search import (
     Search,
     State,
     brightest,
-    climb,
-    lowest,
     start_of,
 )
 from lommel.estimation.phase_retrieval import label, star_counts
 from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.score_tests import ScoreTest
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.psf import psf
-from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
@@ -46,56 +56,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _PLANES = 5  # at the least
-_SUSPECT = 5.0  # standard deviations of a score test
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
-_REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
-_FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
-_JUMP = 4.0  # times the median of the planes, that a plane that moved is off
-_HELD = 3  # beads, from which on one is left out for a test
-_TURNS = 20  # steps of a search for a stack in reversed order
 _UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
-_TESTED = "apodization_2"  # of the terms of the amplitude that are not estimated
 _FIRST = 5  # Noll's index of the first term after defocus
 USUAL: Mapping[str, float] = {"depth": 20e-9, "sample": 3e-3, "NA": 0.02, "pixel": 0.01, "diameter": 0.1}
 """Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
-
-
-class Suspect(NamedTuple):
-    """A score test of one constant: the value that the data alone want, and how far it is from the one given.
-
-    Attributes
-    ----------
-    name : str
-    sigmas : float
-        Distance from the given value, in standard deviations of both.
-    value, deviation : float
-        One step of Fisher scoring from the answer, and the standard error, in the unit of `unit`.
-    given : float
-        The value that was stated.
-    unit : str
-    possible : bool
-        Whether a microscope can have this value. Else, such as an index below 1 or an NA above that of the
-        immersion, the constant is only in the direction that the data want.
-    """
-
-    name: str
-    sigmas: float
-    value: float
-    deviation: float
-    given: float
-    unit: str
-    possible: bool = True
-
-    def __str__(self) -> str:
-        """Return such as "sample = 1.379 +- 0.005 (11 sigma)"."""
-        factor, unit = _SHOWN.get(self.unit, (1.0, f" {self.unit}".rstrip()))
-        if not self.possible:
-            way = "lower" if self.value < self.given else "higher"
-            said = f"{self.name} {way} than {factor * self.given:.6g}{unit}, beyond what is possible"
-            return f"{said} ({abs(self.sigmas):.2g} sigma)"
-        value, error = with_error(factor * self.value, factor * self.deviation)
-        return f"{self.name} = {value} +- {error}{unit} ({abs(self.sigmas):.2g} sigma)"
 
 
 _SHOWN = {"m": (1e6, " um")}
@@ -151,9 +117,20 @@ class FittedBead:
     model: Array = field(repr=False)
     residual: Array = field(repr=False)
 
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything but images as plain data.
 
-@dataclass(frozen=True, eq=False, repr=False)
-class BeadFit:
+        Returns
+        -------
+        dict
+        """
+        light = ("flux", "background", "flux_deviation", "background_deviation")
+        found: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light})
+        return found
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class BeadFit(FitReport):
     """The microscope that stacks of beads were taken with: the answer of :func:`lommel.fit_beads`.
 
     Attributes
@@ -172,41 +149,39 @@ class BeadFit:
     covariance : ndarray, shape (k, k)
         Of `coefficients`, in their order.
     beads : tuple of FittedBead
-    suspects : tuple of Suspect
-        Score tests of all constants, estimated or not, the largest first.
+    tests : tuple of lommel.fit.ScoreTest
+        Score tests of what the model may lack, the likeliest first: Zernike terms of the next two radial orders, all
+        constants, estimated or not, drift, a gradient of the background, a gain that is not linear, a second bead.
     chi2 : float
         Pearson's chi2 per degree of freedom.
     held_out : float
         The same of one bead with the aberrations and constants that a fit of the others alone finds, only its place
         and light being fitted: near 1 where these hold for other beads. NaN of fewer than three beads.
-    converged : bool
-        Whether the steps settled at a chi2 that is consistent with the noise, of a visible bead in the right order.
-    reliable : bool
-        Whether it converged, no constant is suspected, and there is light enough for the standard errors to hold.
-    message : str
-        The verdict.
+    findings : lommel.fit.Findings
+        What the checks found. Errors: "misfit", "no_light", "not_settled", "interrupted", "reversed_z". Doubts:
+        "other_explanation" where the data favour something of `tests`, "too_dim", "held_out", "moved",
+        "model_error", "too_quiet". Notes: single planes that moved, beads and pixels left out.
+    converged, reliable, status, message
+        The verdict that follows from these, as of :class:`lommel.fit.FitReport`.
     model_error : float
         Largest difference between images of the search and certified ones at the answer, over the peak; inf where
         aberrations are too strong for these.
     steps : int
     """
 
-    aberrations: Wavefront
-    objective: Objective
+    aberrations: Wavefront = field(repr=False)
+    objective: Objective = field(repr=False)
     wavelength: float
     pixel: float
     diameter: float
-    emitter: Dipole | Beam | Scalar
+    emitter: Dipole | Beam | Scalar = field(repr=False)
     coefficients: dict[Any, float]
     deviation: dict[Any, float]
     covariance: Array
     beads: tuple[FittedBead, ...]
-    suspects: tuple[Suspect, ...]
+    tests: tuple[ScoreTest, ...]
     chi2: float
     held_out: float
-    converged: bool
-    reliable: bool
-    message: str
     model_error: float
     steps: int
     _state: State = field(repr=False)
@@ -318,9 +293,8 @@ class BeadFit:
             unit,
         )
         titles = [f"plane {k}" for k in planes]
-        verdict = self.message.partition(":")[0]
         images, model, residual = (part[planes] for part in (one.images, one.model, one.residual))
-        return show.estimates.fit(images, model, residual, bars, f"{verdict}, chi2 = {self.chi2:.3g}", titles)
+        return show.estimates.fit(images, model, residual, bars, f"{self.status}, chi2 = {self.chi2:.3g}", titles)
 
     def __repr__(self) -> str:
         lines = [f"<BeadFit: {self.message}"]
@@ -348,7 +322,7 @@ def fit_beads(
     diameter: float = 0.0,
     depth: float | Sequence[float] | None = None,
     emitter: str | Dipole | Beam | Scalar = "isotropic",
-    terms: int | Sequence[tuple[int, int] | str] = 17,
+    terms: int | Sequence[tuple[int, int] | str] = 18,
     aberrations: Wavefront | None = None,
     priors: Mapping[str, float | tuple[float, float]] | None = None,
     apodization: int = 0,
@@ -364,7 +338,7 @@ def fit_beads(
     """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
 
     All beads share the wavefront and the constants; each has a place, and each plane photons and a background, which
-    are estimated jointly. What is held fixed is tested: `suspects` says which constant the data want changed.
+    are estimated jointly. What is held fixed or left out is tested: `findings` says what the data favour.
 
     Parameters
     ----------
@@ -387,7 +361,7 @@ def fit_beads(
         Of the centre of each bead below the glass, metres; by default its radius: beads lie on the glass.
     emitter : default "isotropic"
         As of :meth:`lommel.Objective.pupil`.
-    terms : int or sequence, default 17
+    terms : int or sequence, default 18
         Zernike terms to estimate. A number: so many from Noll's 5 on. Else pairs (n, m) or names such as "noll 11",
         without piston, tilts and defocus, which the places of the beads stand for.
     aberrations : Wavefront, optional
@@ -439,8 +413,8 @@ def fit_beads(
     doi:10.1364/JOSAA.10.001014) with priors. A bead is a sum of discs at two or more heights. Images of the search
     are by rules of stated size; `model_error` compares them with a certified image at the answer.
 
-    A score test of a constant e, all others that are estimated being eliminated, has the one-step value ``e + q / S``
-    with q the slope of the log-likelihood and S its information, and the standard error ``S^(-1/2)``.
+    Score tests (Rao) give sizes by one step of Fisher scoring, all that is estimated being eliminated, ranked by
+    their Bayes factors. The likeliest, if it is beyond chance, is then solved for.
 
     Examples
     --------
@@ -506,7 +480,7 @@ def fit_beads(
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if (2, 0) in start and start[2, 0] and aberrations is not None:
-        notes.append("defocus (Noll 4) of the start is kept: z of the beads says the rest")
+        notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
     factors = np.array([zernike.rms_factor(n, m) for n, m in solved])
     waves = np.array([start.get(term, 0.0) for term in solved]) / factors
     images_of = BeadImages(solved, start, workers)
@@ -517,7 +491,7 @@ def fit_beads(
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
     found, used = search.all()
-    return _fitted(model, search, found, used, recorded, noise, notes)
+    return _build_bead_fit(model, search, found, used, recorded, noise, notes)
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -572,21 +546,9 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
     return found
 
 
-def _available(setup: Setup) -> list[str]:
-    """Return the constants that this microscope has."""
-    one = setup.objective
-    without = {"coverslip"} if one.coverslip is None else set()
-    if one.working_distance is None:
-        without |= {"immersion"}
-    if setup.diameter == 0.0:
-        without |= {"diameter"}
-    without |= {name for name in ("sample", "immersion") if getattr(one, name) == 1.0}  # air
-    return [name for name in CONSTANTS if name not in without]
-
-
-def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[str]]:
+def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup at the values of priors, these, the deviation of depths, and what is to be said."""
-    known, notes = _available(setup), []
+    known, notes = available_constants(setup), list[Finding]()
     near = min(deep) <= setup.wavelength
     blind = not near and setup.objective.sample < setup.objective.NA
     if given is None:
@@ -629,120 +591,77 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
                 "priors must state NA where all beads are deeper than a wavelength: of NA above the index of the "
                 "sample no such light arrives; add a bead on the glass, or leave NA out"
             )
-        notes.append("NA is as its prior says: no bead is within a wavelength of the glass")
+        text = "NA is as its prior says: no bead is within a wavelength of the glass"
+        notes.append(Finding("stated", "note", text))
     return setup, found, of_depth, notes
 
 
-def _fitted(
+def _build_bead_fit(
     model: BeadModel,
     search: Search,
     found: Climbed,
     used: list[bool],
     recorded: list[Counts],
     noise: Noise,
-    notes: list[str],
+    stated: list[Finding],
 ) -> BeadFit:
-    """Return the result."""
-    kept = [k for k in range(len(used)) if used[k]]
-    joint, state = model.having(kept), found.state
-    tested = [name for name in _available(state.setup) if name not in AMPLITUDES or name == _TESTED]
-    frozen = [name for name in tested if name not in joint.priors and name != "depth"]
-    if min(d.value for d in joint.depths) > state.setup.wavelength and state.setup.objective.sample < (
-        state.setup.objective.NA
-    ):
-        frozen = [name for name in frozen if name != "NA"]
-    more = [*frozen, "depth"]
-    normal = joint.normal(state, found.values, more)
-    square, slope = normal.reduced()
-    k = len(joint.names)
-    inverse = _inverse(square[:k, :k])
-    suspects = _suspects(joint, state, square, slope, more)
+    """Return the result of a search, with what its checks find."""
+    joint, state = model.having([k for k in range(len(used)) if used[k]]), found.state
+    normal = joint.normal(state, found.values)
+    square, _ = normal.reduced()
+    inverse = _inverse(square)
     chi2, spread = joint.chi2_of(normal.parts)
-    held_out = (math.nan, 0.0) if search.interrupted else _held_out(joint, found)
+    held_out = (math.nan, 0.0) if search.interrupted else held_out_chi2(joint, found)
     beads = _beads(model, joint, state, normal, inverse, used, recorded, noise)
-    visible = max(part.visible for part in normal.parts)
-    limit = float(goodness_of_fit.most(spread))
-    error = _model_error(joint, state)
-    misfit = chi2 >= limit
-    worst = suspects[0] if suspects else None
-    suspected = worst is not None and abs(worst.sigmas) > _SUSPECT
-    backwards, solved = "", None
-    if (misfit or suspected) and visible >= _VISIBLE and not search.interrupted:
-        solved = _freed(joint, found, worst) if worst is not None else None
-        best = found.deviance if solved is None else min(solved.deviance, found.deviance)
-        backwards = _backwards(search, joint, best, chi2)
-    converged = (
-        bool(found.settled) and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
-    )
-    work = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
-    if math.isfinite(held_out[0]):
-        work += f", held-out bead {held_out[0]:.4g}"
-    if visible < _VISIBLE:
-        message = f"no bead: {work}, but the light of all planes is within the noise"
-    elif backwards:
-        message = backwards
-    elif search.interrupted:
-        message = f"interrupted, the best so far: {work}"
-    elif misfit:
-        message = (
-            f"misfit: {work}, noise alone stays below {limit:.4g}; pixel, noise, z or the objective are wrong, "
-            "terms are missing, or beads overlap"
-        )
-    elif not found.settled:
-        message = f"the steps did not settle: {work}"
+    error = model_error(joint, state)
+    causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
+    findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
+    tests: tuple[ScoreTest, ...] = ()
+    if max(part.visible for part in normal.parts) < _VISIBLE:
+        findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        message = f"converged{', but constants are suspected' if suspected else ''}: {work}"
-        message += goodness_of_fit.remark(chi2, spread)
-    if math.isinf(error):
-        message += "; aberrations are too strong for certified images"
-    if chi2 < goodness_of_fit.least(spread) and converged:
-        message += "; the images are less noisy than gain, read noise and offset state"
-    if suspected and not backwards and visible >= _VISIBLE:
-        named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
-        light = " and the wavelength" if {"pixel", "NA"} & {one.name for one in suspects[:3]} else ""
-        where = "" if solved is None or worst is None else _settled_at(joint, worst, solved)
-        message += f"; the data want {where}{named}: check these constants{light}"
-    if converged and held_out[0] >= goodness_of_fit.most(held_out[1]):
-        highest = float(goodness_of_fit.most(held_out[1]))
-        message += (
-            f"; noise alone keeps that of the held-out bead below {highest:.4g}: beads differ, in size or depth"
-        )
-    if visible >= _VISIBLE and not backwards:
-        message += _told(beads)
-    unsure = math.sqrt(float(np.diag(inverse)[: len(state.waves)].sum()))
-    if converged and unsure > _UNKNOWN:
-        message += (
-            f"; too little light for so many unknowns: the wavefront is known to {unsure:.2g} radians rms alone, "
-            "beyond which images are not linear, standard errors are too small, and other wavefronts fit as well; "
-            "take brighter or more beads, or fewer terms"
-        )
+        if not search.interrupted:
+            tests = missing_tests(joint, found)
+            missing, deviance = missing_findings(joint, found, tests, search.setup)
+            backwards: list[Finding] = []
+            if missing or not Findings(findings).converged:
+                best = found.deviance if deviance is None else min(deviance, found.deviance)
+                start = State(search.setup, search.waves, state.places)
+                backwards = reversed_findings(joint, start, best, chi2)
+            findings += backwards or missing
+        if "reversed_z" not in Findings(findings).codes:
+            findings += moved_findings([one.moved for one in beads if one.used], sum(len(s.z) for s in joint.stacks))
+    if search.interrupted:
+        findings.insert(0, Finding("interrupted", "error", "this is the best so far"))
+    elif not found.settled:
+        findings.append(Finding("not_settled", "error", f"more than {search.most} steps may be needed"))
+    findings += held_out_findings(*held_out)
+    findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(str(j) for j, one in enumerate(used) if not one)
-        message += f"; left out, beside which the others do not fit: bead {left}"
-    for note in notes:
-        message += f"; {note}"
-    message += remarks(recorded, noise, "bead")
+        findings.append(Finding("left_out", "note", f"left out, beside which the others do not fit: bead {left}"))
+    findings += [*stated, *recording_findings(recorded, noise, "bead")]
+    summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
+    if math.isfinite(held_out[0]):
+        summary += f", held-out bead {held_out[0]:.4g}"
     edge = dict(zip(joint.images.solved, state.waves * joint.images.factors, strict=True))
-    names = joint.names
     constants = [state.setup.value(str(name)) for name in joint.priors]
-    coefficients = dict(zip(names, [*map(float, state.waves), *constants], strict=True))
     return BeadFit(
+        findings=Findings(findings),
+        summary=summary,
         aberrations=Wavefront.zernike(edge | joint.images.fixed, normalization="edge"),
         objective=state.setup.objective,
         wavelength=state.setup.wavelength,
         pixel=state.setup.pixel,
         diameter=state.setup.diameter,
         emitter=state.setup.emitter,
-        coefficients=coefficients,
-        deviation=dict(zip(names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
+        coefficients=dict(zip(joint.names, [*map(float, state.waves), *constants], strict=True)),
+        deviation=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
         covariance=inverse,
         beads=beads,
-        suspects=suspects,
+        tests=tests,
         chi2=chi2,
         held_out=held_out[0],
-        converged=converged,
-        reliable=bool(converged and not suspected and error < _OFF and unsure <= _UNKNOWN),
-        message=message,
         model_error=error,
         steps=search.steps,
         _state=state,
@@ -751,77 +670,31 @@ def _fitted(
     )
 
 
-def _held_out(joint: BeadModel, found: Climbed) -> tuple[float, float]:
-    """Return chi2 of the last bead with what a fit of the others finds, and its standard deviation."""
-    count, state = len(joint.stacks), found.state
-    if count < _HELD:
-        return math.nan, 0.0
-    others, out = joint.having(range(count - 1)), joint.having([count - 1])
-    try:
-        start = replace(state, places=state.places[:-1], light=state.light[:-1])
-        rest = climb(others, start, _TURNS, lambda *_: None).state
-        held = BeadModel(
-            joint.images.without_terms(rest.waves), out.stacks, {}, out.depths, drift=DRIFT[0] in out.own
+def _error_findings(covariance: Array, error: float) -> list[Finding]:
+    """Return the findings of standard errors, of terms with a covariance, that do not hold."""
+    found = []
+    unsure = math.sqrt(float(np.trace(covariance)))
+    if unsure > _UNKNOWN:
+        text = (
+            f"too little light for so many unknowns: the wavefront is known to {unsure:.2g} radians rms alone, "
+            "beyond which images are not linear, standard errors are too small, and other wavefronts fit as well; "
+            "take brighter or more beads, or fewer terms"
         )
-        last = State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:])
-        placed = climb(held, last, _TURNS, lambda *_: None)
-    except (Declined, ValueError):
-        return math.nan, 0.0
-    return held.chi2_of(placed.normal.parts)
+        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": _UNKNOWN}))
+    if error >= _OFF:
+        text = (
+            "aberrations are too strong for certified images"
+            if math.isinf(error)
+            else f"images of the search are {error:.2g} of the peak off those that are certified"
+        )
+        found.append(Finding("model_error", "doubt", text, {"error": error}))
+    return found
 
 
 def _inverse(square: Array) -> Array:
     """Return the covariance of an information matrix."""
     scale = np.sqrt(np.maximum(np.diag(square), 1e-300))
     return np.asarray(np.linalg.pinv(square / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
-
-
-def _suspects(
-    model: BeadModel, state: State, square: Array, slope: Array, more: Sequence[str]
-) -> tuple[Suspect, ...]:
-    """Return score tests of all constants, the largest first."""
-    k, found = len(model.names), []
-    names = [*model.names, *more]
-    for name in (*model.priors, *more):
-        e = names.index(name)
-        others = [j for j in range(k) if j != e]
-        prior = model.priors.get(name)
-        at = 0.0 if name == "depth" else state.setup.value(name)
-        pull, known = (0.0, 0.0) if prior is None else prior.pull(at)[1:]
-        carried = np.linalg.solve(square[np.ix_(others, others)], square[others, e])
-        information = float(square[e, e] - known - square[e, others] @ carried)
-        score = float(slope[e] - pull - carried @ slope[others])
-        if information <= 1e-9 * square[e, e]:
-            continue  # the data say nothing
-        value, given = at + score / information, at if prior is None else prior.value
-        spread = math.sqrt(1.0 / information + (0.0 if prior is None else prior.deviation**2))
-        deep = model.depths[0].value if name == "depth" else 0.0
-        shown = Suspect(
-            name,
-            (value - given) / spread,
-            deep + value,
-            1.0 / math.sqrt(information),
-            deep + given,
-            CONSTANTS[name].unit,
-            possible(state.setup, name, deep + value),
-        )
-        found.append(shown)
-    return tuple(sorted(found, key=lambda one: -abs(one.sigmas)))
-
-
-def possible(setup: Setup, name: str, value: float) -> bool:
-    """Return whether there is a microscope with this value of a constant."""
-    if name == "depth":
-        return value >= lowest(setup)
-    if name in ("diameter", "blur", "coverslip"):
-        return value >= 0.0
-    if name in ("pixel", "step"):
-        return value > 0.0
-    try:
-        setup.having(name, value)
-    except ValueError:
-        return False
-    return True
 
 
 def _beads(
@@ -863,7 +736,7 @@ def _beads(
         chi2 = alone.chi2(replace(state, places=(place,), light=(light,)), [image])[0]
         counted, _, read, valid = (part.reshape(mean.shape) for part in stack.star)
         rates = model.images.slopes(state.setup, state.waves, place, stack)[-2:]
-        moved = _moved(*shifts_of(image, rates, stack, light, model.images.threads))
+        moved = moved_planes(*shifts_of(image, rates, stack, light, model.images.threads))
         residual = np.where(valid > 0.0, (counted - mean) / np.sqrt(np.maximum(mean + read, 0.25 * read)), np.nan)
         errors = {("z" if name == "focus" else name): value for name, value in errors.items()}
         if "z" in errors:
@@ -889,97 +762,3 @@ def _beads(
             )
         )
     return tuple(found)
-
-
-def _moved(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
-    """Return the planes whose shifts are beyond chance and those of the others."""
-    far = np.flatnonzero(sigmas > max(_SUSPECT, _JUMP * float(np.median(sigmas))))
-    return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
-
-
-def _told(beads: Sequence[FittedBead]) -> str:
-    """Return what is to be said of planes that moved, or ""."""
-    moved = [
-        (math.hypot(*by), plane, j) for j, one in enumerate(beads) if one.used for plane, by in one.moved.items()
-    ]
-    if not moved:
-        return ""
-    if len(moved) > sum(len(one.flux) for one in beads) // 4:
-        return "; planes are shifted beside each other: estimate drift"
-    moved.sort(reverse=True)
-    named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in moved[:3])
-    more = f" and {len(moved) - 3} more" if len(moved) > 3 else ""
-    return f"; moved: {named}{more}"
-
-
-def _model_error(model: BeadModel, state: State) -> float:
-    """Return how far images of the search are from certified ones of a point, over the peak; inf without these."""
-    setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
-    edge = dict(zip(model.images.solved, state.waves * model.images.factors, strict=True)) | model.images.fixed
-    ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
-    pupil = setup.objective.pupil(
-        depth=place.depth,
-        z=place.focus + setup.step * stack.z[ends],
-        wavelength=setup.wavelength,
-        origin="coverslip",
-        emitter=setup.emitter,
-        aberrations=Wavefront.zernike(edge, normalization="edge"),
-    )
-    center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-    try:
-        true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
-    except ValueError:  # aberrations beyond what is certified
-        return math.inf
-    few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
-    quick = model.images.values(setup, state.waves, place._replace(drift=(0.0, 0.0)), few)
-    return float(np.abs(quick - true.values).max() / true.values.max())
-
-
-def _settled_at(joint: BeadModel, worst: Suspect, solved: Climbed) -> str:
-    """Return where a suspected constant ends that is solved for, and the chi2 there; "" beyond what is possible."""
-    factor, unit = _SHOWN.get(worst.unit, (1.0, f" {worst.unit}".rstrip()))
-    state = solved.state
-    value = state.places[0].depth if worst.name == "depth" else state.setup.value(worst.name)
-    if not possible(state.setup, worst.name, value):
-        return ""
-    shown, _ = with_error(factor * value, factor * worst.deviation)
-    chi2 = joint.chi2_of(solved.normal.parts)[0]
-    return f"{worst.name} = {shown}{unit} (solved for, with chi2 {chi2:.4g}); by score tests "
-
-
-def _freed(joint: BeadModel, found: Climbed, suspect: Suspect) -> Climbed | None:
-    """Return the fit with a suspected constant unknown and without a prior."""
-    state, name = found.state, suspect.name
-    depths = joint.depths
-    priors = dict(joint.priors)
-    if name == "depth":
-        depths = tuple(Prior(prior.value, math.inf) for prior in depths)
-    else:
-        priors[name] = Prior(suspect.given, math.inf)
-    model = BeadModel(joint.images, joint.stacks, priors, depths, drift=DRIFT[0] in joint.own)
-    try:
-        return climb(model, state, _TURNS, lambda *_: None)
-    except (Declined, ValueError):
-        return None
-
-
-def _backwards(search: Search, joint: BeadModel, best: float, chi2: float) -> str:
-    """Return what is to be said where planes in reversed order fit far better than a deviance of `best`, or "".
-
-    And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
-    """
-    turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
-    other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=DRIFT[0] in joint.own)
-    places = tuple(start_of(s, search.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
-    try:
-        there = climb(other, State(search.setup, search.waves, places), _TURNS, lambda *_: None)
-    except (Declined, ValueError):
-        return ""
-    turned_chi2, spread = other.chi2_of(there.normal.parts)
-    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
-    if there.deviance > best - _REVERSED or not well:
-        return ""
-    return (
-        f"reversed z: planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z "
-        "increases towards the sample, change the sign of the step"
-    )

@@ -17,6 +17,7 @@ from lommel.estimation.beads import BeadFit
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.methods.derivative_names import Term
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -29,8 +30,8 @@ _MOST_LOST = 0.2  # of the fits
 _HALVINGS = 40
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class ObjectiveField:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class ObjectiveField(FitReport):
     """Aberrations of an objective over the field: the answer of :func:`lommel.fit_objective_field`.
 
     Attributes
@@ -56,20 +57,20 @@ class ObjectiveField:
         Fits that converged and are not far from the polynomials.
     residuals : ndarray, shape (n, k)
         Terms of each fit less those of the map, radians rms.
-    message : str
+    findings, converged, reliable, status, message
+        As of :class:`lommel.fit.FitReport`: whether terms scatter by more than their errors, and fits left out.
     """
 
     names: tuple[Term, ...]
     coefficients: Array
     constants: dict[str, float]
     covariance: Array
-    objective: Objective
+    objective: Objective = field(repr=False)
     degree: int
     scatter: float
     chi2: float
     used: Any
     residuals: Array = field(repr=False)
-    message: str
     _setup: Setup = field(repr=False)
     _fixed: Wavefront = field(repr=False)
     _sensor: Sensor = field(repr=False)
@@ -245,13 +246,15 @@ def fit_objective_field(
     setup = first._state.setup
     for name, value in constants.items():
         setup = setup.having(name, value)
-    message = f"terms of degree {order} from {len(joined.fits)} fits, chi2 {chi2:.3g}"
+    findings = []
     if chi2 >= float(goodness_of_fit.most(math.sqrt(2.0 / joined.tested))):
-        message += f": they scatter by {scatter:.2g} radians rms beside their errors"
+        text = f"terms scatter by {scatter:.2g} radians rms beside their errors, which are widened by it"
+        findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2}))
     if lost := converged - len(joined.fits):
-        message += f"; {lost} far off rejected"
+        findings.append(Finding("left_out", "note", f"{lost} far off rejected", {"rejected": lost}))
     if converged < len(fits):
-        message += f"; {len(fits) - converged} did not converge"
+        text = f"{len(fits) - converged} did not converge"
+        findings.append(Finding("left_out", "note", text, {"not_converged": len(fits) - converged}))
     fixed = {term: value for term, value in first.aberrations.edge_terms().items() if term not in names}
     return ObjectiveField(
         names=names,
@@ -264,7 +267,8 @@ def fit_objective_field(
         chi2=chi2,
         used=used,
         residuals=waves - basis @ coefficients.T,
-        message=message,
+        findings=Findings(findings),
+        summary=f"terms of degree {order} from {len(joined.fits)} fits, chi2 {chi2:.3g}",
         _setup=setup,
         _fixed=Wavefront.zernike(fixed, normalization="edge"),
         _sensor=chip,

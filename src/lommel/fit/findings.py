@@ -8,8 +8,6 @@ from typing import Any, Literal, TypeAlias, get_args
 
 from lommel.base.plain import fields_of, plain
 
-__all__ = ["CODES", "Finding", "Findings", "FitReport"]
-
 Severity: TypeAlias = Literal["error", "doubt", "note"]
 
 CODES: Mapping[str, str] = {
@@ -28,6 +26,7 @@ CODES: Mapping[str, str] = {
     "rare_chi2": "noise alone seldom leaves so large a chi2",
     "reversed_z": "planes in the reversed order fit far better",
     "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
+    "scatter": "values scatter by more than their standard errors",
     "sign_open": "the sign of the even terms is open: another wavefront has the same images",
     "stated": "what was stated beside the images, and is used as it is",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",

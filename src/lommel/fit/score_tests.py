@@ -17,6 +17,7 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array
+from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 
 SEEN = 3.0  # ln of the Bayes factor, besides that of the number of candidates
@@ -62,6 +63,13 @@ class ScoreTest:
     sigmas: float
     log_bayes: float
 
+    def __str__(self) -> str:
+        """Return such as "sample: 0.057 +- 0.004 (14 sigma, ln B 95)"."""
+        each = ", ".join(
+            " +- ".join(with_error(one, error)) for one, error in zip(self.size, self.errors, strict=True)
+        )
+        return f"{self.name}: {each} ({abs(self.sigmas):.2g} sigma, ln B {self.log_bayes:.3g})"
+
 
 def score_tests(
     information: Array, slope: Array, unknowns: Sequence[int], candidates: Sequence[Candidate]
@@ -83,14 +91,22 @@ def score_tests(
         square = own - information[np.ix_(at, others)] @ carried
         if (np.diag(square) <= _BLIND * np.diag(information)[at]).any():
             continue
-        covariance = np.linalg.inv(square)
+        covariance = np.asarray(np.linalg.inv(square))
         size = covariance @ (pull - carried.T @ slope[others]) + one.offset
-        near, far = (covariance + np.eye(len(at)) * width**2 for width in (one.known, one.scale))
-        distances = [float(size @ np.linalg.solve(each, size)) for each in (near, far)]
-        weights = [float(np.linalg.slogdet(each)[1]) for each in (near, far)]
-        log_bayes = 0.5 * (distances[0] - distances[1] + weights[0] - weights[1])
-        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(covariance)), _sigmas(size, distances[0]), log_bayes))
+        near = covariance + np.eye(len(at)) * one.known**2
+        sigmas = _sigmas(size, float(size @ np.linalg.solve(near, size)))
+        evidence = log_bayes_factor(size, covariance, one.known, one.scale)
+        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(covariance)), sigmas, evidence))
     return tuple(sorted(found, key=lambda test: -test.log_bayes))
+
+
+def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
+    """Return ln of the Bayes factor of a size (q,) of N(0, scale^2) against N(0, known^2)."""
+    found = 0.0
+    for width, sign in ((known, 1.0), (max(scale, known), -1.0)):
+        each = covariance + np.eye(len(size)) * width**2
+        found += 0.5 * sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
+    return found
 
 
 def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:

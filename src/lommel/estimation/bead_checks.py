@@ -1,0 +1,310 @@
+"""Checks of a fit of beads: what the model lacks, planes in reversed order or moved, a bead that was left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.units import with_error
+from lommel.core.answers import Declined
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack
+from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb, lowest, start_of
+from lommel.estimation.phase_retrieval import label
+from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding
+from lommel.fit.score_tests import RIVAL, Candidate, ScoreTest, log_bayes_factor, other_explanation, score_tests, seen
+from lommel.methods.derivative_names import Term
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+
+_REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
+_FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
+_HELD = 3  # beads, from which on one is left out for a test
+_STEPS = 20  # of a search that begins at the answer
+_ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
+_TERM = 0.1  # radians rms: the size that a missing term may have
+_AMPLITUDE = "apodization_2"  # of the terms of the amplitude that are not estimated
+# Sizes that wrong constants, and what else may be missing, have: relative ones of pixel and diameter, depth in
+# metres, drift in pixels over half the stack, a gradient in electrons over the window, and the share of electrons
+# that is lost at 10^4.
+_SIZES = {
+    "sample": 0.02,
+    "immersion": 2e-3,
+    "coverslip": 5e-6,
+    "NA": 0.02,
+    "pixel": 0.01,
+    "diameter": 0.3,
+    "blur": 0.1,
+    "step": 0.02,
+    "depth": 50e-9,
+    _AMPLITUDE: 0.1,
+    "drift": 0.3,
+    "background gradient": 5.0,
+    "non-linear gain": 0.05,
+}
+_TRIED, _LIKELY = 4, 0.4  # candidates that are solved for, and the least of ln of the Bayes factor over the largest
+_WIDER = 3.0  # times its standard deviation, that a constant with a prior may be off
+_NEIGHBOR = 0.3  # of the light of a bead, that one beside it may have
+_BESIDE = 2.0  # Rayleigh distances: a nearer one is another shape of the bead
+_JUMP = 4.0  # times the median of the planes, that a plane that moved is off
+_MOVED = 5.0  # standard deviations
+_UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "": (1.0, "")}
+
+
+def available_constants(setup: Setup) -> list[str]:
+    """Return the constants that this microscope has."""
+    one = setup.objective
+    without = {"coverslip"} if one.coverslip is None else set()
+    if one.working_distance is None:
+        without |= {"immersion"}
+    if setup.diameter == 0.0:
+        without |= {"diameter"}
+    without |= {name for name in ("sample", "immersion") if getattr(one, name) == 1.0}  # air
+    return [name for name in CONSTANTS if name not in without]
+
+
+def possible(setup: Setup, name: str, value: float) -> bool:
+    """Return whether there is a microscope with this value of a constant."""
+    if name == "depth":
+        return value >= lowest(setup)
+    if name in ("diameter", "blur", "coverslip"):
+        return value >= 0.0
+    if name in ("pixel", "step"):
+        return value > 0.0
+    try:
+        setup.having(name, value)
+    except ValueError:
+        return False
+    return True
+
+
+def next_terms(solved: Sequence[Term], fixed: Sequence[Term]) -> tuple[Term, ...]:
+    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these."""
+    if not solved:
+        return ()
+    last = max(n for n, _ in solved) + _ORDERS
+    every = ((n, m) for n in range(2, last + 1) for m in range(-n, n + 1, 2))
+    return tuple(term for term in every if term != (2, 0) and term not in solved and term not in fixed)
+
+
+def missing_tests(joint: BeadModel, found: Climbed) -> tuple[ScoreTest, ...]:
+    """Return score tests of what the model may lack: further terms, other constants, drift, background, gain."""
+    setup, images = found.state.setup, joint.images
+    more_terms = next_terms(images.solved, tuple(images.fixed))
+    wide = BeadModel(images.with_terms(more_terms), joint.stacks, joint.priors, joint.depths, drift=joint.drifts)
+    waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
+    blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
+    constants = [name for name in available_constants(setup) if name not in AMPLITUDES or name == _AMPLITUDE]
+    constants = [name for name in constants if name not in joint.priors and not (name == "NA" and blind)]
+    drift = () if joint.drifts else DRIFT
+    more = [*constants, *drift, *GRADIENT, NONLINEAR]
+    normal = wide.normal(replace(found.state, waves=waves), found.values, more)
+    names = [*wide.names, *more]
+    unknowns = [names.index(name) for name in joint.names]
+    candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in more_terms]
+    for name, prior in joint.priors.items():
+        if math.isfinite(prior.deviation):
+            at, known = names.index(name), prior.deviation
+            offset = setup.value(name) - prior.value
+            candidates.append(Candidate(name, (at,), _WIDER * known, known, offset))
+    for name in constants:
+        factor = setup.value(name) if name in ("pixel", "diameter") else 1.0
+        candidates.append(Candidate(name, (names.index(name),), factor * _SIZES[name]))
+    groups = {"drift": drift, "background gradient": GRADIENT, "non-linear gain": (NONLINEAR,)}
+    for name, columns in groups.items():
+        if columns:
+            candidates.append(Candidate(name, tuple(map(names.index, columns)), _SIZES[name]))
+    tests = (*score_tests(*normal.reduced(), unknowns, candidates), *_neighbor_tests(joint, found))
+    return tuple(sorted(tests, key=lambda test: -test.log_bayes))
+
+
+def _neighbor_tests(joint: BeadModel, found: Climbed) -> list[ScoreTest]:
+    """Return a test of another bead at the same focus beside each, where it is likeliest."""
+    setup, made = found.state.setup, []
+    least = _BESIDE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
+    for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
+        counted, _, read, valid = (part.reshape(values.shape) for part in stack.star)
+        bead = light[0][:, None, None] * values
+        mean = bead + light[1][:, None, None]
+        weight = valid / np.maximum(mean + read, 0.25 * read)
+        size = tuple(2 * side for side in stack.shape)
+        turned = np.conj(np.fft.rfft2(bead, size))
+        slope = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * turned).sum(axis=0), size)
+        squares = np.fft.rfft2(weight, size) * np.conj(np.fft.rfft2(bead**2, size))
+        square = np.fft.irfft2(squares.sum(axis=0), size)
+        down, across = (np.fft.fftfreq(side, 1.0 / side) for side in size)
+        inside = (np.abs(down) <= stack.shape[0] / 2.0)[:, None] & (np.abs(across) <= stack.shape[1] / 2.0)
+        beside = inside & (np.hypot(down[:, None], across) >= least) & (slope > 0.0) & (square > 1e-12 * square.max())
+        if not beside.any():
+            continue
+        sigmas = np.where(beside, slope, 0.0) / np.sqrt(np.where(beside, square, 1.0))
+        row, column = np.unravel_index(int(sigmas.argmax()), sigmas.shape)
+        share, error = slope[row, column] / square[row, column], 1.0 / math.sqrt(square[row, column])
+        chance = math.log(beside.sum() / max(math.pi * (least / _BESIDE) ** 2, 1.0) + 1.0)  # of so many places
+        evidence = log_bayes_factor(np.array([share]), np.array([[error**2]]), 0.0, _NEIGHBOR) - chance
+        name = f"a neighbor of bead {k} by {down[row]:.0f} rows and {across[column]:.0f} columns, share of its light"
+        made.append(ScoreTest(name, np.array([share]), np.array([error]), float(sigmas.max()), evidence))
+    return made
+
+
+def missing_findings(
+    joint: BeadModel, found: Climbed, tests: Sequence[ScoreTest], stated: Setup
+) -> tuple[list[Finding], float | None]:
+    """Return the finding of what the data favour, and the deviance of a fit with the first of it unknown.
+
+    Steps of tests are linear: the likeliest are ranked by fits with each of them unknown, where there is such a fit.
+    """
+    likely = seen(tests)
+    if not likely:
+        return [], None
+    least = min(_LIKELY * tests[0].log_bayes, likely[-1].log_bayes)
+    likely = tuple(test for test in tests[:_TRIED] if test.log_bayes >= least)
+    ends = [_refit_with_free(joint, found, test.name, stated) for test in likely]
+    gains = [
+        test.log_bayes if end is None else found.deviance - end.deviance
+        for test, end in zip(likely, ends, strict=True)
+    ]
+    order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
+    words = [_in_words(likely[k], joint, stated, ends[k]) for k in order]
+    best = ends[order[0]]
+    return [other_explanation([likely[k] for k in order], words)], None if best is None else best.deviance
+
+
+def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Climbed | None) -> str:
+    """Return what a test found, by a fit with it unknown where there is one: "sample = 1.379 +- 0.005"."""
+    name, size, error = test.name, float(test.size[0]), float(test.errors[0])
+    sigmas = f"({abs(test.sigmas):.2g} sigma)"
+    if len(test.size) > 1 or name not in CONSTANTS:
+        if solved is not None and len(solved.state.waves) > len(joint.images.solved):
+            size = float(solved.state.waves[-1])
+        unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
+        each = [size] if len(test.size) == 1 else test.size.tolist()
+        shown = ", ".join(" +- ".join(with_error(one, own)) for one, own in zip(each, test.errors, strict=True))
+        return f"{name} = {shown}{unit} {sigmas}"
+    given = joint.depths[0].value if name == "depth" else stated.value(name)
+    factor, unit = _UNITS[CONSTANTS[name].unit]
+    value = given + size
+    if not possible(stated, name, value):
+        way = "lower" if size < 0.0 else "higher"
+        return f"{name} {way} than {factor * given:.6g}{unit}, beyond what is possible {sigmas}"
+    if solved is not None:
+        there = solved.state.places[0].depth if name == "depth" else solved.state.setup.value(name)
+        value = there if possible(stated, name, there) else value
+    shown = " +- ".join(with_error(factor * value, factor * error))
+    return f"{name} = {shown}{unit}, stated {factor * given:.6g} {sigmas}"
+
+
+def _refit_with_free(joint: BeadModel, found: Climbed, name: str, stated: Setup) -> Climbed | None:
+    """Return the fit with a constant or a term unknown and without a prior, None where it is neither."""
+    state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
+    if name == "depth":
+        depths = tuple(Prior(prior.value, math.inf) for prior in depths)
+    elif name in CONSTANTS:
+        priors[name] = Prior(stated.value(name), math.inf)
+    else:
+        terms = [term for term in next_terms(images.solved, tuple(images.fixed)) if label(term) == name]
+        if not terms and name != "drift":
+            return None
+        images = images.with_terms(terms)
+        state = replace(state, waves=np.concatenate([state.waves, np.zeros(len(terms))]))
+    model = BeadModel(images, joint.stacks, priors, depths, drift=joint.drifts or name == "drift")
+    try:
+        return climb(model, state, _STEPS, lambda *_: None)
+    except (Declined, ValueError):
+        return None
+
+
+def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) -> list[Finding]:
+    """Return the finding of planes in reversed order, where they fit far better than a deviance of `best`.
+
+    And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
+    """
+    turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
+    other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=joint.drifts)
+    places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
+    try:
+        there = climb(other, State(start.setup, start.waves, places), _STEPS, lambda *_: None)
+    except (Declined, ValueError):
+        return []
+    turned_chi2, spread = other.chi2_of(there.normal.parts)
+    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
+    if there.deviance > best - _REVERSED or not well:
+        return []
+    text = (
+        f"planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z increases towards the sample, change "
+        "the sign of the step"
+    )
+    return [Finding("reversed_z", "error", text, {"chi2": turned_chi2, "log_likelihood": best - there.deviance})]
+
+
+def held_out_chi2(joint: BeadModel, found: Climbed) -> tuple[float, float]:
+    """Return chi2 of the last bead with what a fit of the others finds, and its standard deviation."""
+    count, state = len(joint.stacks), found.state
+    if count < _HELD:
+        return math.nan, 0.0
+    others, out = joint.having(range(count - 1)), joint.having([count - 1])
+    try:
+        start = replace(state, places=state.places[:-1], light=state.light[:-1])
+        rest = climb(others, start, _STEPS, lambda *_: None).state
+        held = BeadModel(joint.images.without_terms(rest.waves), out.stacks, {}, out.depths, drift=joint.drifts)
+        last = State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:])
+        placed = climb(held, last, _STEPS, lambda *_: None)
+    except (Declined, ValueError):
+        return math.nan, 0.0
+    return held.chi2_of(placed.normal.parts)
+
+
+def held_out_findings(chi2: float, spread: float) -> list[Finding]:
+    """Return the finding of a bead that does not follow the others."""
+    if not chi2 >= goodness_of_fit.most(spread):
+        return []
+    limit = float(goodness_of_fit.most(spread))
+    text = f"noise alone keeps chi2 of the held-out bead below {limit:.4g}: beads differ, in size or depth"
+    return [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})]
+
+
+def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
+    """Return the planes whose shifts are beyond chance and those of the others."""
+    far = np.flatnonzero(sigmas > max(_MOVED, _JUMP * float(np.median(sigmas))))
+    return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
+
+
+def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int) -> list[Finding]:
+    """Return the finding of planes that moved, of each bead."""
+    each = [(math.hypot(*by), plane, j) for j, one in enumerate(moved) for plane, by in one.items()]
+    if not each:
+        return []
+    numbers = {f"bead {j}": dict(one) for j, one in enumerate(moved) if one}
+    if len(each) > planes // 4:
+        return [Finding("moved", "doubt", "planes are shifted beside each other: estimate drift", numbers)]
+    each.sort(reverse=True)
+    named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in each[:3])
+    more = f" and {len(each) - 3} more" if len(each) > 3 else ""
+    return [Finding("moved", "note", f"moved: {named}{more}", numbers)]
+
+
+def model_error(model: BeadModel, state: State) -> float:
+    """Return how far images of the search are from certified ones of a point, over the peak; inf without these."""
+    setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
+    edge = dict(zip(model.images.solved, state.waves * model.images.factors, strict=True)) | model.images.fixed
+    ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
+    pupil = setup.objective.pupil(
+        depth=place.depth,
+        z=place.focus + setup.step * stack.z[ends],
+        wavelength=setup.wavelength,
+        origin="coverslip",
+        emitter=setup.emitter,
+        aberrations=Wavefront.zernike(edge, normalization="edge"),
+    )
+    center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
+    try:
+        true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
+    except ValueError:  # aberrations beyond what is certified
+        return math.inf
+    few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
+    quick = model.images.values(setup, state.waves, place._replace(drift=(0.0, 0.0)), few)
+    return float(np.abs(quick - true.values).max() / true.values.max())

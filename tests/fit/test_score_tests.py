@@ -1,0 +1,85 @@
+"""Score tests: sizes, errors and Bayes factors of what a linear model lacks, and how seldom they are wrong."""
+
+import numpy as np
+import pytest
+
+from lommel.fit.score_tests import Candidate, log_bayes_factor, other_explanation, score_tests, seen
+
+DRAW = np.random.default_rng(4)
+COLUMNS = DRAW.normal(size=(400, 9))
+INFORMATION = COLUMNS.T @ COLUMNS
+UNKNOWNS = (0, 1, 2)
+CANDIDATES = [
+    Candidate("one", (3,), 0.3),
+    Candidate("two", (4,), 0.3),
+    Candidate("pair", (5, 6), 0.3),
+    Candidate("twin", (7,), 0.3),
+]
+
+
+def simulated(truth, seed=1, candidates=CANDIDATES, columns=COLUMNS):
+    """Return the tests at the best fit of the unknowns alone to data of unit variance."""
+    data = columns @ truth + np.random.default_rng(seed).normal(size=len(columns))
+    best = np.linalg.lstsq(columns[:, UNKNOWNS], data, rcond=None)[0]
+    residual = data - columns[:, UNKNOWNS] @ best
+    return score_tests(columns.T @ columns, columns.T @ residual, UNKNOWNS, candidates), data
+
+
+def test_sizes_and_errors_are_those_of_a_fit_with_the_candidate():
+    tests, data = simulated(np.array([1.0, -2.0, 0.5, 0.4, 0, 0, 0, 0, 0]))
+    for test, one in ((next(t for t in tests if t.name == c.name), c) for c in CANDIDATES):
+        design = COLUMNS[:, [*UNKNOWNS, *one.columns]]
+        both, covariance = np.linalg.lstsq(design, data, rcond=None)[0], np.linalg.inv(design.T @ design)
+        np.testing.assert_allclose(test.size, both[3:], rtol=1e-6)
+        np.testing.assert_allclose(test.errors, np.sqrt(np.diag(covariance)[3:]), rtol=1e-6)
+    assert [test.name for test in seen(tests)] == ["one"]
+    assert tests[0].sigmas == pytest.approx(tests[0].size[0] / tests[0].errors[0])
+    assert str(tests[0]).startswith("one: 0.")
+
+
+def test_the_bayes_factor_is_that_of_integrals_over_sizes():
+    size, error, known, scale = 0.3, 0.1, 0.05, 0.4
+    s = np.linspace(-4.0, 4.0, 200001)
+    likelihood = np.exp(-0.5 * ((s - size) / error) ** 2)
+    each = [
+        np.trapezoid(likelihood * np.exp(-0.5 * (s / width) ** 2) / (width * np.sqrt(2 * np.pi)), s)
+        for width in (scale, known)
+    ]
+    found = log_bayes_factor(np.array([size]), np.array([[error**2]]), known, scale)
+    assert found == pytest.approx(np.log(each[0] / each[1]), rel=1e-6)
+
+
+def test_of_what_is_not_there_nothing_is_seen():
+    alarms = sum(bool(seen(simulated(np.array([1.0, -2.0, 0.5, 0, 0, 0, 0, 0, 0]), seed)[0])) for seed in range(400))
+    assert alarms <= 2
+
+
+def test_candidates_that_the_data_cannot_tell_apart_are_rivals():
+    columns = COLUMNS.copy()
+    columns[:, 7] = columns[:, 3] + 0.02 * columns[:, 8]
+    tests, _ = simulated(np.array([1.0, -2.0, 0.5, 0.4, 0, 0, 0, 0, 0]), columns=columns)
+    rivals = seen(tests)
+    assert {test.name for test in rivals} == {"one", "twin"}
+    finding = other_explanation(rivals, ["one = 0.4", "twin = 0.4"])
+    assert (finding.code, finding.severity) == ("other_explanation", "doubt")
+    assert finding.text == "the data favour one = 0.4, or as well twin = 0.4, which they cannot tell apart"
+    assert finding.numbers.keys() == {"one", "twin"}
+
+
+def test_what_no_datum_tells_is_left_out():
+    columns = COLUMNS.copy()
+    columns[:, 3] = columns[:, 0]
+    assert "one" not in {test.name for test in simulated(np.zeros(9), columns=columns)[0]}
+
+
+def test_a_prior_is_not_what_the_data_say():
+    known, truth = 0.05, 0.4
+    columns, data = COLUMNS[:, :2], COLUMNS[:, :2] @ [1.0, truth] + np.random.default_rng(2).normal(size=400)
+    information = columns.T @ columns + np.diag([0.0, known**-2])
+    best = np.linalg.solve(information, columns.T @ data)
+    slope = columns.T @ (data - columns @ best) - np.array([0.0, best[1] / known**2])
+    candidate = Candidate("constant", (1,), 3.0 * known, known, best[1])
+    test = score_tests(information, slope, (0, 1), [candidate])[0]
+    alone = np.linalg.lstsq(columns, data, rcond=None)[0]
+    assert test.size[0] == pytest.approx(alone[1], rel=1e-6)
+    assert test.sigmas == pytest.approx(alone[1] / np.hypot(test.errors[0], known), rel=1e-6)

@@ -27,6 +27,13 @@ offset = 100
 """
 
 
+@each("text", ["em_gain = 300\nread = 45\ngain = 12", "excess = 2\nread = 0.15\ngain = 0.04"])
+def test_a_camera_that_multiplies_electrons_has_excess_noise(write, text):
+    camera = lm.load_camera(write(f'[camera]\npixel = "16 um"\noffset = 200\n{text}\n'))
+    assert camera.noise == lm.Noise(white=0.04, read=0.15, offset=200.0, excess=2.0)
+    assert "excess noise 2" in repr(camera)
+
+
 @pytest.fixture
 def write(tmp_path: Path):
     """Write a file into a folder of its own."""

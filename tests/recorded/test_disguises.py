@@ -301,6 +301,8 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
         facts.pop("noise", None)
         facts.pop("assumed", None)
     equal(taken.facts, expected.facts, 1e-12)
+    _, said = asked([*words, "--excess", 1], EMGAIN=300)
+    assert "states an electron-multiplying camera, excess noise 2; 1 was taken." in said
     named, said = asked([*words, "--white" if command in ("retrieve", "fit-field") else "--gain", gain], EGAIN=3.0)
     assert f"states a gain of 3 electrons per count; {gain:g} was taken." in said
     named.facts.pop("noise", None)

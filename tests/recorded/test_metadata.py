@@ -73,3 +73,14 @@ def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
             assert found.emission == (None,)
             assert "emission 0" in found.unusable
             assert any("the emission of channel 0 is" in note and "cannot be used" in note for note in found.notes)
+
+
+def test_files_that_state_electron_multiplication_state_its_excess_noise():
+    assert metadata.of_fits({"EMGAIN": 300})["excess"] == 2.0
+    assert "excess" not in metadata.of_fits({"EMGAIN": 1})
+    detector = '<Detector ID="Detector:0" Type="{}"/></Instrument>'
+    for kind, found in (("EMCCD", 2.0), ("CMOS", None)):
+        text = OME.format(used="", wave="").replace("</Instrument>", detector.format(kind), 1)
+        assert detector.format(kind) in text
+        file = SimpleNamespace(ome_metadata=text, series=[SimpleNamespace(name="a")])
+        assert metadata.of_ome(file, 0).get("excess") == found

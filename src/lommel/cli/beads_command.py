@@ -16,6 +16,7 @@ from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import (
     CAMERA,
+    EXCESS,
     LENS,
     SQUARE_PIXEL,
     differing,
@@ -91,6 +92,7 @@ _MOST = 20  # beads
         Option("--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."),
         Option("--offset", type=float,
                help="Counts of a pixel without electrons; by default that of the camera, or 0."),
+        EXCESS,
         Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
         Option("--mask", "masked", type=PATH,
                help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each."),
@@ -156,7 +158,7 @@ def beads(
     require_noise(given)
     with progress("reading") as started:
         read = list(read_each(stacks))
-        options = {name: given[name] for name in ("white", "read", "offset")}
+        options = {name: given[name] for name in ("white", "read", "offset", "excess")}
         given["saturation"] = saturation
         header = take_header(given, of_all([each.said for each in read]), microscope.camera)
         saturation = given.pop("saturation")

@@ -15,7 +15,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import LENS, SQUARE_PIXEL, camera_map, camera_option, microscope_of, noise_of
+from lommel.cli.instruments import EXCESS, LENS, SQUARE_PIXEL, camera_map, camera_option, microscope_of, noise_of
 from lommel.cli.options import (
     JSON,
     LENGTHS,
@@ -77,6 +77,7 @@ _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
                "--read and --offset."),
         Option("--read", metavar="NUMBER|FILE", help="Read noise, rms electrons."),
         Option("--offset", metavar="NUMBER|FILE", help="Counts of a pixel without electrons, such as 100."),
+        EXCESS,
         Option("--saturation", type=float, help="Counts from which on pixels are saturated."),
     ),
     *under(
@@ -114,6 +115,7 @@ def deconvolve(
     white: str | None,
     read: str | None,
     offset: str | None,
+    excess: float | None,
     method: str,
     steps: int | None,
     strength: float | None,
@@ -154,12 +156,15 @@ def deconvolve(
     maps: dict[str, Any] = {
         name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()
     }
+    maps["excess"] = excess
     noise = None
     if camera is not None:
         noise = noise_of(maps, camera)
     elif any(each is not None for each in maps.values()):
         if maps["read"] is None:
-            raise ValueError("--read must be given with --gain or --offset: the read noise in electrons, 0 for none")
+            raise ValueError(
+                "--read must be given with --gain, --offset or --excess: electrons of read noise, 0 for none"
+            )
         noise = Noise(**{name: each for name, each in maps.items() if each is not None})
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()

@@ -12,6 +12,7 @@ import numpy as np
 
 from lommel.base.units import parse_length
 from lommel.cli.instruments import (
+    EXCESS,
     LENS,
     OBJECT_DISTANCE,
     SQUARE_PIXEL,
@@ -98,6 +99,7 @@ _LISTED = 12  # stars left out, that are printed one by one
         documented(Noise, "read", type=float, default=None,
                    help="Read noise, rms electrons; 0 for none; by default that of the header."),
         Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
+        EXCESS,
         Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
         SQUARE_PIXEL,
         OBJECT_DISTANCE,

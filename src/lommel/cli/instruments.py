@@ -37,6 +37,14 @@ def camera_option(words: str) -> Option:
     return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
 
 
+EXCESS = Option(
+    "--excess",
+    type=float,
+    help="Excess noise factor of electron multiplication, 2 for an EMCCD, whose gain and read noise are then those "
+    "of electrons before multiplication; by default that of the camera or the file, or 1.",
+)
+
+
 def camera_map(text: str, name: str) -> float | Array:
     """Return the number that an option `name` states, or the map of its file."""
     from lommel.recorded.frames import read_images
@@ -187,10 +195,10 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
     known: Facts = {}
     if camera is not None:
         known = {"read": camera.read, "white": camera.full_well if photographs else camera.gain}
-        known |= {} if photographs else {"offset": camera.offset}
+        known |= {"excess": camera.excess} | ({} if photographs else {"offset": camera.offset})
     found = {}
-    for name in ("white", "read", "offset"):
-        value = given.pop(name)
+    for name in ("white", "read", "offset", "excess"):
+        value = given.pop(name, None)
         found[name] = known.get(name) if value is None else value
         if found[name] is None and (name == "read" or (photographs and name == "white")):
             why = (
@@ -204,7 +212,9 @@ _STATED = {
     "white": ("gain", "a gain of {:g} electrons per count"),
     "read": ("read", "a read noise of {:g} electrons"),
     "saturation": ("saturation", "saturation at {:g}"),
+    "excess": ("excess", "an electron-multiplying camera, excess noise {:g}"),
 }
+_BEFORE = "; gain and read noise must be those of electrons before multiplication, over the EM gain"
 _ALIKE = 0.02  # of values that count as one
 
 
@@ -213,20 +223,23 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
 
     An option counts more than the camera, and that more than the header, whose other values are named.
     """
-    known = {} if camera is None else {"white": camera.gain, "read": camera.read}
+    known: Facts = {}
+    if camera is not None:
+        known = {"white": camera.gain, "read": camera.read, "excess": camera.excess if camera.excess > 1.0 else None}
     notes = []
     for name, (key, words) in _STATED.items():
         value = said.get(key)
         if isinstance(value, Unusable):
-            if key != "saturation" and given[name] is None and known.get(name) is None:
+            if key != "saturation" and given.get(name) is None and known.get(name) is None:
                 raise ValueError(f"the header of the images states {key} {value.words}: state {name}=")
             notes.append(f"The header of the images states {key} {value.words}, which cannot be used.")
         if not isinstance(value, float):
             continue
-        used = known.get(name) if given[name] is None else given[name]
+        used = known.get(name) if given.get(name) is None else given[name]
         if used is None:
             given[name] = value
-            notes.append(f"Taken from the header of the images: {words.format(value)}.")
+            more = _BEFORE if name == "excess" else ""
+            notes.append(f"Taken from the header of the images: {words.format(value)}{more}.")
         elif isinstance(used, float | int) and abs(used - value) > _ALIKE * abs(value):
             notes.append(f"The header of the images states {words.format(value)}; {used:g} was taken.")
     if "unsure" in said and given["white"] is None and known.get("white") is None:
@@ -253,33 +266,38 @@ def differing(said: Found, microscope: Microscope) -> list[str]:
 
 def require_noise(given: Facts) -> None:
     """Refuse options of the noise that are out of range, before files are read."""
-    Noise(**{"read": 0.0} | {name: given[name] for name in ("white", "read", "offset") if given[name] is not None})
+    names = ("white", "read", "offset", "excess")
+    Noise(**{"read": 0.0} | {name: given[name] for name in names if given.get(name) is not None})
 
 
 _UNITS = {
     "white": ("gain", " electrons per count", 1.0),
     "offset": ("offset", " counts", 0.0),
     "read": ("read noise", " electrons rms", 0.0),
+    "excess": ("excess noise", "", 1.0),
 }
 
 
 def noise_facts(given: Facts, camera: Camera | None, noise: Noise) -> Facts:
-    """Return gain, offset and read noise of a fit, each with its source: "option", "camera", "header", "default".
+    """Return gain, offset and noise of a fit, each with its source: "option", "camera", "header", "default".
 
     `given` has the options, None where they are left out.
     """
     of_camera = {} if camera is None else {"white": camera.gain, "offset": camera.offset, "read": camera.read}
+    of_camera |= {"excess": camera.excess} if camera is not None and camera.excess > 1.0 else {}
     found: Facts = {"camera": None if camera is None else camera.name}
     for name, (word, _, usual) in _UNITS.items():
         value = getattr(noise, name)
-        source = "option" if given[name] is not None else "camera" if of_camera.get(name) is not None else "header"
-        source = "default" if source == "header" and value in (None, 0.0) and name != "read" else source
+        source = (
+            "option" if given.get(name) is not None else "camera" if of_camera.get(name) is not None else "header"
+        )
+        source = "default" if source == "header" and value in (None, usual) and name != "read" else source
         found[word.replace(" ", "_")] = {"value": usual if value is None else value, "source": source}
     return found
 
 
 def noise_in_words(facts: Facts, where: str) -> str:
-    """Return gain, offset and read noise in a line, with their sources; `where` is that of the camera."""
+    """Return gain, offset, read noise and an excess in a line, with sources; `where` is that of the camera."""
     sources = {
         "option": "by the option",
         "camera": f"of {facts['camera']}, {where}",
@@ -289,13 +307,15 @@ def noise_in_words(facts: Facts, where: str) -> str:
     said = []
     for word, unit, _ in _UNITS.values():
         each = facts[word.replace(" ", "_")]
+        if word == "excess noise" and each["value"] == 1.0:
+            continue
         said.append(f"{word} {each['value']:g}{unit} ({sources[each['source']]})")
     return f"Camera: {', '.join(said)}."
 
 
 def camera_facts(camera: Camera | None) -> Facts | None:
     """Return what is known of a camera besides its pixels, for reports."""
-    names = ("name", "source", "read", "full_well", "gain", "offset")
+    names = ("name", "source", "read", "full_well", "gain", "offset", "excess")
     return None if camera is None else {name: getattr(camera, name) for name in names}
 
 
@@ -304,4 +324,6 @@ def camera_in_words(facts: Facts) -> str | None:
     if (camera := facts["camera"]) is None:
         return None
     units = {"read": "read noise {:g} electrons", "full_well": "full well {:g}", "gain": "{:g} electrons per count"}
-    return ", ".join([camera["name"], *(text.format(camera[name]) for name, text in units.items() if camera[name])])
+    told = [text.format(camera[name]) for name, text in units.items() if camera[name]]
+    told += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
+    return ", ".join([camera["name"], *told])

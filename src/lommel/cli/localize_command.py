@@ -17,6 +17,7 @@ from lommel.base.validation import line
 from lommel.cli.instruments import (
     CAMERA,
     DEPTH,
+    EXCESS,
     LENS,
     SQUARE_PIXEL,
     camera_map,
@@ -69,6 +70,7 @@ _CAMERA = under(
            help="Read noise, rms electrons; 0 for none; by default that of the camera."),
     Option("--offset", metavar="NUMBER|FILE",
            help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0."),
+    EXCESS,
     documented(find, "saturation", type=float,
                help="Value in the file at which pixels saturate, such as 60000; they do not count in fits."),
     SQUARE_PIXEL,
@@ -161,6 +163,7 @@ def localize(
         raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
     texts = {"white": ("gain", white), "read": ("read", read), "offset": ("offset", offset)}
     maps: Facts = {name: text and camera_map(text, flag) for name, (flag, text) in texts.items()}
+    maps["excess"] = given.pop("excess")
     begun = time.perf_counter()
     parts: list[Localizations] = []
     ends, seen = 0, Recurrence()

@@ -12,6 +12,7 @@ import numpy as np
 
 from lommel.cli.instruments import (
     CAMERA,
+    EXCESS,
     LENS,
     OBJECT_DISTANCE,
     SQUARE_PIXEL,
@@ -95,6 +96,7 @@ def _is_number(word: str) -> bool:
                help="Read noise, rms electrons; 0 for none; by default that of the camera."),
         Option("--offset", type=float,
                help="Black level, in the unit of the images; by default that of the camera, or 0."),
+        EXCESS,
         Option("--mask", "masked", type=PATH,
                help="Image of the pixels to leave out: not 0 there; one for all images, or one for each."),
         Option("--saturation", type=float,

@@ -40,6 +40,7 @@ from lommel.estimation.bead_search import (
 )
 from lommel.estimation.phase_retrieval import label, star_counts
 from lommel.fit import goodness_of_fit
+from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
@@ -450,7 +451,8 @@ def fit_beads(
             )
         if places.shape != (len(images),):
             raise ValueError(f"z must have a position for each of {len(images)} planes, got shape {places.shape}")
-        electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
+        alike = noise.poisson
+        electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
         made.append(Stack.of(electrons, read, counts.known, places))
         recorded.append(counts)
         if counts.values.shape[-2:] != recorded[0].values.shape[-2:]:
@@ -616,6 +618,7 @@ def _build_bead_fit(
     error = model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
     findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
+    findings[:0] = _excess_findings(joint, found, noise)
     tests: tuple[ScoreTest, ...] = ()
     if max(part.visible for part in normal.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
@@ -668,6 +671,19 @@ def _build_bead_fit(
         _images=joint.images,
         _priors=dict(joint.priors),
     )
+
+
+def _excess_findings(joint: BeadModel, found: Climbed, noise: Noise) -> list[Finding]:
+    """Return the finding of excess noise that was not stated."""
+    each = zip(joint.stacks, found.values, found.state.light, strict=True)
+    off, light, added = [], [], []
+    for stack, values, (flux, background) in each:
+        counted, _, read, valid = stack.star
+        mean = flux[:, None] * values.reshape(len(values), -1) + background[:, None]
+        off.append(np.where(valid > 0.0, counted - mean, np.nan))
+        light.append(mean)
+        added.append(read)
+    return excess_findings(np.stack(off), np.stack(light), np.stack(added), noise.excess)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:
@@ -739,6 +755,8 @@ def _beads(
         moved = moved_planes(*shifts_of(image, rates, stack, light, model.images.threads))
         residual = np.where(valid > 0.0, (counted - mean) / np.sqrt(np.maximum(mean + read, 0.25 * read)), np.nan)
         errors = {("z" if name == "focus" else name): value for name, value in errors.items()}
+        light, scatter = noise.excess * np.asarray(light), noise.excess**2 * scatter
+        errors |= {name: noise.excess * errors[name] for name in ("flux", "background") if name in errors}
         if "z" in errors:
             errors["z"] /= state.setup.step
         found.append(
@@ -757,7 +775,7 @@ def _beads(
                 chi2=chi2,
                 used=used[j],
                 images=np.where(recorded[j].known, recorded[j].values, np.nan),
-                model=noise.image(mean),
+                model=noise.poisson.image(mean),
                 residual=residual,
             )
         )

@@ -216,7 +216,9 @@ def _surface(
         raise ValueError(f"photons must be at most {_MOST_PHOTONS:g}, got {light.max():g}")
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
-    return _Surface(np.broadcast_to(light, count), read, contrast, window, validation.truth("known_texture", known))
+    # Of light over the excess, and the read noise over it, photons have Poisson's variance.
+    light = np.broadcast_to(light / noise.excess, count)
+    return _Surface(light, read / noise.excess, contrast, window, validation.truth("known_texture", known))
 
 
 def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:

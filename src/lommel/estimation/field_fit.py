@@ -441,7 +441,8 @@ def fit_field(
     width_given = (
         None if isinstance(blur, bool) else validation.real("blur", blur, least=0.0, below=0.25 * min(height, width))
     )
-    electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
+    alike = noise.poisson
+    electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
     begun = given if start is None else _begun(start, given, chip, x, y)
@@ -740,9 +741,9 @@ def _answer(
         message=message + message_sign,
         degree=degree,
         distortion=distortion,
-        stars=FittedStars(places, centers, own[:, 2].copy(), own[:, 3].copy(), each.chi2, used),
+        stars=FittedStars(places, centers, noise.excess * own[:, 2], noise.excess * own[:, 3], each.chi2, used),
         images=np.where(counts.known, noise.electrons(counts.filled()), np.nan),
-        model=model.reshape(counts.values.shape) * lit,
+        model=model.reshape(counts.values.shape) * lit * noise.excess,
         _sensor=chip,
         _terms=kept,
         _own={term: float(value) for term, value in pupil.wavefront.edge_terms().items()},

@@ -263,7 +263,8 @@ def fisher(
     validation.optional("noise", noise, Noise)
     validation.truth("together", together)
     read = np.zeros(validation.image_shape(shape))
-    read = read if noise is None else noise.variance(read)
+    excess = 1.0 if noise is None else noise.excess
+    read = read if noise is None else noise.poisson.variance(read)
     options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
     plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]
@@ -283,7 +284,10 @@ def fisher(
         answer = answers[0 if one else index[-len(images)]]
         own = answer.pupil.shape
         place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(own) :], own, strict=True))
-        roots[index], errors[index] = _root(answer, place, names, float(flux[index]), float(level[index]), read)
+        light = float(flux[index]) / excess, float(level[index]) / excess
+        roots[index], errors[index] = _root(answer, place, names, *light, read)
+    per_light = np.array([1.0 / excess if name in _OWN else 1.0 for name in names])
+    roots, errors = roots * per_light, errors * per_light
     same = () if one else (len(every) - len(images),)
     return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
 

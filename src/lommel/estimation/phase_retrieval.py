@@ -23,6 +23,7 @@ from lommel.estimation.star_images import (
     uncertainty,
 )
 from lommel.fit import goodness_of_fit
+from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE
 from lommel.fit.scoring import Scores, covariance, search_rows
@@ -330,7 +331,8 @@ def retrieve(
     counts = star_counts(images, mask, saturation)
     values, valid = counts.filled(), counts.known
     start = _supported(pupil, unknowns, len(values))
-    electrons, read = noise.electrons(values), noise.variance(np.zeros_like(values))
+    alike = noise.poisson
+    electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
     known = validation.real_array("defocus", defocus)
     if known.shape not in ((), (len(values),)):
         raise ValueError(
@@ -502,6 +504,8 @@ def _retrieval(
     for j, place in enumerate(unknowns.places):
         center[:, ("row", "column").index(place)] += own[j] / per_pixel
         own_errors[place] = own_errors[place] / per_pixel
+    dark = _light_findings(own[-2], own_errors["flux"])
+    own_errors |= {name: noise.excess * own_errors[name] for name in ("flux", "background")}
     wavefront = model.wavefront(x[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
@@ -510,7 +514,9 @@ def _retrieval(
         "local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    found += [*_light_findings(own[-2], own_errors["flux"]), *_sign_findings(model, x)]
+    found += [*dark, *_sign_findings(model, x)]
+    read = model.read.reshape(residual.shape)
+    found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
     if not settled:
         found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
     light = counts.filled().sum(axis=(1, 2))
@@ -534,12 +540,12 @@ def _retrieval(
         chi2=chi2,
         findings=Findings(found),
         summary=summary,
-        flux=own[-2].copy(),
-        background=own[-1].copy(),
+        flux=noise.excess * own[-2],
+        background=noise.excess * own[-1],
         center=center,
         psf=psf,
         images=np.where(counts.known, counts.values, np.nan),
-        model=noise.image(mean.reshape(counts.values.shape)),
+        model=noise.poisson.image(mean.reshape(counts.values.shape)),
         residual=residual.reshape(counts.values.shape),
         steps=steps,
         starts=starts,

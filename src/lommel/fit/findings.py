@@ -13,6 +13,7 @@ Severity: TypeAlias = Literal["error", "doubt", "note"]
 CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the answer, fits as well",
     "errors_change": "a standard error changes within one standard deviation of the answer",
+    "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
     "held_out": "what was left out of the fit does not follow it",
     "interrupted": "the search was interrupted: the answer is the best so far",

@@ -90,6 +90,7 @@ class Observed(Counts):
             raise ValueError("no pixel of the photograph is known: all are NaN or saturated")
         # Channels come last in images and first in what a sensor's maps are made for.
         planes = np.moveaxis(np.where(known, np.minimum(light, saturation), 0.0).reshape(*light.shape[:2], -1), 2, 0)
+        noise = noise.poisson
         electrons = noise.electrons(planes)
         gain = np.broadcast_to(1.0 if noise.white is None else noise.white, planes.shape)
         added = (noise.variance(np.zeros(planes.shape)) / gain).astype(blur.dtype)

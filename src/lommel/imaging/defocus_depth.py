@@ -216,7 +216,7 @@ def depth_from_defocus(
     if len(given) != len(lenses):
         count = len(given) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
-    validation.instance("noise", noise, Noise)
+    noise = validation.instance("noise", noise, Noise).poisson
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
     ends, vergence = ranged(between, lenses, pitch, candidates, _MOST)

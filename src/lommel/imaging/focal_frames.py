@@ -92,7 +92,11 @@ class FrameForm:
         )
         self.size = height, width
         self.channels = validation.integer("shape[2]", shape[2], least=1, most=16) if len(shape) == 3 else 1
-        validation.instance("noise", noise, Noise)
+        if validation.instance("noise", noise, Noise).excess != 1.0:
+            raise ValueError(
+                f"noise must have no excess for live frames, got excess={noise.excess:g}: give noise.poisson, whose "
+                "electrons are those of the light over it"
+            )
         for name in ("white", "read", "offset"):
             if not isinstance(getattr(noise, name), float | None):
                 raise ValueError(

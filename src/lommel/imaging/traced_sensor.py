@@ -14,10 +14,10 @@ PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Any:
     """Return an image as a sensor records it, with photon and read noise, differentiable in the image.
 
-    ``image + sqrt(variance) * normal`` with the variance ``max(electrons, 0) + read^2`` of :class:`lommel.Noise`, in
-    its units: the normal approximation of Poisson noise, reparametrised, so that the gradient includes the change of
-    the noise with the light. It is close for ten electrons and more; for fewer, or for exact counts without
-    gradient, see :meth:`lommel.Noise.record`.
+    ``image + sqrt(variance) * normal`` with the variance ``excess max(electrons, 0) + read^2`` of
+    :class:`lommel.Noise`, in its units: the normal approximation of Poisson noise, reparametrised, so that the
+    gradient includes the change of the noise with the light. It is close for ten electrons and more; for fewer, or
+    for exact counts without gradient, see :meth:`lommel.Noise.record`.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Any:
     white, read = float(white), float(noise.read)
     electrons = (image - float(noise.offset)) * white
     # The derivative of the root stays finite in darkness without read noise.
-    light = 0.5 * (electrons + abs(electrons))
+    light = 0.5 * noise.excess * (electrons + abs(electrons))
     return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
 
 

@@ -26,6 +26,8 @@ class Camera:
         Electrons per count (e-/ADU).
     offset : float or None
         Counts of a pixel without electrons.
+    excess : float
+        Excess noise factor of electron multiplication, as of :class:`lommel.Noise`; 1 for none.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Camera:
     full_well: float | None = None
     gain: float | None = None
     offset: float | None = None
+    excess: float = 1.0
 
     def __repr__(self) -> str:
         pixel = (
@@ -42,7 +45,8 @@ class Camera:
         )
         noise = "" if self.read is None else f", read noise {self.read:g} electrons"
         well = "" if self.full_well is None else f", full well {self.full_well:g} electrons"
-        return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}>"
+        excess = "" if self.excess == 1.0 else f", excess noise {self.excess:g}"
+        return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
 
     @property
     def side(self) -> float:
@@ -53,7 +57,7 @@ class Camera:
 
     @property
     def noise(self) -> Noise:
-        """Noise of images in counts: gain (1 where it is not stated), read noise and offset (0).
+        """Noise of images in counts: gain (1 where it is not stated), read noise, offset (0), excess.
 
         Returns
         -------
@@ -66,4 +70,4 @@ class Camera:
         """
         if self.read is None:
             raise ValueError(f"the file of {self.name!r} must state read, the read noise, for its noise")
-        return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0)
+        return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)

@@ -26,6 +26,8 @@ class _Camera(Section):
     full_well: Annotated[Number, Field(gt=0)] | None = None
     gain: Annotated[Number, Field(gt=0)] | None = None
     offset: Annotated[Number, Field(ge=0)] | None = None
+    excess: Annotated[Number, Field(ge=1, le=100)] | None = None
+    em_gain: Annotated[Number, Field(ge=1)] | None = None
 
 
 class _File(Section):
@@ -39,7 +41,9 @@ def load_camera(path: str | PathLike[str]) -> Camera:
 
     Keys: ``name`` (by default that of the file) and ``source``; ``[camera]`` pixel, a text with a unit such as
     ``"6.5 um"`` or a list of height and width; and, where they are known, read (electrons rms), full_well
-    (electrons), gain (electrons per count) and offset (counts).
+    (electrons), gain (electrons per count), offset (counts) and excess (1 to 100), the excess noise factor of
+    electron multiplication. With em_gain, gain and read are those of the output amplifier and are divided by it, and
+    excess is 2 unless it is stated: those of a :class:`lommel.Camera` are of electrons before multiplication.
 
     Parameters
     ----------
@@ -88,4 +92,14 @@ def named(path: Path) -> bool:
 
 
 def _made(file: _File, *, stem: str) -> Camera:
-    return Camera(stem if file.name is None else file.name, file.source, **dict(file.camera))
+    stated = dict(file.camera)
+    times = stated.pop("em_gain")
+    if stated["excess"] is None:
+        stated["excess"] = _EXCESS if times is not None and times > 1.0 else 1.0
+    for name in ("gain", "read"):
+        if times is not None and (name == "gain" or stated[name] is not None):
+            stated[name] = (1.0 if stated[name] is None else stated[name]) / times
+    return Camera(stem if file.name is None else file.name, file.source, **stated)
+
+
+_EXCESS = 2.0  # of a register with many stages of little gain each

@@ -108,8 +108,8 @@ def find(
         Rows and columns of the boxes.
     noise : Noise, optional
         Gain, offset and read noise of the camera, each a number or a map of the frame. By default frames are in
-        electrons without read noise. The excess noise of electron multiplication is not part of it. Pixels of a read
-        noise of 1000 electrons or more are defects: their values are not looked at.
+        electrons without read noise. Pixels of a read noise of 1000 electrons or more are defects: their values are
+        not looked at.
     threshold : float, default 6.0
         Least height of a spot in standard deviations of the background noise, at least 3.
     width : float, default 2.0
@@ -181,14 +181,15 @@ def find_in(
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
-    camera = noise or Noise(read=0.0)
+    given = noise or Noise(read=0.0)
+    camera = given.poisson
     light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
     if not isinstance(read, float) and read.shape != light.shape[1:]:
         raise ValueError(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
         )
     wide = min(rows, columns) / 3.0
-    if not isinstance(read, float) and (defects := read >= DEFECT).any():
+    if not isinstance(read, float) and (defects := np.asarray(given.read) >= DEFECT).any():
         mended, read = _mending(defects, narrow), np.where(defects, np.median(read[~defects]), read)
     else:
         mended = []

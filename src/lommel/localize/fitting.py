@@ -281,6 +281,9 @@ def fit(
                 progress(done, total)
     if places is not None:
         values[:, :2] += places[0]
+    for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
+        for light_of in (values, deviations):
+            light_of[:, 3 + 2 * c : 5 + 2 * c] *= camera.excess
     return _molecules(values, deviations, likely, state, several)
 
 
@@ -404,7 +407,7 @@ def _in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tu
     light = (box.astype(np.float64) - parts["offset"]) * white
     if not isinstance(parts["read"], float):
         light = np.where(parts["read"] < DEFECT, light, np.nan)
-    return _floats(light), _variance(parts["read"], box.shape)
+    return _floats(light / camera.excess), _variance(parts["read"] / camera.excess, box.shape)
 
 
 def _floats(values: NDArray[Any]) -> NDArray[np.float32]:

@@ -209,8 +209,9 @@ def find_spots(
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     counts, single = field_counts(images, "planes", (rows, columns), mask, saturation)
     planes, left, full = counts.values, counts.hidden, np.asarray(counts.full.any(axis=0))
-    electrons = noise.electrons(filled(planes, left, narrow))
-    variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
+    alike = noise.poisson
+    electrons = alike.electrons(filled(planes, left, narrow))
+    variance = alike.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
     kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
     spread = kernel.squared(variance)
@@ -233,12 +234,12 @@ def find_spots(
         centers=center[order],
         windows=cut[:, 0] if single else cut,
         score=score[order],
-        flux=flux[order],
+        flux=noise.excess * flux[order],
         refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
         left_out=int(left.sum()),
         candidate=candidate,
-        _image=np.where(left.any(axis=0), np.nan, light),
+        _image=np.where(left.any(axis=0), np.nan, noise.excess * light),
     )
 
 

@@ -31,6 +31,7 @@ def hot_voxels(stack: Any, noise: Noise, sharpest: float) -> Array:
     A voxel is one where its excess over the median of the plane is more than twice `sharpest` times that of the
     brightest of its eight neighbours, and ten standard deviations of the noise besides.
     """
+    noise = noise.poisson
     gain = np.asarray(1.0 if noise.white is None else noise.white)
     found = []
     for plane in range(len(stack)):

@@ -46,7 +46,7 @@ class Counted(Counts):
     """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
 
     def __init__(self, recorded: Values, noise: Noise, saturation: float = np.inf) -> None:
-        side = recorded.shape[1:]
+        side, noise = recorded.shape[1:], noise.poisson
         self._recorded, self._saturation = recorded, saturation
         offset = np.asarray(noise.offset, dtype=np.float64)
         gain = np.asarray(1.0 if noise.white is None else noise.white)

@@ -25,7 +25,7 @@ _DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may
 _UNSURE = 0.3  # standard error of the gain over itself, from which on it is of no use
 
 
-def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
+def estimate_noise(stack: Any, *, read: float = _READ, excess: float = 1.0) -> Noise:
     """Estimate gain and offset of the camera from a stack (photon transfer within the images).
 
     Parameters
@@ -34,6 +34,8 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
         As recorded, neither smoothed nor resampled.
     read : float, default 1.6
         Read noise, rms electrons, as of a data sheet: a stack alone does not separate it from the offset.
+    excess : float, default 1.0
+        As of :class:`lommel.Noise`: a stack alone does not separate it from the gain.
 
     Returns
     -------
@@ -52,7 +54,10 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
     (second differences; of planes alone Immerkaer 1996, doi:10.1006/cviu.1996.0060), against the local mean: the most
     likely line of slope ``1 / white``, whose zero is ``offset - read**2 / white``.
     """
-    return measured_noise(stack, read)[0]
+    factor = validation.real("excess", excess, least=1.0, most=100.0)
+    found = measured_noise(stack, validation.real("read", read, least=0.0) / factor)[0]
+    assert found.white is not None
+    return Noise(white=found.white * factor, read=read, offset=found.offset, excess=factor)
 
 
 def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
@@ -82,7 +87,8 @@ def contradiction(stack: Any, noise: Noise) -> str | None:
         mean, squares, independent = _points(stack)
     except ValueError:  # too small
         return None
-    given = noise.white, noise.read, noise.offset
+    plain = noise.poisson
+    given = plain.white, plain.read, plain.offset
     white, read, offset = (float(np.mean(1.0 if each is None else each)) for each in given)
     rounded = 1.0 / 12.0 if np.dtype(stack.dtype).kind in "iu" else 0.0
     expected = np.maximum(mean - offset, 0.0) / white + (read / white) ** 2 + rounded
@@ -99,7 +105,7 @@ def contradiction(stack: Any, noise: Noise) -> str | None:
         found, relative = _fitted(mean, squares, independent, read)
     except ValueError:
         return said
-    gain = float(1.0 if found.white is None else found.white)
+    gain = noise.excess * float(1.0 if found.white is None else found.white)
     alone = " +- ".join(with_error(gain, gain * relative))
     return f"{said} The stack alone gives {alone} electrons per count and an offset of {float(found.offset):.4g}."
 

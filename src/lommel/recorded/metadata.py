@@ -32,6 +32,8 @@ _UNITS = _OTHERS | {
 }
 # Cards of FITS headers, each with all names that are common.
 _GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
+_MULTIPLIED = ("EMGAIN", "EMREALGN", "EMREALGAIN")
+EXCESS = 2.0  # variance by that of Poisson's, of an electron-multiplying register
 _NAMED = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass those of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
@@ -102,6 +104,10 @@ def of_ome(file: Any, place: int) -> Found:
     found["names"] = [each.get("Name") for each in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         found[key] = [length(each.get(name), each.get(f"{name}Unit"), "nm") for each in channels]
+    detectors = {each.get("ID"): each.get("Type") for each in root.findall(".//{*}Instrument/{*}Detector")}
+    used_by = [each.get("ID") for each in image.findall(".//{*}DetectorSettings")]
+    if any(detectors.get(name) == "EMCCD" for name in used_by or (list(detectors) if len(detectors) == 1 else [])):
+        found["excess"] = EXCESS
     lenses = root.findall(".//{*}Instrument/{*}Objective")
     if (used := image.find("{*}ObjectiveSettings")) is not None:
         found["immersion"] = number(used.get("RefractiveIndex"))
@@ -146,6 +152,8 @@ def of_fits(header: Mapping[str, Any]) -> Found:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     found: Found = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_FULL)}
+    if isinstance(times := first(_MULTIPLIED), float) and times > 1.0:
+        found |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
     if unit.lower().rstrip("s") in ("electron", "e", "e-"):
         found["gain"] = 1.0
@@ -165,7 +173,7 @@ def fits_notes(header: Mapping[str, Any]) -> list[str]:
 def of_all(said: Sequence[Found]) -> Found:
     """Return what several files say of their camera; where they contradict each other it cannot be used."""
     found = dict(said[0])
-    for key in ("gain", "read", "saturation"):
+    for key in ("gain", "read", "saturation", "excess"):
         values = [each.get(key) for each in said]
         if any(value != values[0] for value in values):
             words = [

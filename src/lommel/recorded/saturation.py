@@ -56,6 +56,7 @@ def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[fl
     count = int((seen == top).sum())
     if count < _LEAST:
         return np.nan, 0
+    noise = noise.poisson
     gain = 1.0 if noise.white is None else noise.white
     white, read, offset = (float(np.median(part)) for part in (gain, noise.read, noise.offset))
     spread = float(np.sqrt(max((top - offset) * white, 0.0) + read**2)) / white

@@ -618,7 +618,8 @@ def _build_bead_fit(
     error = model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
     findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    findings[:0] = _excess_findings(joint, found, noise)
+    if "misfit" in Findings(findings).codes:
+        findings[:0] = _excess_findings(joint, found, noise)
     tests: tuple[ScoreTest, ...] = ()
     if max(part.visible for part in normal.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]

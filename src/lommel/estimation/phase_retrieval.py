@@ -515,8 +515,9 @@ def _retrieval(
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
     found += [*dark, *_sign_findings(model, x)]
-    read = model.read.reshape(residual.shape)
-    found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
+    if "misfit" in Findings(found).codes:
+        read = model.read.reshape(residual.shape)
+        found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
     if not settled:
         found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
     light = counts.filled().sum(axis=(1, 2))

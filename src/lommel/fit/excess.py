@@ -2,8 +2,8 @@ r"""Score test of excess noise: a variance that is a multiple of the light, as o
 
 With the mean m of a pixel in electrons, the variance v = m + read^2 that was taken, the residual r and s = m / v, the
 slope of the log-likelihood by the share f, of a variance ``v + f m``, is half of ``sum s (r^2 / v - 1)``, which has
-the variance ``sum s^2 (2 + 1 / v)`` of Poisson numbers. A wrong mean makes large residuals, too, but where there is much
-light: the test asks that these are as large where there is little.
+the variance ``sum s^2 (2 + 1 / v)`` of Poisson numbers. A wrong mean makes large residuals, too, but where there is
+much light: the test asks that these are as large where there is little.
 """
 
 from __future__ import annotations

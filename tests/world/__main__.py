@@ -1,4 +1,4 @@
-"""Run scenarios, print a table, and write docs/trust.md: `python -m tests.world --seeds 25 -o runs.json`."""
+"""Run scenarios, print a table, write docs/trust.md: `python -m tests.world --seeds 25 -o runs.json`."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ def page(stored: dict[str, list[Run]]) -> str:
     rows = [head, "|---|---|---|---:|---:|---:|---:|---:|---:|---|"]
     for row, one in judged(stored):
         scenario = BY_ROW[row]
-        codes = ", ".join(f"`{code}`" for code, _ in sorted(one.codes.items(), key=lambda pair: -pair[1])[:3])
+        often = sorted(one.codes.items(), key=lambda pair: -pair[1])[:3]
+        codes = ", ".join(f"`{code}`" for code, _ in often)
         rms, largest = (f"{value:.2f}" if math.isfinite(value) else "–" for value in (one.rms, one.largest))
         rows.append(
             f"| {scenario.name} | {scenario.estimator} | {MUST[scenario.must]} | {one.runs} | {one.good} | {one.told} "

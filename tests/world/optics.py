@@ -200,8 +200,8 @@ class Objective:
 
 @cache
 def _brightest(objective: Objective, depth: float) -> float:
-    foci = np.linspace(-0.5e-6, 2 * depth + 1e-6, 400) + 1.5 * objective.thicker * np.array([0.0, 1.0])[:, None]
-    foci = np.unique(foci)
+    least, most = 0.9 * objective.thicker, 1.3 * objective.thicker  # thick glass moves the focus by about as much
+    foci = np.linspace(least - 0.5e-6, most + 2 * depth + 1e-6, 1000)
     light = objective.profile(np.zeros(1), depth, foci)[:, 0]
     k = int(np.clip(light.argmax(), 1, len(foci) - 2))
     a, b, _ = np.polyfit(foci[k - 1 : k + 2] - foci[k], light[k - 1 : k + 2], 2)

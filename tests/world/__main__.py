@@ -51,10 +51,10 @@ def page(stored: dict[str, list[Run]]) -> str:
         scenario = BY_ROW[row]
         often = sorted(one.codes.items(), key=lambda pair: -pair[1])[:3]
         codes = ", ".join(f"`{code}`" for code, _ in often)
-        rms, largest = (f"{value:.2f}" if math.isfinite(value) else "–" for value in (one.rms, one.largest))
+        rms, largest = (f"{size:.2f}" if math.isfinite(size) else "–" for size in (one.rms, one.largest))
         rows.append(
-            f"| {scenario.name} | {scenario.estimator} | {MUST[scenario.must]} | {one.runs} | {one.good} | {one.told} "
-            f"| {one.wrong_and_good} | {rms} | {largest} | {codes} |"
+            f"| {scenario.name} | {scenario.estimator} | {MUST[scenario.must]} | {one.runs} | {one.good} "
+            f"| {one.told} | {one.wrong_and_good} | {rms} | {largest} | {codes} |"
         )
     total = [one for _, one in judged(stored)]
     wrong, count = sum(one.wrong_and_good for one in total), sum(one.runs for one in total)

@@ -370,7 +370,7 @@ def photographs(kind: str, size: float, which: int) -> tuple[list[np.ndarray], n
 
 
 def pair(
-    seed: int, kind: str, size: float = 1.2, *, f_number: float = 1.8, focal: float = 50e-3,
+    seed: int, kind: str, size: float = 0.6, *, f_number: float = 1.8, focal: float = 50e-3,
     foci: tuple[float, float] = FOCI, pixel: float = FINE_PIXEL, white: float = 5000.0,
     change: Callable[[np.ndarray], np.ndarray] | None = None, both: bool = False, wrong: bool = False,
 ) -> Trial:  # fmt: skip

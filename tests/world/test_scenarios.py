@@ -17,7 +17,49 @@ from tests.world.scenarios import SCENARIOS
 from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 
 # What fails today, and why.
-FAILS: dict[str, str] = {}
+FAILS = {
+    "2": "wrong and called good",
+    "3": "wrong and called good",
+    "4": "not good",
+    "6": "not good",
+    "7": "not good",
+    "8": "not good",
+    "9": "not good",
+    "10": "not good",
+    "12": "not good",
+    "13a": "wrong and called good",
+    "13b": "not good",
+    "14": "not told by blur or blur_shape or other_explanation",
+    "15b": "not told by ellipse or elongated or blur or blur_shape or other_explanation",
+    "17": "wrong and called good",
+    "18a": "not told by missing_terms or term or other_explanation",
+    "18b": "not told by missing_terms or term or other_explanation",
+    "19": "not good",
+    "21": "not good",
+    "22": "not told by sign_open",
+    "24": "not good",
+    "27": "wrong and called good",
+    "28a": "not good",
+    "28b": "not told by excess_noise",
+    "29a": "not told by diameter or coverslip or immersion or suspect or other_explanation",
+    "30": "not told by drift or moved or other_explanation",
+    "33": "x is biased by 15 nm",
+    "34": "wrong and called good",
+    "36": "wrong and called good",
+    "37a": "wrong and called good",
+    "37b": "wrong and called good",
+    "38a": "light is 1.034",
+    "39a": "wrong and called good",
+    "39b": "wrong and called good",
+    "40a": "wrong and called good",
+    "40b": "wrong and called good",
+    "41a": "light is 1.034",
+    "41b": "not good",
+    "45a": "wrong and called good",
+    "45b": "wrong and called good",
+    "45c": "wrong and called good",
+    "45e": "wrong and called good",
+}
 
 
 @pytest.mark.parametrize(
@@ -48,12 +90,12 @@ CASES = [
     ("R", answer(extras={"light": (1.2, 0.1)}), []),
     ("R", answer(seconds=3.0), ["more than 2 s"]),
     ("T", answer(MISFIT, z=9.0), []),
-    ("T", answer(z=1.0), ["told by misfit: 0 of 1"]),
-    ("T", answer(Finding("no_light", "error", "dark"), z=9.0), ["told by misfit: 0 of 1"]),
+    ("T", answer(z=1.0), ["not told by misfit: 0 of 1"]),
+    ("T", answer(Finding("no_light", "error", "dark"), z=9.0), ["not told by misfit: 0 of 1"]),
     ("RT", answer(z=1.0), []),
     ("RT", answer(MISFIT, z=9.0), []),
     ("RT", answer(z=9.0), ["wrong and called good: 1 of 1"]),
-    ("N", answer(z=9.0), ["told by misfit: 0 of 1"]),
+    ("N", answer(z=9.0), ["not told by misfit: 0 of 1"]),
     ("N", answer(Finding("misfit", "note", "bad"), z=9.0), []),
 ]
 

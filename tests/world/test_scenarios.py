@@ -90,12 +90,12 @@ CASES = [
     ("R", answer(extras={"light": (1.2, 0.1)}), []),
     ("R", answer(seconds=3.0), ["more than 2 s"]),
     ("T", answer(MISFIT, z=9.0), []),
-    ("T", answer(z=1.0), ["not told by misfit: 0 of 1"]),
-    ("T", answer(Finding("no_light", "error", "dark"), z=9.0), ["not told by misfit: 0 of 1"]),
+    ("T", answer(z=1.0), ["told by misfit: 0 of 1"]),
+    ("T", answer(Finding("no_light", "error", "dark"), z=9.0), ["told by misfit: 0 of 1"]),
     ("RT", answer(z=1.0), []),
     ("RT", answer(MISFIT, z=9.0), []),
     ("RT", answer(z=9.0), ["wrong and called good: 1 of 1"]),
-    ("N", answer(z=9.0), ["not told by misfit: 0 of 1"]),
+    ("N", answer(z=9.0), ["told by misfit: 0 of 1"]),
     ("N", answer(Finding("misfit", "note", "bad"), z=9.0), []),
 ]
 

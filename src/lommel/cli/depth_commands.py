@@ -158,8 +158,7 @@ def depth(
             save_figure(found.plot(), figure)
     files = written([*outputs, sharp, figure])
     rest = {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": read_as(pictures[0], encoding)}
-    report = _report(found, lenses, options, rest)
-    return Report(report.facts, [*report.parts, *files.parts])
+    return _report(found, lenses, options, rest) + Report({}, files.parts)
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -188,16 +187,18 @@ def each_lens(
     return lenses
 
 
-def verdict_facts(verdict: DefocusVerdict) -> Facts:
-    """Return what was tested of the lenses and the noise, for reports."""
-    told = math.isfinite(verdict.scale)
-    return {
+def verdict_report(verdict: DefocusVerdict) -> Report:
+    """Return what was tested of the lenses and the noise, and what could not be."""
+    facts = verdict.to_dict()
+    del facts["misfit"]  # commands have their own
+    untested = verdict.findings.get("untested")
+    facts |= {
         "agrees": verdict.agrees,
-        "scale": verdict.scale if told else None,
-        "scale_deviation": verdict.deviation if told else None,
-        "tested": list(verdict.tested),
-        "untested": list(verdict.untested),
+        "scale_deviation": facts.pop("deviation"),
+        "untested": None if untested is None else untested.numbers["what"],
     }
+    lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
+    return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
 
 
 def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
@@ -226,7 +227,6 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
         "depth": depth,
         "deviation": deviation,
         "misfit": left,
-        **verdict_facts(found.verdict),
     }
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -236,10 +236,8 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
         f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
         f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
         text,
-        *found.verdict.tested,
-        "not tested: " + ", ".join(found.verdict.untested),
     ]
-    return Report(facts | rest, lines)
+    return Report(facts | rest, lines) + verdict_report(found.verdict)
 
 
 @command(

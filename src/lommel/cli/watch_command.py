@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
-from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_facts
+from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_report
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
 from lommel.cli.options import JSON, OUTPUT, Option, command, documented, under, with_options
@@ -221,7 +221,7 @@ def watch(
             status.tell(lossy)
         if not tally.pairs:
             raise ValueError(f"no pair of frames came: {ended}")
-    verdict = DefocusVerdict(math.nan, math.nan, math.inf) if tally.failed == tally.pairs else live.verdict()
+    verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
     read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
     height, width = pairs.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -249,7 +249,7 @@ def watch(
         + tally.found(misfit, magnification == "registered", verdict)
         + outputs.report()
     )
-    return Report(found.facts, found.parts, converged=pairs.lost is None)
+    return Report(found.facts, found.parts, converged=found.converged and pairs.lost is None)
 
 
 def _scale(far: float) -> float:
@@ -331,7 +331,7 @@ class Tally:
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
-        verdict = last._replace(misfit=misfit)
+        verdict = DefocusVerdict.of(misfit, last.scale, last.deviation)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason told at the first"]
@@ -350,13 +350,11 @@ class Tally:
             )
         if self.jumped:
             lines.append(self.jumped)
-        if not math.isnan(misfit):
-            lines += verdict.tested
         values = {"depth": depth, "deviation": deviation, "misfit": misfit}
         facts = {"known": share, "unfit": unfit, "jump": self.jumped or None} | {
             name: None if math.isnan(each) else each for name, each in values.items()
         }
-        return Report(facts | verdict_facts(verdict), [*lines, "not tested: " + ", ".join(verdict.untested)])
+        return Report(facts, lines) + verdict_report(verdict)
 
 
 def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:

@@ -18,9 +18,11 @@ CODES: Mapping[str, str] = {
     "held_out": "what was left out of the fit does not follow it",
     "interrupted": "the search was interrupted: the answer is the best so far",
     "left_out": "some sources, windows or pixels were left out",
+    "lens_scale": "blurs differ by more, or less, than the lenses state",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search are not those that are certified",
     "moved": "planes are shifted against the others",
+    "no_depth": "no depth is known: there is no texture, or all of it is out of range",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
     "other_explanation": "something that the model does not have, or another constant, explains the data better",
@@ -34,6 +36,7 @@ CODES: Mapping[str, str] = {
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
     "undetermined": "the images do not determine a parameter",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
+    "untested": "what these images cannot tell",
 }
 """Codes of findings, and what each says."""
 

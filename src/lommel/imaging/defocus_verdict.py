@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
@@ -26,90 +28,134 @@ _DEPTHS = 0.1  # of the range of 1 / distance, that depths are to spread over fo
 _LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
 # How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
 _OFF, _OFF_MISFIT = 0.0005, 0.1
-_STEP, _MOST = 0.08, 8  # of the logarithm of scales that are tried, and so many steps
+_OFF_SLOPE = 1.0  # its slope by the logarithm of the scale, by the latter
+_UNLIKE = 1.15  # misfit of cells over that of the best ones
+_STEP, _MOST = 0.04, 16  # of the logarithm of scales that are tried, and so many steps
 _SIDE, _TILES = 256, 4  # pixels, of what is looked at
 _MARGIN = 16  # pixels, beside the blur
 _CELL = 8  # blocks a side, that are taken to be independent of others
 _LEAST_CELLS = 8
 
 
-class DefocusVerdict(NamedTuple):
+@dataclass(frozen=True, eq=False, kw_only=True)
+class DefocusVerdict(FitReport):
     """Whether frames that differ in focus agree with their lenses and noise, as far as frames can tell.
+
+    Its findings have the codes "no_depth", "misfit", "too_quiet", "lens_scale", and "untested" for what no frames, or
+    not these, can tell.
 
     Attributes
     ----------
+    findings : Findings
+        What does not agree, is in doubt, or is not tested.
+    summary : str
+        What agrees.
     misfit : float
         Median, over what is known, of the frames' difference over that of noise: 1 where registration and noise are
         as stated; NaN where nothing is known.
     scale : float
-        Difference of the blurs over that of the lenses, as by apertures so much larger; NaN where it is not told.
+        Difference of the blurs over that of the lenses, as by apertures so much larger; NaN where it is not tested.
     deviation : float
-        Standard error of the scale, 0.02 or more; inf where it is not told.
+        Standard error of the scale, 0.02 or more; inf where it is not tested.
     """
 
     misfit: float
     scale: float
     deviation: float
 
-    @property
-    def faults(self) -> tuple[str, ...]:
-        """What does not agree."""
-        found = []
-        if self.misfit > _MISFIT:
-            found.append(
-                f"the images differ by more than noise (misfit {self.misfit:.3g}): something moved, they are "
-                "not registered, noise is understated, or the lens or its foci are wrong"
+    @classmethod
+    def of(cls, misfit: float, scale: float = math.nan, deviation: float = math.inf) -> Self:
+        """Return the verdict on a misfit and a scale.
+
+        Parameters
+        ----------
+        misfit, scale, deviation : float
+            As the attributes.
+
+        Returns
+        -------
+        DefocusVerdict
+        """
+        findings, agree = [], []
+        numbers = {"misfit": misfit, "least": _LEAST_MISFIT, "limit": _GOOD_MISFIT}
+        if math.isnan(misfit):
+            findings.append(
+                Finding("no_depth", "error", "no depth is known: there is no texture, or all is out of range")
             )
-        elif self.misfit < _LEAST_MISFIT:
-            found.append(
-                f"the images differ by less than noise (misfit {self.misfit:.3g}): they were denoised, or noise is "
-                "overstated"
+        elif misfit > _MISFIT:
+            findings.append(
+                Finding(
+                    "misfit",
+                    "error",
+                    (
+                        f"the images differ by more than noise (misfit {misfit:.3g}): something moved, they are not "
+                        "registered, noise is understated, or the lens or its foci are wrong"
+                    ),
+                    numbers,
+                )
             )
-        if self._off > _SURE:
-            found.append(
-                f"blurs differ by {self._of} of what the lenses state: f-number, focal length, pixel pitch or a "
-                "focus distance is wrong"
+        elif misfit > _GOOD_MISFIT:
+            findings.append(
+                Finding(
+                    "misfit",
+                    "doubt",
+                    (f"registration and noise are in doubt (misfit {misfit:.3g}; 1 if only noise is left)"),
+                    numbers,
+                )
             )
-        return tuple(found)
+        elif misfit < _LEAST_MISFIT:
+            findings.append(
+                Finding(
+                    "too_quiet",
+                    "error",
+                    (
+                        f"the images differ by less than noise (misfit {misfit:.3g}): they were denoised, or noise "
+                        "is overstated"
+                    ),
+                    numbers,
+                )
+            )
+        else:
+            agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
+        what = ["which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"]
+        off, of = abs(scale - 1.0) / deviation, f"{scale:.2f} +- {deviation:.2f}"
+        numbers = {"scale": scale, "error": deviation}
+        if math.isnan(scale):
+            what.insert(0, "the size of blur")
+        elif off > _SURE:
+            findings.append(
+                Finding(
+                    "lens_scale",
+                    "error",
+                    (
+                        f"blurs differ by {of} of what the lenses state: f-number, focal length, pixel pitch or a "
+                        "focus distance is wrong"
+                    ),
+                    numbers,
+                )
+            )
+        elif off > _LIKELY:
+            findings.append(
+                Finding(
+                    "lens_scale",
+                    "doubt",
+                    (f"the size of blur is in doubt: blurs differ by {of} of what the lenses state"),
+                    numbers,
+                )
+            )
+        else:
+            agree.append(f"blurs differ as the lenses state ({of} of it)")
+        findings.append(Finding("untested", "note", "not tested: " + ", ".join(what), {"what": what}))
+        summary = "; ".join(agree) or "nothing that was tested agrees"
+        return cls(findings=Findings(findings), summary=summary, misfit=misfit, scale=scale, deviation=deviation)
 
     @property
     def agrees(self) -> bool:
         """Whether nothing that was tested disagrees or is in doubt."""
-        return self.misfit <= _GOOD_MISFIT and not self.faults and not self._off > _LIKELY
+        return self.reliable
 
-    @property
-    def tested(self) -> tuple[str, ...]:
-        """What agrees, and the faults."""
-        found = []
-        if _LEAST_MISFIT <= self.misfit <= _MISFIT:
-            agree = "agree" if self.misfit <= _GOOD_MISFIT else "are in doubt"
-            found.append(f"registration and noise {agree} (misfit {self.misfit:.3g}; 1 if only noise is left)")
-        if self._off <= _LIKELY:
-            found.append(f"blurs differ as the lenses state ({self._of} of it)")
-        elif self._off <= _SURE:
-            found.append(f"the size of blur is in doubt: blurs differ by {self._of} of what the lenses state")
-        return *found, *self.faults
-
-    @property
-    def untested(self) -> tuple[str, ...]:
-        """What these images do not tell."""
-        never = "which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"
-        scale = () if math.isfinite(self.scale) else ("the size of blur",)
-        return (*scale, *never)
-
-    @property
-    def _off(self) -> float:
-        """How many standard errors the scale is off; NaN where it is not told."""
-        return abs(self.scale - 1.0) / self.deviation if math.isfinite(self.scale) else math.nan
-
-    @property
-    def _of(self) -> str:
-        return f"{self.scale:.2f} +- {self.deviation:.2f}"
-
-    def __str__(self) -> str:
-        return "; ".join(self.tested or ["nothing agrees, for no depth is known"]) + (
-            "; not tested: " + ", ".join(self.untested)
-        )
+    def __repr__(self) -> str:
+        return f"<DefocusVerdict: {self.message}>"
 
 
 def judged(
@@ -122,15 +168,15 @@ def judged(
     """
     known = np.isfinite(deviation)
     if not known.any():
-        return DefocusVerdict(math.nan, math.nan, math.inf)
+        return DefocusVerdict.of(math.nan)
     left = float(np.median(misfit[known]))
     low, high = np.percentile(1.0 / depth[known], [5.0, 95.0])
     if high - low < _DEPTHS * np.ptp(engine.task.vergence):  # one depth, which several scales may fit
-        return DefocusVerdict(left, math.nan, math.inf)
+        return DefocusVerdict.of(left)
     weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
     scale, error = _scale(engine, images, valid, weight)
-    told = error < _DEVIATION
-    return DefocusVerdict(left, scale if told else math.nan, error if told else math.inf)
+    told = error < max(_DEVIATION, abs(scale - 1.0) / _SURE)
+    return DefocusVerdict.of(left, scale, error) if told else DefocusVerdict.of(left)
 
 
 def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> tuple[float, float]:
@@ -149,9 +195,9 @@ def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight
         return math.nan, math.inf
     found = _settled(misfits, 0, {})
     # Several scales may fit one depth: those afar are looked at only where none near that of the lenses does.
-    if (_mean(misfits(0)) if found is None else found[2]) > _GOOD_MISFIT:
-        means = {k: _mean(misfits(k)) for k in range(-_MOST + 2, _MOST, 2)}
-        found = _settled(misfits, min(means, key=lambda k: means[k]), means)
+    if found is None or found[2] > _GOOD_MISFIT:
+        means = {k: _mean(misfits(k)) for k in range(-_MOST + 4, _MOST, 4)}
+        found = _settled(misfits, min(means, key=lambda k: means[k]), means) or found
     return (math.nan, math.inf) if found is None else found[:2]
 
 
@@ -163,31 +209,46 @@ def _settled(
     `means` are mean misfits of other steps: one that is as small leaves the scale open.
     """
     seen = set[int]()
+    around = np.arange(-2, 3)
+    powers = np.vander(around, 4, increasing=True)
     while abs(k) < _MOST and k not in seen:
         seen.add(k)
-        cells, shares = _cells(np.stack([misfits(k - 1), misfits(k), misfits(k + 1)]))
+        cells, shares = _cells(np.stack([misfits(k - 2), misfits(k), misfits(k + 2)]))
         if len(shares) < _LEAST_CELLS:
             break
-        weights = shares / np.maximum(cells.min(axis=0), 1.0) ** 2
-        weights /= weights.sum()
-        before, here, after = cells @ weights
+        before, here, after = cells @ _weights(cells, shares)
         if not here <= min(before, after):
-            k += 1 if after < before else -1
+            k += 2 if after < before else -2
             continue
-        bend = float(before - 2.0 * here + after)
-        if bend == 0.0:
+        # A cubic through the mean of the cells, and of each: where the slope is 0, and how far cells differ in it.
+        cells, shares = _cells(np.stack([misfits(k + step) for step in around.tolist()]))
+        weights = _weights(cells, shares)
+        cubics = np.linalg.lstsq(powers, cells, rcond=None)[0]
+        _, slope, bend, skew = (cubics @ weights).tolist()
+        root = bend**2 - 3.0 * slope * skew
+        if not (bend > 0.0 and root > 0.0):
             break
-        place = 0.5 * float(before - after) / bend
-        slopes = weights * (0.5 * (cells[2] - cells[0]) + place * (cells[0] - 2.0 * cells[1] + cells[2]))
-        scatter = float((slopes**2).sum()) / bend**2
-        unsure = _OFF + _OFF_MISFIT * abs(float(here) - 1.0)
-        as_small = _mean(misfits(k)) + unsure
-        if any(mean <= as_small for other, mean in means.items() if abs(other - k) > 2):
+        place = -slope / (bend + math.sqrt(root))
+        if not abs(place) <= 2.0:
+            break
+        curvature = 2.0 * math.sqrt(root)
+        least = float(np.array([place**n for n in range(4)]) @ cubics @ weights)
+        slopes = weights * (cubics[1] + place * (2.0 * cubics[2] + 3.0 * place * cubics[3]))
+        beyond = _STEP * _OFF_SLOPE * abs(least - 1.0)
+        as_small = _mean(misfits(k)) + _OFF + _OFF_MISFIT * abs(least - 1.0)
+        if any(mean <= as_small for other, mean in means.items() if abs(other - k) > 4):
             break
         scale = math.exp(_STEP * (k + place))
-        error = math.hypot(_STEP * math.sqrt(scatter + 2.0 * unsure / bend), _LEAST_DEVIATION)
-        return scale, scale * error, float(here)
+        scatter = math.hypot(float(np.sqrt((slopes**2).sum())), beyond)
+        return scale, scale * math.hypot(_STEP * scatter / curvature, _LEAST_DEVIATION), least
     return None
+
+
+def _weights(cells: Array, shares: Array) -> Array:
+    """Return the weights of cells: those with an edge of depth, which no one depth fits, have none."""
+    least = np.maximum(cells.min(axis=0), 1.0)
+    weights = np.where(least <= _UNLIKE * np.quantile(least, 0.25), shares / least**2, 0.0)
+    return np.asarray(weights / weights.sum())
 
 
 def _mean(misfits: Array) -> float:

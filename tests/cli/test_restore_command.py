@@ -47,8 +47,8 @@ def folder(tmp_path):
     return tmp_path
 
 
-def ran(result: subprocess.CompletedProcess[str]) -> str:
-    assert result.returncode == 0, result.stderr
+def ran(result: subprocess.CompletedProcess[str], code: int = 0) -> str:
+    assert result.returncode == code, result.stderr
     assert result.stderr == ""
     return result.stdout
 
@@ -77,7 +77,7 @@ def test_a_shell_restores_a_photo_as_python_does(call_lommel, folder, way):
 
 def test_one_pass_is_that_of_python(call_lommel, folder):
     arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--method", "one-pass")
-    ran(call_lommel(*arguments, "-o", "sharp.tif", folder=folder))
+    ran(call_lommel(*arguments, "-o", "sharp.tif", folder=folder), code=3)  # misfit: one pass has no occlusion
     photo, sharp = (tifffile.imread(folder / name) for name in ("photo.tif", "sharp.tif"))
     same = restore(photo, DEPTH, OPTICS, 8e-6, encoding="linear", noise=NOISE, method=OnePass())
     np.testing.assert_array_equal(sharp, same.values)
@@ -95,8 +95,9 @@ def test_pictures_of_eight_bits_stay_such(call_lommel, folder):
 
 def test_a_focus_that_is_wrong_is_told(call_lommel, folder):
     wrong = ("--white", 80000, "--read", 3, "--focus", "1.9 m")
-    told = ran(call_lommel("restore", "photo.tif", "depth.npy", "lens.toml", *wrong, "-o", "a.tif", folder=folder))
-    assert "misfit: depth, lens or noise do not fit" in told
+    arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *wrong, "--json", "-o", "a.tif")
+    facts = json.loads(ran(call_lommel(*arguments, folder=folder), code=3))
+    assert [each["code"] for each in facts["findings"]] == ["misfit"]
 
 
 def test_steps_target_and_strength_are_those_of_the_method(call_lommel, folder):
@@ -104,7 +105,7 @@ def test_steps_target_and_strength_are_those_of_the_method(call_lommel, folder):
     facts = json.loads(ran(call_lommel(*arguments, "--steps", 3, "--target", 0, folder=folder)))
     assert (facts["steps"], facts["stopped"]) == (3, "steps")
     more = ("--method", "total-variation", "--strength", "0.01", "--steps", 20, "--no-occlusion")
-    facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder)))
+    facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder), code=3))
     assert (facts["steps"], facts["strength"]) == (20, 0.01)
     photo = tifffile.imread(folder / "photo.tif")
     assert facts["unknown"] == pytest.approx(np.mean(photo >= 0.5))

@@ -17,6 +17,7 @@ import numpy as np
 from click.core import ParameterSource
 from numpy.typing import NDArray
 
+from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli import dataset, depth_maps
 from lommel.cli.depth_maps import depth_facts, finite
@@ -369,7 +370,8 @@ def restore(
     photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
-    about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo.
+    about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo: the
+    exit code is then 3.
 
     Examples
     --------
@@ -410,6 +412,7 @@ def restore(
         "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
         "steps": found.steps,
         "stopped": found.stopped,
+        **plain({name: getattr(found, name) for name in ("status", "converged", "reliable", "findings")}),
         "strength": found.strength,
         "unknown": found.unknown,
         "clipped": clipped,
@@ -417,11 +420,11 @@ def restore(
     lines = [f"discrepancy {found.before:.3g} of the photo, {found.discrepancy:.3g} of the result"]
     if found.strength is not None:
         lines.append(f"strength of the total variation {found.strength:.3g}")
-    why = {"noise": "the rest is noise", "steps": "maximum number of steps; more would fit better"}
-    lines.append(f"stopped after {found.steps} steps: {why.get(found.stopped, found.stopped)}")
+    why = found.findings.text or {"noise": "the rest is noise"}.get(found.stopped, found.stopped)
+    lines.append(f"stopped after {found.steps} steps: {why}")
     if found.unknown:
         lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
-    return job.report(lens, facts, lines, [output])
+    return job.report(lens, facts, lines, [output]) + Report({}, [], found.converged)
 
 
 def _method(

@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Unpack
 
 import numpy as np
@@ -18,8 +18,9 @@ from lommel.base.arrays import Array, Values
 from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
 from lommel.field.maps import FieldMap
+from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.deconvolution import NOISE, STEPS, Method, Observed, RichardsonLucy, Tell, TotalVariation
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Method, Observed, RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
@@ -82,6 +83,8 @@ class Restoration:
     photograph : float
         Share of the photograph itself in the result, 0 to 1: 1 where the method's own would be farther from the
         scene, because depth, lens or noise do not fit; between where blur is hardly larger than noise.
+    findings : Findings
+        What does not fit: the codes "misfit", "too_quiet" and, where more steps would fit better, "not_settled".
     """
 
     values: Pixels
@@ -96,6 +99,22 @@ class Restoration:
     clipped: float = 0.0
     background: float | Array = 0.0
     photograph: float = 0.0
+    findings: Findings = field(default_factory=Findings)
+
+    @property
+    def converged(self) -> bool:
+        """Whether no finding is an error: depth, lens and noise, or the PSF, fit what was recorded."""
+        return self.findings.converged
+
+    @property
+    def reliable(self) -> bool:
+        """Whether no finding is an error or a doubt."""
+        return self.findings.reliable
+
+    @property
+    def status(self) -> str:
+        """The code of the first error, "doubtful", or "converged"."""
+        return self.findings.status
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
@@ -175,6 +194,7 @@ def restore_with(
     return Restoration(
         kept, kept, observed.mean(after), tuple(map(float, after)), before, found.steps, stopped,
         found.strength, 1.0 - float(observed.known.sum()) / recorded.size, photograph=share,
+        findings=_findings(stopped, observed.mean(after)),
     )  # fmt: skip
 
 
@@ -408,11 +428,23 @@ def _by_tiles(
             progress(done, len(tiles))
     count = float(known.sum())
     discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
-    agrees = stopped != NOISE or discrepancy <= 1.0
+    stopped = stopped if stopped != NOISE or discrepancy <= 1.0 else STEPS
     return Restoration(
-        out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped if agrees else STEPS,
-        first.strength, 1.0 - count / out.size, clipped, photograph=share,
+        out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped,
+        first.strength, 1.0 - count / out.size, clipped, photograph=share, findings=_findings(stopped, discrepancy),
     )  # fmt: skip
+
+
+def _findings(stopped: str, discrepancy: float) -> Findings:
+    """Return what is to be said of the restoration of a photograph."""
+    numbers = {"discrepancy": discrepancy}
+    if stopped == MISFIT:
+        text = "depth, lens or noise do not fit the photograph, which is the result"
+        return Findings([Finding("misfit", "error", text, numbers)])
+    if stopped == STEPS:
+        text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more would fit better"
+        return Findings([Finding("not_settled", "doubt", text, numbers)])
+    return Findings()
 
 
 def _silent(*_: object) -> None:

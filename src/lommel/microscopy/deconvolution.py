@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.fit.findings import Finding, Findings
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.axial import stage
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import Background, Counted
+from lommel.microscopy.stack_steps import STACK_MISFIT, TOO_QUIET, Background, Counted
 from lommel.microscopy.total_variation import walk_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
@@ -113,8 +114,16 @@ def deconvolve(
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(
         values, values, found, tuple(map(float, each)), before, steps, stopped, walk.strength, unknown,
-        background=counted.background,
+        background=counted.background, findings=_findings(stopped, found),
     )  # fmt: skip
+
+
+def _findings(stopped: str, discrepancy: float) -> Findings:
+    """Return what is to be said of the restoration of a stack."""
+    code = {STACK_MISFIT: "misfit", TOO_QUIET: "too_quiet"}.get(stopped)
+    if code is None:
+        return Findings()
+    return Findings([Finding(code, "error", stopped.removeprefix("misfit: "), {"discrepancy": discrepancy})])
 
 
 def background_of(given: float | str) -> Background:

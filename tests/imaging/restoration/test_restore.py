@@ -54,6 +54,7 @@ def test_a_photograph_comes_nearer_to_its_scene(method, gain, channels, occlusio
     photo = _photo(scene, occlusion=occlusion)
     found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, method=method, occlusion=occlusion)
     assert found.stopped == "noise"
+    assert found.reliable
     assert 0.8 < found.discrepancy < 1.05 < found.before
     assert _error(found.values, scene) < gain * _error(photo, scene)
 
@@ -159,6 +160,8 @@ def test_depth_that_is_wrong_is_told(method):
     photo = noise.record(40000.0 * light, seed=3)
     found = restore(photo, 1.05 * DEPTH, LENS, PIXEL, encoding="linear", noise=noise, method=method)
     assert found.stopped == "misfit: depth, lens or noise do not fit"
+    assert found.findings.codes == ("misfit",)
+    assert not found.converged
     assert found.discrepancy > 1.5
 
 

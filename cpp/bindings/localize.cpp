@@ -122,8 +122,8 @@ class Fitter {
     // likelihood and the discrepancy, (n, 2); state and steps, (n, 2).
     std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(
         const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
-        const In<double, 3>& offsets, int starts, int threads) const {
-        const std::size_t channels = tables_.size(), n = offsets.shape(0), unknown = 3 + 2 * channels;
+        const In<double, 3>& offsets, int starts, bool tilted, int threads) const {
+        const std::size_t channels = tables_.size(), n = offsets.shape(0), unknown = 3 + (tilted ? 4 : 2) * channels;
         require(nb::len(nb::handle(images)) == channels && nb::len(nb::handle(reads)) == channels &&
                     offsets.shape(1) == channels && offsets.shape(2) == 2 && starts > 0 && threads >= 0,
                 "images, variances and offsets of each channel");
@@ -142,7 +142,7 @@ class Fitter {
             held.push_back(read);
         }
         std::vector<lommel::Fitted> fitted(n);
-        released([&] { localizer_->fit(stacks, offsets.data(), n, starts, threads, fitted.data()); });
+        released([&] { localizer_->fit(stacks, offsets.data(), n, starts, tilted, threads, fitted.data()); });
         auto value = new_array<double, 2>({n, unknown}), deviation = new_array<double, 2>({n, unknown});
         auto likely = new_array<double, 2>({n, 2});
         auto state = new_array<std::int32_t, 2>({n, 2});
@@ -176,6 +176,6 @@ void bindings::define_localize(nb::module_& m) {
         .def(nb::init<const nb::typed<nb::list, Table>&, const In<double, 2>&, const In<double, 2>&, double,
                       const In<double, 3>&>(),
              "tables"_a, "matrices"_a, "limits"_a, "stride"_a, "places"_a)
-        .def("fit", &Fitter::fit, "images"_a, "reads"_a, "offsets"_a, "starts"_a, "threads"_a,
+        .def("fit", &Fitter::fit, "images"_a, "reads"_a, "offsets"_a, "starts"_a, "tilted"_a, "threads"_a,
              "Unknowns, their deviations, deviance and discrepancy, state and steps.");
 }

@@ -138,8 +138,8 @@ void fits_find_what_is_there(const Made& made, std::mt19937& random) {
     const lommel::Localizer one({{table, {1.0, 0.0, 0.0, 1.0}}}, limits, places, 9);
     const std::vector<double> offsets(4 * count, 0.0);
     std::vector<lommel::Fitted> alone(count), together(count), both(count);
-    one.fit({{electrons.data(), read.data(), 0}}, offsets.data(), count, 3, 1, alone.data());
-    one.fit({{electrons.data(), read.data(), 0}}, offsets.data(), count, 3, 4, together.data());
+    one.fit({{electrons.data(), read.data(), 0}}, offsets.data(), count, 3, false, 1, alone.data());
+    one.fit({{electrons.data(), read.data(), 0}}, offsets.data(), count, 3, false, 4, together.data());
     double off = 0.0, apart = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         off += std::pow(alone[k].value[0] - rows[k], 2) / static_cast<double>(count);
@@ -151,7 +151,7 @@ void fits_find_what_is_there(const Made& made, std::mt19937& random) {
     const lommel::Channel channel{table, {1.0, 0.0, 0.0, 1.0}};
     const lommel::Localizer two({channel, channel}, limits, places, 9);
     const lommel::BoxStack stack{electrons.data(), read.data(), 0};
-    two.fit({stack, stack}, offsets.data(), count, 3, 2, both.data());
+    two.fit({stack, stack}, offsets.data(), count, 3, true, 2, both.data());
     std::size_t different = 0;
     for (std::size_t k = 0; k < count; ++k) {
         different += std::abs(both[k].value[0] - alone[k].value[0]) > 0.02 ? 1 : 0;

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+import simulated_movies as simulated
 from cases import each
 from lommel.localize import Molecules, Table, fit
 
@@ -439,3 +440,19 @@ def test_channels_that_do_not_match_are_refused(table):
         fit([table, table], [ONE, ONE], noise=[None] * 3)
     with pytest.raises(ValueError, match="transforms must not map the camera to a line"):
         fit([table, table], [ONE, ONE], transforms=np.zeros((1, 2, 3)))
+
+
+def test_a_tilted_background_does_not_shift_positions():
+    rng = np.random.default_rng(4)
+    table = Table(simulated.pupil(), shape=15, pixel=simulated.PIXEL, z=(-0.6e-6, 0.6e-6), tol=1e-3)
+    z, column = rng.uniform(-0.4e-6, 0.4e-6, 200), 7.0 + rng.uniform(-0.5, 0.5, 200)
+    images = lm.psf(simulated.pupil(z=z), 15, simulated.PIXEL, center=(np.full(200, 7.0), column), tol=1e-4).values
+    seen = rng.poisson(1500.0 * images + 15.0 + 0.6 * (np.arange(15) - 7.0))
+    flat, tilted = (lm.localize.fit(table, seen, background=kind) for kind in ("flat", "tilted"))
+    off = [(each.column - column) / each.deviation.column for each in (flat, tilted)]
+    assert np.mean(off[0]) > 1.0
+    assert abs(np.mean(off[1])) < 0.3
+    assert 0.85 < np.std(off[1]) < 1.15
+    assert 1.0 < np.median(tilted.deviation.column / flat.deviation.column) < 1.06
+    with pytest.raises(ValueError, match="background must be"):
+        lm.localize.fit(table, seen, background="uneven")

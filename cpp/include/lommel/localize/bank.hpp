@@ -115,9 +115,9 @@ class Localizer {
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
     // Fits of `count` molecules from one start each and, where that is in doubt, from up to `starts`; offsets are (count,
-    // channels, 2).
-    void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, int threads,
-             Fitted* fitted) const;
+    // channels, 2); the background is `tilted` or flat.
+    void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
+             int threads, Fitted* fitted) const;
 
    private:
     // Copies an image into rows of vectors, and less its mean; returns the mean.
@@ -178,7 +178,7 @@ class Localizer {
             if (alike[z] == tried) {
                 break;
             }
-            double start[most_unknown];
+            double start[most_unknown] = {};
             const Place& place = bank_.place(found[z]);
             start[0] = place.row;
             start[1] = place.column;
@@ -186,8 +186,8 @@ class Localizer {
             for (std::size_t c = 0; c < channels_.size(); ++c) {
                 const double product = static_cast<double>(products[c][image * bank_.padded() + found[z]]);
                 const double photons = std::max(bank_.photons(c, found[z], product), 1.0);
-                start[3 + 2 * c] = photons;
-                start[4 + 2 * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
+                start[3 + fit.own() * c] = photons;
+                start[4 + fit.own() * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
             }
             // Neighbours in z would lead to the same place.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
@@ -222,10 +222,10 @@ class Localizer {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Localizer::fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts,
-                                int threads, Fitted* fitted) const {
+                                bool tilted, int threads, Fitted* fitted) const {
     constexpr double microseconds = 20.0;
     for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()), [&](std::size_t first, std::size_t last) {
-        MoleculeFit fit(channels_, limits_);
+        MoleculeFit fit(channels_, limits_, tilted);
         std::vector<std::vector<Counts>> counts;
         std::vector<Floats> centred, products;
         for (std::size_t k = 0; k < Bank::together; ++k) {

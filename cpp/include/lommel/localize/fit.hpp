@@ -19,7 +19,7 @@
 namespace lommel {
 
 constexpr std::size_t most_channels = 4;
-constexpr std::size_t most_unknown = 3 + 2 * most_channels;
+constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
@@ -36,7 +36,8 @@ struct Counts {
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
 };
 
-// Unknowns are row, column and z, then photons and background of each channel.
+// Unknowns are row, column and z, then photons, background and, where it is tilted, its slopes along rows and columns, of each
+// channel.
 struct Fitted {
     std::array<double, most_unknown> value{}, deviation{};
     double deviance =
@@ -59,9 +60,15 @@ constexpr double noise = 1e-6;  // of a deviance, a sum of floats
 constexpr double singular = 1e-6;  // pivots of sums of floats over the diagonal: what is less may be 0
 constexpr int most_steps = 50;
 
-// Sums over the pixels of a channel: the score and the information by row, column, z, photons and background, and the deviance.
+// Light of a channel: photons, the background in the middle of the box, and its slopes a pixel.
+struct Light {
+    double photons, background, down, across;
+};
+
+// Sums over the pixels of a channel: the score and the information by row, column, z, photons, background and slopes, and the
+// deviance.
 struct Sums {
-    static constexpr std::size_t unknown = 5, products = 15;
+    static constexpr std::size_t unknown = 7, products = 28;
     double score[unknown], information[products], deviance;
 };
 
@@ -76,40 +83,50 @@ LOMMEL_INLINE double total(V v) {
     return sum;
 }
 
-// The mean of a pixel is photons * images[value] + background + read. Of floats: a deviance is exact to some 1e-7 of the electrons.
-inline void add_up(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
+// The mean of a pixel is photons * images[value] + background + read; of 7 unknowns the background has slopes, `ramps` being the
+// rows and columns of pixels from the middle. Of floats: a deviance is exact to some 1e-7 of the electrons.
+template <std::size_t Unknown>
+inline void add_up(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                    Sums& sums) {
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using I = decltype(isa);
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
-        const V flux = splat<V>(static_cast<float>(photons)), level = splat<V>(static_cast<float>(background));
+        constexpr std::size_t products = Unknown * (Unknown + 1) / 2;
+        const V flux = splat<V>(static_cast<float>(light.photons)), level = splat<V>(static_cast<float>(light.background));
+        const V down = splat<V>(static_cast<float>(light.down)), across = splat<V>(static_cast<float>(light.across));
         const V least = splat<V>(static_cast<float>(least_background)), one = splat<V>(1.0F), zero = {};
-        V score[5] = {}, information[15] = {}, deviance = {};
+        V score[Unknown] = {}, information[products] = {}, deviance = {};
         for (std::size_t i = 0; i < pixels; i += lanes) {
             const V psf = load<V>(images + i);
             const V d = load<V>(&counts.electrons[i]), valid = load<V>(&counts.valid[i]);
-            const V mean = larger(flux * psf + level + load<V>(&counts.read[i]), least);
+            V by[Unknown] = {load<V>(images + pixels + i), load<V>(images + 2 * pixels + i), load<V>(images + 3 * pixels + i),
+                             psf, one};
+            V base = flux * psf + level + load<V>(&counts.read[i]);
+            if constexpr (Unknown > 5) {
+                by[5] = load<V>(ramps + i);
+                by[6] = load<V>(ramps + pixels + i);
+                base = base + down * by[5] + across * by[6];
+            }
+            const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
             // Where nothing was counted, or less, the first term alone depends on the mean.
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
-            const V by[5] = {load<V>(images + pixels + i), load<V>(images + 2 * pixels + i), load<V>(images + 3 * pixels + i),
-                             psf, one};
             std::size_t k = 0;
-            for (std::size_t a = 0; a < 5; ++a) {
+            for (std::size_t a = 0; a < Unknown; ++a) {
                 score[a] = score[a] + by[a] * excess;
                 const V weighted = by[a] * weight;
-                for (std::size_t b = a; b < 5; ++b, ++k) {
+                for (std::size_t b = a; b < Unknown; ++b, ++k) {
                     information[k] = information[k] + weighted * by[b];
                 }
             }
         }
-        const double of[5] = {photons, photons, photons, 1.0, 1.0};
+        const double of[7] = {light.photons, light.photons, light.photons, 1.0, 1.0, 1.0, 1.0};
         std::size_t k = 0;
-        for (std::size_t a = 0; a < 5; ++a) {
+        for (std::size_t a = 0; a < Unknown; ++a) {
             sums.score[a] = of[a] * total(score[a]);
-            for (std::size_t b = a; b < 5; ++b, ++k) {
+            for (std::size_t b = a; b < Unknown; ++b, ++k) {
                 sums.information[k] = of[a] * of[b] * total(information[k]);
             }
         }
@@ -123,21 +140,23 @@ struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
 
-inline void compare(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
+inline void compare(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                     Pearson& found) {
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using I = decltype(isa);
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
-        const V flux = splat<V>(static_cast<float>(photons)), level = splat<V>(static_cast<float>(background));
+        const V flux = splat<V>(static_cast<float>(light.photons)), level = splat<V>(static_cast<float>(light.background));
+        const V down = splat<V>(static_cast<float>(light.down)), across = splat<V>(static_cast<float>(light.across));
         const V least = splat<V>(static_cast<float>(least_background)), two = splat<V>(2.0F);
         V chi2 = {}, variance = {}, count = {};
         for (std::size_t i = 0; i < pixels; i += lanes) {
             const V valid = load<V>(&counts.valid[i]), read = load<V>(&counts.read[i]);
-            const V light = larger(flux * load<V>(images + i) + level, least), mean = light + read;
+            const V sky = level + down * load<V>(ramps + i) + across * load<V>(ramps + pixels + i);
+            const V lit = larger(flux * load<V>(images + i) + sky, least), mean = lit + read;
             const V off = load<V>(&counts.electrons[i]) - mean, weight = valid / mean;
             chi2 = chi2 + weight * off * off;
-            variance = variance + weight * (light / mean) * (read / mean) + valid * two;
+            variance = variance + weight * (lit / mean) * (read / mean) + valid * two;
             count = count + valid;
         }
         found.chi2 += total(chi2);
@@ -186,13 +205,23 @@ inline void solve(std::size_t n, const double (&a)[most_unknown][most_unknown], 
 // Fits of molecules one after the other, in the same memory.
 class MoleculeFit {
    public:
-    MoleculeFit(const std::vector<Channel>& channels, const Limits& limits)
-        : channels_(channels), limits_(limits), unknown_(3 + 2 * channels.size()) {
+    MoleculeFit(const std::vector<Channel>& channels, const Limits& limits, bool tilted)
+        : channels_(channels), limits_(limits), own_(tilted ? 4 : 2), unknown_(3 + own_ * channels.size()) {
         for (const Channel& channel : channels) {
-            images_.emplace_back(channel.table);
-            pictures_.emplace_back(molecule_images * channel.table.pixels());
+            const MoleculeTable& table = channel.table;
+            images_.emplace_back(table);
+            pictures_.emplace_back(molecule_images * table.pixels());
+            Floats ramps(2 * table.pixels());
+            for (std::size_t i = 0; i < table.pixels(); ++i) {
+                ramps[i] = static_cast<float>(i / table.stride()) - 0.5F * static_cast<float>(table.height - 1);
+                ramps[table.pixels() + i] = static_cast<float>(i % table.stride()) - 0.5F * static_cast<float>(table.width - 1);
+            }
+            ramps_.push_back(std::move(ramps));
         }
     }
+
+    // Photons, background and, where it is tilted, its slopes: how many unknowns each channel has of its own.
+    std::size_t own() const { return own_; }
 
     // From unknowns to start with. `counts` and `offsets`, a row and a column, are of each channel.
     Fitted from(const double* start, const Counts* counts, const double* offsets) {
@@ -264,13 +293,18 @@ class MoleculeFit {
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             write(c, at, offsets);
             localize::Sums sums;
-            localize::add_up(pictures_[c].data(), channels_[c].table.pixels(), counts[c], at[3 + 2 * c], at[4 + 2 * c], sums);
+            const std::size_t pixels = channels_[c].table.pixels(), first = 3 + own_ * c, count = 3 + own_;
+            if (own_ == 2) {
+                localize::add_up<5>(pictures_[c].data(), nullptr, pixels, counts[c], light(at, c), sums);
+            } else {
+                localize::add_up<7>(pictures_[c].data(), ramps_[c].data(), pixels, counts[c], light(at, c), sums);
+            }
             system.deviance += sums.deviance;
-            const std::size_t at_first[] = {0, 1, 2, 3 + 2 * c, 4 + 2 * c};
-            double own[5][5];
+            const std::size_t at_first[] = {0, 1, 2, first, first + 1, first + 2, first + 3};
+            double own[7][7] = {};
             std::size_t k = 0;
-            for (std::size_t a = 0; a < 5; ++a) {
-                for (std::size_t b = a; b < 5; ++b, ++k) {
+            for (std::size_t a = 0; a < count; ++a) {
+                for (std::size_t b = a; b < count; ++b, ++k) {
                     own[a][b] = own[b][a] = sums.information[k];
                 }
             }
@@ -282,20 +316,28 @@ class MoleculeFit {
                 column = m[1] * before + m[3] * column;
             };
             turn(sums.score[0], sums.score[1]);
-            for (double (&each)[5] : own) {
+            for (double (&each)[7] : own) {
                 turn(each[0], each[1]);
             }
-            for (std::size_t b = 0; b < 5; ++b) {
+            for (std::size_t b = 0; b < count; ++b) {
                 turn(own[0][b], own[1][b]);
             }
-            for (std::size_t a = 0; a < 5; ++a) {
+            for (std::size_t a = 0; a < count; ++a) {
                 system.score[at_first[a]] += sums.score[a];
-                for (std::size_t b = 0; b < 5; ++b) {
+                for (std::size_t b = 0; b < count; ++b) {
                     system.information[at_first[a]][at_first[b]] += own[a][b];
                 }
             }
         }
     }
+
+    localize::Light light(const double* at, std::size_t c) const {
+        const double* const own = at + 3 + own_ * c;
+        return {own[0], own[1], own_ == 2 ? 0.0 : own[2], own_ == 2 ? 0.0 : own[3]};
+    }
+
+    // Whether an unknown is the photons (0), the background (1) or a slope of it (2, 3) of a channel.
+    std::size_t kind(std::size_t k) const { return (k - 3) % own_; }
 
     bool towards(const System& system, double damping, double* step) const {
         double a[most_unknown][most_unknown];
@@ -316,7 +358,7 @@ class MoleculeFit {
             at[k] = std::clamp(at[k], limits_.low[k], limits_.high[k]);
         }
         for (std::size_t k = 3; k < unknown_; ++k) {
-            at[k] = std::max(at[k], localize::least_background);
+            at[k] = kind(k) < 2 ? std::max(at[k], localize::least_background) : at[k];
         }
     }
 
@@ -327,8 +369,8 @@ class MoleculeFit {
         for (std::size_t k = 0; k < unknown_; ++k) {
             const double most = k < 2 ? 1.0 : k == 2 ? limits_.stride : std::numeric_limits<double>::infinity();
             double by = std::clamp(step[k], -most, most);
-            if (k >= 3) {
-                const double least = (k % 2 == 1 ? 0.3 : 0.2) * at[k];
+            if (k >= 3 && kind(k) < 2) {
+                const double least = (kind(k) == 0 ? 0.3 : 0.2) * at[k];
                 by = std::max(by, least - at[k]);
             }
             shortened = shortened || by != step[k];
@@ -342,15 +384,15 @@ class MoleculeFit {
         localize::Pearson pearson;
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             write(c, found.value.data(), offsets);
-            localize::compare(pictures_[c].data(), channels_[c].table.pixels(), counts[c], found.value[3 + 2 * c],
-                              found.value[4 + 2 * c], pearson);
+            localize::compare(pictures_[c].data(), ramps_[c].data(), channels_[c].table.pixels(), counts[c],
+                              light(found.value.data(), c), pearson);
         }
         const double free = pearson.expected - static_cast<double>(unknown_);
         found.discrepancy = (pearson.chi2 - free) / std::sqrt(std::max(pearson.variance, 1.0));
         double a[most_unknown][most_unknown];
         std::memcpy(a, system.information, sizeof a);
         bool dark = false;
-        for (std::size_t k = 3; k < unknown_; k += 2) {
+        for (std::size_t k = 3; k < unknown_; k += own_) {
             dark = dark || found.value[k] <= localize::least_background;
         }
         if (dark || !localize::factor(unknown_, a)) {
@@ -373,9 +415,9 @@ class MoleculeFit {
 
     std::vector<Channel> channels_;
     Limits limits_;
-    std::size_t unknown_;
+    std::size_t own_, unknown_;
     std::vector<MoleculeImages> images_;
-    std::vector<Floats> pictures_;
+    std::vector<Floats> pictures_, ramps_;
 };
 
 }  // namespace lommel

@@ -357,3 +357,12 @@ def test_bad_arguments_are_told(changes, message, table):
     given = {"movie": np.zeros((2, 40, 40)), "table": table} | changes
     with pytest.raises((TypeError, ValueError, OSError), match=message):
         localize_movie(given.pop("movie"), given.pop("table"), **given)
+
+
+def test_an_uneven_background_is_tilted_where_its_slope_is_seen(table):
+    true = simulated.spread(40, 64, each=3, apart=18, seed=7)
+    even = simulated.light(true, 40, 64, 15.0)
+    for slope, background, least, most in ((0.0, "auto", 0.0, 0.4), (0.4, "auto", 0.0, 0.4), (0.4, "flat", 1.0, 9.0)):
+        seen = CAMERA.record(even + slope * (np.arange(64) - 31.5), 3)
+        found = localize_movie(seen, table, noise=CAMERA, background=background)
+        assert least <= abs(errors(found, true)["x"].mean()) < most

@@ -277,7 +277,7 @@ def fit(
         for first in range(0, len(mine), _AT_ONCE):
             part = mine[first : first + _AT_ONCE]
             pairs = [
-                _in_electrons(box[part], camera, None if places is None else places[c][part])
+                in_electrons(box[part], camera, None if places is None else places[c][part])
                 for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True))
             ]
             light, read = (list(each) for each in zip(*pairs, strict=True))
@@ -396,7 +396,7 @@ def _offsets(matrices: Array, shifts: Array, places: Array | None, count: int) -
     return np.ascontiguousarray(at.swapaxes(0, 1))
 
 
-def _in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tuple[Any, Any]:
+def in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tuple[Any, Any]:
     """Return boxes in electrons and the variance of reading, of each or of all, as float32."""
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
     maps = {name: part for name, part in parts.items() if isinstance(part, np.ndarray)}

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
+from scipy import ndimage, special
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.localize.detection import Spots, find, find_in, frame_counts
-from lommel.localize.fitting import STATES, Deviation, Molecules, fit
+from lommel.localize.fitting import BACKGROUNDS, STATES, Deviation, Molecules, fit, in_electrons
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
 from lommel.localize.table import Table
@@ -39,6 +39,7 @@ def localize_movie(
     saturation: float | None = None,
     starts: int = 4,
     flat: bool = False,
+    background: str = "auto",
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -69,6 +70,10 @@ def localize_movie(
     flat : bool, default False
         For images that do not tell z, as without astigmatism: x and y alone are estimated for. A fit that ends at an
         end of the range of z has converged, and z is NaN.
+    background : {"auto", "flat", "tilted"}, default "auto"
+        Background of each box, as of :func:`lommel.localize.fit`. By default it is tilted from the block of frames on
+        in which the slopes that flat ones leave, of up to a thousand molecules of a block, all together or in parts
+        of the frame, are beyond five standard deviations.
     block : int, optional
         Frames in memory at once; by default as many as have four million pixels.
     threads : int, optional
@@ -100,6 +105,7 @@ def localize_movie(
         "saturation": saturation,
         "starts": starts,
         "flat": flat,
+        "background": background,
     }
     return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
 
@@ -114,6 +120,7 @@ def localize_blocks(
     saturation: float | None = None,
     starts: int = 4,
     flat: bool = False,
+    background: str = "auto",
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -122,7 +129,7 @@ def localize_blocks(
 
     Parameters
     ----------
-    movie, table, noise, threshold, width, saturation, starts, flat, block, threads, progress
+    movie, table, noise, threshold, width, saturation, starts, flat, background, block, threads, progress
         As of :func:`lommel.localize.localize_movie`.
 
     Yields
@@ -137,6 +144,7 @@ def localize_blocks(
     """
     validation.instance("table", table, Table)
     validation.function("progress", progress, required=False)
+    kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
     widths = gaussian_widths(table)
     if width is None:
         width = _smoothing(table, widths)
@@ -154,11 +162,61 @@ def localize_blocks(
                 saturation = counts.saturation  # of the frames that follow, too
             spots = find_in(counts, table.shape, noise, threshold, width, done, threads)
             again = partial(fit, table, noise=noise, saturation=math.inf, starts=starts, threads=threads)
-            found = _recentred(counts.marked(), spots.frame - done, spots.corners, table, again)
+            values, which, corners = counts.marked(), spots.frame - done, spots.corners
+            begun = "flat" if kind == "auto" else kind
+            found = _recentred(values, which, corners, table, partial(again, background=begun))
+            if kind == "auto" and tilt_sigmas(spots, found, table, noise, shape[1:]) > _TILTED:
+                kind = "tilted"
+                found = _recentred(values, which, corners, table, partial(again, background=kind))
             yield _localizations(spots, found, recording, widths, table)
             done += len(frames)
             if progress is not None:
                 progress(done, shape[0])
+
+
+def tilt_sigmas(spots: Spots, found: Molecules, table: Table, noise: Noise | None, shape: tuple[int, int]) -> float:
+    """Return how far slopes of the background that flat fits leave out are beyond 0, in standard deviations.
+
+    Score tests of two slopes in each box, all other unknowns being eliminated, pooled over all molecules and over
+    each of 4 x 4 parts of the frame; the larger of both.
+    """
+    height, width = table.shape
+    at = np.column_stack([found.row, found.column]) - spots.corners
+    middle = np.array([height // 2, width // 2])
+    kept = np.flatnonzero(found.converged & (np.abs(at - middle) < table.reach).all(axis=1))[:_MOLECULES]
+    if not kept.size:
+        return 0.0
+    camera = noise or Noise(read=0.0)
+    light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
+    row, column = at[kept].T
+    values, slopes = table(row, column, found.z[kept], derivatives=True)
+    photons, level = (each[kept, None, None] / camera.excess for each in (found.photons, found.background))
+    ramps = np.mgrid[:height, :width] - 0.5 * np.array([height - 1, width - 1])[:, None, None]
+    z = "depth" if "depth" in slopes else "z"
+    own = [slopes["row"], slopes["column"], slopes[z] * 1e-6, values, np.ones_like(values)]
+    columns = np.stack(
+        [*own[:3], *own[3:], *(np.broadcast_to(one, values.shape) for one in ramps)], axis=1, dtype=float
+    )
+    columns[:, :3] *= photons[:, None]
+    mean = np.maximum(photons * values + level, 0.01) + read
+    weight = np.where(np.isfinite(light), 1.0 / mean, 0.0)
+    off = np.nan_to_num(light + read - mean) * weight
+    score = np.einsum("nkyx,nyx->nk", columns, off)
+    information = np.einsum("nkyx,nlyx->nkl", columns * weight[:, None], columns)
+    taken = np.linalg.solve(information[:, :5, :5], information[:, :5, 5:])
+    left = information[:, 5:, 5:] - information[:, 5:, :5] @ taken
+    slope = score[:, 5:] - np.einsum("nki,nk->ni", taken, score[:, :5])
+    place = np.clip((4 * found.row[kept] / shape[0]).astype(int), 0, 3) * 4
+    place += np.clip((4 * found.column[kept] / shape[1]).astype(int), 0, 3)
+    squares = []
+    for parts in (np.zeros_like(place), place):
+        each = [(slope[parts == k].sum(axis=0), left[parts == k].sum(axis=0)) for k in np.unique(parts)]
+        squares.append((sum(float(v @ np.linalg.solve(s, v)) for v, s in each), 2 * len(each)))
+    chance = min(float(special.gammaincc(0.5 * free, 0.5 * square)) for square, free in squares)
+    return float(-special.ndtri(max(0.5 * chance, 1e-300)))
+
+
+_TILTED = 5.0  # standard deviations, from which on backgrounds are tilted
 
 
 class Recurrence:

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import j1
 
 import lommel as lm
-from lommel.microscopy.hot_voxels import LeftOut, hot_voxels, sharpness
+from lommel.microscopy.hot_voxels import LeftOut, hot_pixels, hot_voxels, sharpness
 
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
 
@@ -41,11 +41,41 @@ def test_points_of_light_are_not_hot_and_hot_pixels_are_found(step, peak):
     assert hot_voxels(stack, NOISE, sharpest).tolist() == [[7, 3, 5], [20, 0, 31]]
 
 
+def in_depth(step, planes, column=False):
+    """Return light of a bead that is in focus in the middle plane, or of a line along z, and 20 electrons."""
+    y, x = np.indices((32, 32)) - 16
+    wide = 1.0 + (0.0 if column else 1.0) * np.abs(np.arange(planes) - planes // 2)[:, None, None] / 3.0
+    return 20.0 + 3e3 * airy(step * np.hypot(y, x) / wide) / wide**2
+
+
+@pytest.mark.parametrize("excess", [25.0, 400.0, 2e4])
+def test_hot_pixels_are_those_above_their_neighbours_in_most_planes(excess):
+    planes, step = 24, 1.2
+    y, x = np.indices((9, 9)) - 4
+    sharpest = sharpness(airy(step * np.hypot(y, x))[None])
+    places = [(3, 5), (3, 6), (0, 31), (20, 9), (28, 28)]  # two beside each other, one in a corner
+    for light in (in_depth(step, planes), in_depth(step, planes, column=True)):
+        clean = NOISE.record(light, seed=1)
+        assert not hot_pixels(clean, NOISE, sharpest).any()
+        for place in places:
+            light[:, *place] += excess
+        spoilt = NOISE.record(light, seed=1)
+        found = hot_pixels(spoilt, NOISE, sharpest)
+        assert [tuple(each) for each in np.argwhere(found)] == sorted(places)
+        spoilt[:, 16, 17] = np.nan
+        assert not hot_pixels(spoilt, NOISE, sharpest)[16, 17]
+    assert not hot_pixels(spoilt[:4], NOISE, sharpest).any()  # too few planes tell nothing
+
+
 def test_what_is_left_out_is_unknown():
     voxels = np.array([[1, 2, 3]])
-    whole = LeftOut(np.full((2, 4, 5), 7, np.uint16), voxels, 4000.0)
+    whole = LeftOut(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)
     assert whole.limit == 4000.0
     assert whole[1, 1:3, 2:].tolist() == [[7, 7, 7], [7, 4000, 7]]
     assert (whole[0] == 7).all()
-    assert LeftOut(np.zeros((2, 4, 5), np.uint16), voxels, np.inf).limit == 65535
-    assert np.isnan(LeftOut(np.zeros((2, 4, 5), np.float32), voxels, np.inf)[1][2, 3])
+    assert LeftOut(np.zeros((2, 4, 5), np.uint16), np.inf, voxels=voxels).limit == 65535
+    assert np.isnan(LeftOut(np.zeros((2, 4, 5), np.float32), np.inf, voxels=voxels)[1][2, 3])
+    mask = np.zeros((4, 5), bool)
+    mask[2, 3] = True
+    for given in (mask, np.stack([mask, mask])):
+        assert np.argwhere(LeftOut(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]

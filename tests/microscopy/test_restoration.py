@@ -105,7 +105,8 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
     found = quick(there, direction="auto")
     assert found.channels[0].direction == "down"
     told = re.search(
-        r"towards the cover glass \(discrepancy ([\d.]+) against ([\d.]+) the other", " ".join(found.notes)
+        r"the cover glass \(after \d+ steps of a part of it the discrepancy is ([\d.]+), and ([\d.]+) with",
+        " ".join(found.notes),
     )
     assert float(told[1]) < float(told[2])
     np.testing.assert_array_equal(found.values[::-1], quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE).values)

@@ -15,13 +15,23 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import EXCESS, LENS, SQUARE_PIXEL, camera_map, camera_option, microscope_of, noise_of
+from lommel.cli.instruments import (
+    EXCESS,
+    LENS,
+    SQUARE_PIXEL,
+    camera_map,
+    camera_option,
+    mask_of,
+    microscope_of,
+    noise_of,
+)
 from lommel.cli.options import (
     JSON,
     LENGTHS,
     MICROMETRES,
     NANOMETRES,
     OUTPUT_PATH,
+    PATH,
     Option,
     command,
     documented,
@@ -36,7 +46,7 @@ from lommel.microscopy import RestoredStack, restore
 from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
-from lommel.microscopy.restoration import BETWEEN, INTERRUPTED, between
+from lommel.microscopy.restoration import INTERRUPTED, MISFIT, between
 from lommel.recorded import recordings
 from lommel.recorded.noise import Noise
 
@@ -79,6 +89,8 @@ _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
         Option("--offset", metavar="NUMBER|FILE", help="Counts of a pixel without electrons, such as 100."),
         EXCESS,
         Option("--saturation", type=float, help="Counts from which on pixels are saturated."),
+        Option("--mask", "masked", type=PATH,
+               help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each."),
     ),
     *under(
         "Restoration",
@@ -95,6 +107,11 @@ _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
                    help="Number of PSFs over the depth of the stack; by default as many as are needed."),
         Option("--refine", multiple=True, type=click.Choice(PARAMETERS),
                help="Estimate this from the stack first; may be repeated."),
+        Option("--diagnosis/--no-diagnosis", default=True,
+               help="Compare PSFs of other indices of the sample by photons that are held out, and others after a "
+               "misfit."),
+        Option("--per-plane", is_flag=True,
+               help="State the light that is collected in one plane, rather than in all planes of the PSF."),
         Option("--channel", type=click.IntRange(0), help="Channel, from 0; by default all."),
         Option("--time", "time_point", type=click.IntRange(0), help="Time point, from 0."),
         Option("--axes", help='Axes of the file where it does not say, such as "ZYX".'),
@@ -116,6 +133,7 @@ def deconvolve(
     read: str | None,
     offset: str | None,
     excess: float | None,
+    masked: Path | None,
     method: str,
     steps: int | None,
     strength: float | None,
@@ -130,7 +148,8 @@ def deconvolve(
     STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, or with --axes NPY or FITS, as the camera recorded
     it; LENS is the file of the objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends
     on the depth where the sample and the immersion differ. Iterations stop where the result agrees with the recording
-    within its noise; a misfit is said, and has exit code 3.
+    within its noise; a misfit is said, and has exit code 3. Whether another PSF agrees better is tested with
+    photons that are held out.
 
     The output has the voxel sizes of the stack. An output .ome.zarr alone is written chunk by chunk, for stacks
     larger than memory; the same command goes on where it was interrupted. Ctrl-C keeps the steps that are done.
@@ -166,6 +185,10 @@ def deconvolve(
                 "--read must be given with --gain, --offset or --excess: electrons of read noise, 0 for none"
             )
         noise = Noise(**{name: each for name, each in maps.items() if each is not None})
+    mask = None
+    if masked is not None:
+        with recordings.open_recording(stack, time=time_point, axes=given["axes"]) as opened:
+            mask = mask_of(masked, np.broadcast_to(False, opened.shape[1:]))
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()
     with _kept(whole), progress("reading") as step:
@@ -175,6 +198,7 @@ def deconvolve(
             wavelength=None if wavelength is None else list(wavelength),
             pixel=pixel,
             noise=noise,
+            mask=mask,
             refine=refine,
             method=_method(method, steps, strength),
             background=_background(background),
@@ -191,8 +215,7 @@ def deconvolve(
             step("drawing")
             save_figure(found.plot(), figure)
     facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
-    agrees = not any(each.stopped.startswith("misfit") for each in found.channels)
-    return Report(facts, _parts(facts), converged=agrees) + written([*outputs, figure])
+    return Report(facts, _parts(facts), converged=found.converged) + written([*outputs, figure])
 
 
 def _method(name: str, steps: int | None, strength: float | None) -> RichardsonLucy | TotalVariation | None:
@@ -241,6 +264,7 @@ def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
                 "psfs": len(each.psf_depths),
                 "refined": each.refined,
                 "errors": {name: value if math.isfinite(value) else None for name, value in each.errors.items()},
+                "findings": [finding.to_dict() for finding in each.findings],
             }
         )
     return {
@@ -250,6 +274,10 @@ def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
         "pixel_in_sample": found.recording.pixel,
         "step": found.recording.step,
         "channels": channels,
+        "status": found.status,
+        "converged": found.converged,
+        "reliable": found.reliable,
+        "findings": [finding.to_dict() for finding in found.findings],
         "notes": [with_options(note) for note in found.notes],
     }
 
@@ -258,8 +286,7 @@ _STOPPED = {
     NOISE: "at the noise: the result agrees with the recording",
     STEPS: "after all steps",
     INTERRUPTED: "interrupted: the result has the steps that were done",
-    BETWEEN: "more than noise is left, but no other PSF fits better: points between voxels leave as much, or a gain "
-    "that is off",
+    MISFIT: "at a misfit: more than noise is left",
 }
 
 
@@ -277,6 +304,6 @@ def _parts(facts: Facts) -> list[Any]:
             ("stopped", _STOPPED.get(each["stopped"], each["stopped"])),
             ("depth in focus", f"{between(*each['depths'])}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
         ]
-    notes = [*facts["notes"]]
+    findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
     lines.append(("time", f"{facts['seconds']:.3g} s"))
-    return [Text(facts["name"], "bold"), list_of(lines), *map(Wrapped, notes)]
+    return [Text(facts["name"], "bold"), list_of(lines), *map(Wrapped, [*findings, *facts["notes"]])]

@@ -110,7 +110,8 @@ def deconvolve(
     with shown(progress) as tell:
         steps, stopped, each = walk.solve(way, tell)
     values, found = walk.inside(planes, pixels), counted.mean(each)
-    stopped = counted.verdict(stopped, steps, found)
+    if finding := counted.finding(stopped, steps, found):
+        stopped = f"misfit: {finding}"
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(
         values, values, found, tuple(map(float, each)), before, steps, stopped, walk.strength, unknown,

@@ -23,6 +23,8 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 
 MODALITIES = ("widefield", "confocal", "spinning disc", "light sheet", "two-photon")
+SPREADING = ("widefield", "light sheet")
+"""Modalities that record light out of focus."""
 _TURNING = emitter_of("isotropic")
 _TOL = 1e-4
 _LIKE = 0.003  # of the light of a PSF, by which that of another depth may differ from it
@@ -108,7 +110,7 @@ class DepthModel:
     @property
     def spreads(self) -> bool:
         """Whether light out of focus is recorded, all of which counts; else that in the window does."""
-        return self.modality in ("widefield", "light sheet")
+        return self.modality in SPREADING
 
     def near(self, depth: float) -> Array:
         """Return the share of the light of an emitter in each voxel of the window, which fades towards its edge.

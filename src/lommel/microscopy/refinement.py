@@ -13,7 +13,9 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.stack_blur import TiledBlur
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
+from lommel.microscopy.wide_blur import WideBlur
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
@@ -48,18 +50,21 @@ _EXPLAINED = 0.03  # of the misfit that these steps leave, by another PSF that i
 _AS_GOOD = 0.5  # of what the best PSF explains: others that explain so much are named beside it
 
 
-def crop_of(stack: Any, side: int) -> tuple[slice, slice]:
+def crop_of(stack: Any, side: int, saturation: float) -> tuple[slice, slice]:
     """Return rows and columns around the brightest detail, of a part as wide as PSFs of a `side`, within limits."""
-    return _brightest(stack, max(_SIDES[0], min(side, _SIDES[1])))
+    return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
 
-def _brightest(stack: Any, size: int) -> tuple[slice, slice]:
+def brightest(stack: Any, size: int, saturation: float) -> tuple[slice, slice]:
+    """Return rows and columns of a part of this size around the brightest detail, as far as voxels are known."""
     from scipy.ndimage import uniform_filter
 
     planes, height, width = stack.shape
     whole = np.zeros((height, width))
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
-        values = np.nan_to_num(np.asarray(plane_of(stack, int(plane)), np.float64))
+        values = np.asarray(plane_of(stack, int(plane)), np.float64)
+        known = np.isfinite(values) & (values < saturation)
+        values = np.where(known, values, np.median(values[known]) if known.any() else 0.0)
         np.maximum(whole, uniform_filter(values, 3) - uniform_filter(values, 15), out=whole)
     bright = uniform_filter(np.maximum(whole, 0.0) ** 0.5, min(size, height, width))
     row, column = np.unravel_index(int(bright.argmax()), bright.shape)
@@ -91,7 +96,7 @@ class Looked(NamedTuple):
     threads: int
 
 
-class _Work:
+class Work:
     """Says how much of several trials is done, of about so many steps."""
 
     def __init__(self, tell: Tell, steps: float) -> None:
@@ -109,7 +114,7 @@ class _Work:
         return told
 
 
-class _Trial:
+class Trial:
     """A part of a stack that is restored in a few steps, again and again, with other PSFs.
 
     Light is spread as B-splines, and a background is estimated: points between planes, and noise, would else be
@@ -121,7 +126,8 @@ class _Trial:
         stack, camera = looked.stack, looked.camera
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
-        self._counted = Counted(self._values, Noise(**maps), looked.saturation)
+        self._camera = Noise(**maps)
+        self._counted = Counted(self._values, self._camera, looked.saturation)
         self._threads, self._widest = looked.threads, widest
         self._degrees: tuple[int, int] | None = None  # those of the first model
         self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
@@ -140,21 +146,10 @@ class _Trial:
         self, model: DepthModel, steps: int, told: Callable[[int, float, float], object], *, turned: bool = False
     ) -> list[float]:
         """Return the discrepancy after each step, as far extrapolated as those of the first model."""
-        planes = len(self._values)
-        side = min(max(model.window[1], _NARROWEST), self._widest)
-        deep = model.window[0]
-        small = replace(model, window=(deep, side), planes=planes, degrees=self._degrees)
-        self._degrees = small.splines
-        margin = min(deep // 2, max(_LEAST_PLANES, planes // 4)), side // 2
         counted = self._counted
         if turned:
             counted = _Flipped.of(counted, self._values[::-1])
-        shape = self._values.shape
-        psfs = small.psfs(margin[0])
-        if psfs.radial is not None:
-            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
-            psfs = psfs._replace(nodes=psfs.nodes[far])
-        blur = small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
+        blur = self.blur(model, len(self._values))
         walk = Walk(blur, counted, self._courses.get(steps), background=Background(None))
         found: list[float] = []
 
@@ -165,6 +160,20 @@ class _Trial:
         walk.solve(RichardsonLucy(steps=steps, target=0.0), each)
         self._courses.setdefault(steps, walk.course)
         return found
+
+    def blur(self, model: DepthModel, planes: int) -> TiledBlur | WideBlur:
+        """Return the blur of the part, with smaller PSFs, and B-splines as those of the first model."""
+        side = min(max(model.window[1], _NARROWEST), self._widest)
+        deep = model.window[0]
+        small = replace(model, window=(deep, side), planes=planes, degrees=self._degrees)
+        self._degrees = small.splines
+        margin = min(deep // 2, max(_LEAST_PLANES, planes // 4)), side // 2
+        psfs = small.psfs(margin[0])
+        if psfs.radial is not None:
+            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
+            psfs = psfs._replace(nodes=psfs.nodes[far])
+        shape = self._values.shape
+        return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
 
 class _Flipped:
@@ -182,13 +191,13 @@ class _Flipped:
 
 def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
     """Return "up" or "down", whichever the stack follows better, and what to say of it."""
-    trial, work = _Trial(looked, crop), _Work(tell, 2.0 * _STEPS)
+    trial, work = Trial(looked, crop), Work(tell, 2.0 * _STEPS)
     up, down = (
         trial.course(looked.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
     )
     better, worse = min(up, down), max(up, down)
-    figures = "discrepancy {:.3g} against {:.3g}".format(*((down, up) if down < up else (up, down)))
+    figures = f"after {_STEPS} steps of a part of it the discrepancy is {better:.3g}, and {worse:.3g} with the planes"
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
         return "up", (
             f"The direction of z cannot be told from the stack ({figures} the other way round): the first plane was "
@@ -209,8 +218,8 @@ def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
     explain half of what the best one does are named, too: errors of an index, a depth or a step are much alike.
     """
     model, steps = looked.model, _STEPS
-    trial = _Trial(looked, _brightest(looked.stack, _ROUGH), widest=_NARROWEST)
-    work = _Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
+    trial = Trial(looked, brightest(looked.stack, _ROUGH, looked.saturation), widest=_NARROWEST)
+    work = Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
 
     def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
         found = trial.course(changed, steps, work(words, steps), turned=turned)
@@ -284,12 +293,12 @@ def refined(
     start = np.array([_start(model, name) for name in names])
     apart = np.array([_REACH[name] * _APART for name in names])
     least, most = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough = _Trial(looked, _brightest(looked.stack, _ROUGH), widest=_NARROWEST)
-    fine = _Trial(looked, crop)
+    rough = Trial(looked, brightest(looked.stack, _ROUGH, looked.saturation), widest=_NARROWEST)
+    fine = Trial(looked, crop)
     faster = rough.known / fine.known
-    work = _Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
+    work = Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
 
-    def course(trial: _Trial, steps: int, much: float) -> Callable[[Array], list[float]]:
+    def course(trial: Trial, steps: int, much: float) -> Callable[[Array], list[float]]:
         def made(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
             words = ", ".join(f"{PARAMETERS[name]} {_shown(model, name, value)}" for name, value in pairs)

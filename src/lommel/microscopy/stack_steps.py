@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding
 from lommel.imaging.deconvolution import (
     MISFIT,
     NOISE,
@@ -25,14 +26,6 @@ from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, overlap
 from lommel.microscopy.wide_blur import WideBlur
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
-
-STACK_MISFIT = (
-    "misfit: the PSF (wavelength, depth, direction of z, steps of z, pixels) or the noise is not that of the stack"
-)
-"""Why a method stopped that a stack does not follow."""
-
-# Why a method stopped at once, at a discrepancy that is too small for the noise that was stated.
-TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
 
 _MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
 _EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
@@ -82,12 +75,16 @@ class Counted(Counts):
         # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
         self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
 
-    def verdict(self, stopped: str, steps: int, discrepancy: float) -> str:
-        """Return why a method stopped, in the words for stacks."""
+    def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
+        """Return what is wrong with a stack, of which a method stopped after so many steps."""
+        numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
-            return STACK_MISFIT
-        quiet = steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack
-        return TOO_QUIET if quiet else stopped
+            parts = "wavelength, depth, direction of z, steps of z, pixels"
+            return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
+        if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
+            text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
+            return Finding("too_quiet", "error", text, numbers)
+        return None
 
     def per_pixel(self, sums: Array) -> Array:
         """Return the Poisson deviance per known voxel, over that of the true scene."""
@@ -106,6 +103,10 @@ class Counted(Counts):
             return counts, weight
         known = np.isfinite(given) & (given < self._saturation)
         return np.where(known, counts, np.float32(0.0)), np.where(known, weight, np.float32(0.0))
+
+    def _added_at(self, rows: slice, columns: slice) -> Values:
+        """Return the variance of reading, in units of light, of a part."""
+        return _at(self._added, rows, columns)
 
     def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
         """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
@@ -309,6 +310,7 @@ class Walk:
         self.course: list[Move] = []
         self._of_specimen: list[float] = []
         self.discrepancies = np.full(len(counted.known), np.inf)
+        self.enough: Callable[[int, float], bool] | None = None  # whether a step and its discrepancy are
 
     def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
         """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
@@ -322,6 +324,8 @@ class Walk:
             stopped = course.judge(found)
             if self._estimated and stopped in (None, NOISE) and course.steps < method.steps:
                 stopped = NOISE if self._explained(found, method.target) else None
+            if stopped is None and self.enough is not None and self.enough(course.steps, found):
+                stopped = NOISE
             if stopped or (self._given is not None and course.steps == len(self._given) - 1):
                 return course.steps, stopped or STEPS, self.discrepancies
             size = float(np.vdot(self._earlier, self._earlier))

@@ -1,0 +1,214 @@
+"""Photons of a part of a stack that are held out: they tell when to stop, which background and which PSF is right.
+
+Counts are divided between two halves. Counts plus the variance of reading are close to ``Poisson(mu + read^2)``
+(Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): of the nearest integer each half gets a binomial share, and half of
+the rest. As the variance of what is divided is its mean, the halves are uncorrelated, as far as gain, offset and read
+noise are right. One half is restored; steps end where the deviance of the other one is the least.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding
+from lommel.imaging.deconvolution import TINY, RichardsonLucy
+from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.refinement import Looked, Tell, Trial, Work, brightest
+from lommel.microscopy.stack_steps import Background, Counted, Walk
+from lommel.recorded.noise import Noise
+
+SIDE = 40
+"""Pixels of the side of the part in which PSFs are compared."""
+WHOLE = 500_000
+"""Voxels of a stack, up to which its background is estimated by photons that are held out of all of it."""
+_STEPS, _PATIENCE = 150, 6  # of a walk at most, and after the best of them
+_USUAL = 55  # steps of a walk
+_RISE, _LEVELS = 0.013, 6  # share by which the background is raised, so often at most
+_APART, _FARTHER = 0.005, 4  # of the index of the sample, and how often it is changed further
+_SURE = 3.0  # standard errors, by which another PSF agrees better
+_OPEN = 1.0, 4.0  # standard errors between which the other half decides, too
+_WALKS = 8.0  # that are usual
+
+
+class Best(NamedTuple):
+    """The step of a walk whose light agrees best with the photons that were held out."""
+
+    loss: float  # minus the logarithm of their likelihood, but for a constant
+    steps: int
+    losses: Values  # of each voxel
+    electrons: Values  # that are expected in each voxel
+    level: float  # background of a half
+
+
+class _Half(Counted):
+    """Counts of one half, and how well their model agrees with the other half."""
+
+    def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
+        self._held: Values | None = None
+        super().__init__(recorded, noise)
+        self._held = held
+        self._losses, self._electrons = (np.zeros(held.shape, np.float32) for _ in range(2))
+        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0)
+
+    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
+        found = super()._compared(plane, rows, columns, light, misfit)
+        if self._held is not None:
+            at = plane, rows, columns
+            _, weight = self.part(*at)
+            seen = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
+            known = np.isfinite(seen) & (weight > 0.0)
+            seen = np.where(known, seen, light)  # the light has become the model
+            loss = light - seen + seen * np.log(np.maximum(seen, TINY) / light)
+            self._losses[at] = np.where(known, self.white * weight * loss, 0.0)
+            self._electrons[at] = self.white * weight * light
+        return found
+
+    def past(self, step: int, _: float) -> bool:
+        """Return whether the best step was some steps ago."""
+        loss = float(self._losses.sum(dtype=np.float64))
+        if loss < self.best.loss:
+            self.best = Best(loss, step, self._losses.copy(), self._electrons.copy(), float(self.background))
+        return step - self.best.steps >= _PATIENCE
+
+
+class HeldOut(Trial):
+    """A part of a stack in two halves."""
+
+    def __init__(self, looked: Looked, tell: Tell, *, side: int = SIDE) -> None:
+        super().__init__(looked, brightest(looked.stack, side, looked.saturation))
+        self._model, self._work = looked.model, Work(tell, _WALKS * _USUAL)
+        camera = self._camera
+        gain = np.asarray(1.0 if camera.white is None else camera.white)
+        spread = np.asarray(camera.read) ** 2
+        values = self._values.astype(np.float64)
+        with np.errstate(invalid="ignore"):
+            known = np.isfinite(values) & (values < looked.saturation)
+        given = np.where(known, gain * (values - camera.offset) + spread, 0.0)
+        whole = np.maximum(np.rint(given), 0.0)
+        draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
+        self._halves = [
+            np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
+            for each in (draw, whole - draw)
+        ]
+        self._noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
+
+    @property
+    def plain(self) -> bool:
+        """Whether a flat scene explains all."""
+        return self._counted.flat() <= 1.0 + self._counted.slack
+
+    def best(self, words: str, model: DepthModel, fold: int = 0, level: float | None = None) -> Best:
+        """Restore a half, and return the step that agrees best with the other one."""
+        half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
+        walk = Walk(self.blur(model, len(self._values)), half, background=Background(level))
+        walk.enough = half.past
+        walk.solve(RichardsonLucy(steps=_STEPS, target=0.0), self._work(f"held-out photons, {words}", _USUAL))
+        return half.best
+
+    def level(self, free: Best) -> float:
+        """Return the background of the stack: the highest that held-out photons agree with.
+
+        Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began
+        with. Less background than there is leaves a floor of light, which agrees little worse; more is contradicted by
+        dark voxels. `free` is the walk that estimates it with the specimen.
+        """
+        places, losses = [free.level], [free.loss]
+        for _ in range(_LEVELS):
+            level = places[-1] * (1.0 + _RISE)
+            losses.append(self.best("background", self._model, level=level).loss)
+            places.append(level)
+            if losses[-1] > min(losses) + 2.0:
+                break
+        at = int(np.argmin(losses))
+        if not 0 < at < len(places) - 1:
+            return 2.0 * places[at]
+        bend, slope, _ = np.polyfit(np.array(places[at - 1 : at + 2]) - places[at], losses[at - 1 : at + 2], 2)
+        return 2.0 * float(places[at] - 0.5 * slope / bend)
+
+    def finding(self, own: Best) -> Finding | None:
+        """Return what held-out photons say of the PSF: of other indices of the sample, of which `own` has the given.
+
+        None where no other index is possible.
+        """
+        start = self._model.objective.sample
+        tried: dict[float, Best] = {start: own}
+
+        def index(change: float, fold: int = 0) -> Best | None:
+            value = start + change
+            try:
+                model = self._model.changed("sample", value)
+            except ValueError:
+                return None
+            return self.best(f"index of the sample {value:.4g}", model, fold)
+
+        for change in (-_APART, _APART):
+            if found := index(change):
+                tried[start + change] = found
+        gains = {value: _gain(own, each) for value, each in tried.items() if value != start}
+        if not gains:
+            return None
+        value = max(gains, key=lambda each: gains[each][0] / gains[each][1])
+        gain, error = gains[value]
+        if _OPEN[0] < gain / error < _OPEN[1]:
+            given, other = index(0.0, 1), index(value - start, 1)
+            assert given is not None
+            assert other is not None
+            more, off = _gain(given, other)
+            gain, error = gain + more, math.hypot(error, off)
+        numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
+        if gain <= _SURE * error:
+            words = " and ".join(f"{each:.4g} by {-by:.0f} +- {off:.0f}" for each, (by, off) in gains.items())
+            text = f"of held-out photons, an index of the sample of {start:.4g} has a lnL above that of {words}"
+            return Finding("psf_compared", "note", text, numbers)
+        way, best = value - start, tried[value]
+        for farther in range(2, 2 + _FARTHER):
+            following = index(farther * way)
+            if following is None:
+                break
+            tried[start + farther * way] = following
+            if following.loss > best.loss:
+                break
+            best = following
+        found_at, off = _least({each: one.loss for each, one in tried.items()})
+        numbers |= {"preferred": found_at, "preferred_error": off}
+        about = f"about {found_at:.4f} +- {off:.4f}" if math.isfinite(off) else f"{found_at:.4g} or beyond"
+        text = (
+            f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
+            f"{gain:.0f} +- {error:.0f}), and best with {about}: the PSF may be wrong; an error of the depth, or "
+            "spherical aberration, is much like one of the index"
+        )
+        return Finding("psf_doubtful", "doubt", text, numbers)
+
+
+def work_of_held_out(shape: tuple[int, ...]) -> float:
+    """Return about how many steps of the whole stack all of this takes."""
+    return _WALKS * _USUAL * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
+
+
+def _gain(own: Best, other: Best) -> tuple[float, float]:
+    """Return by how much lnL of held-out photons is larger with another PSF, voxel by voxel, and its standard error.
+
+    That of ``sum y ln(m'/m)``, whose variance is ``m ln(m'/m)^2`` of each voxel.
+    """
+    gain = float((own.losses.astype(np.float64) - other.losses).sum())
+    known = (own.electrons > 0.0) & (other.electrons > 0.0)
+    one, two = own.electrons[known].astype(np.float64), other.electrons[known].astype(np.float64)
+    return gain, max(math.sqrt(float((0.5 * (one + two) * np.log(one / two) ** 2).sum())), 1e-9)
+
+
+def _least(losses: dict[float, float]) -> tuple[float, float]:
+    """Return where a parabola through the least loss and its neighbours is the least, and twice its standard error.
+
+    In simulated stacks that is what it was off by; inf where the least is the outermost.
+    """
+    places = sorted(losses)
+    at = min(range(len(places)), key=lambda k: losses[places[k]])
+    if not 0 < at < len(places) - 1:
+        return places[at], math.inf
+    near = places[at - 1 : at + 2]
+    bend, slope, _ = np.polyfit(np.array(near) - places[at], [losses[each] for each in near], 2)
+    return float(places[at] - 0.5 * slope / bend), float(2.0 / math.sqrt(2.0 * bend))

@@ -290,9 +290,9 @@ def restore(
     method : RichardsonLucy or TotalVariation, optional
         As of :func:`lommel.microscopy.deconvolve`: ``lm.imaging.RichardsonLucy(target=1.0)`` by default.
     background : "flat", "uneven" or float, default "flat"
-        As of :func:`lommel.microscopy.deconvolve`. A flat one of up to 500000 voxels is estimated by photons
-        that are held out, and then held; that of larger stacks is that of the central chunk; each chunk has its own uneven one, so that it is
-        best used without chunks.
+        As of :func:`lommel.microscopy.deconvolve`. The flat one of up to 500000 voxels is found by photons
+        that are held out, and then held; that of a larger stack is that of the central chunk. Each chunk has its own
+        uneven one, so that it is best used without chunks.
     psf_shape : (int, int), optional
         Planes and pixels of the PSFs, odd. By default those of the cone of light over half of the planes, up to 97.
     margin : (int, int), optional
@@ -1095,8 +1095,8 @@ def _explained(misfit: Finding, others: list[str]) -> Finding:
     """Return a misfit with the other PSFs that a stack follows better."""
     if not others:
         text = (
-            "more than noise is left, but no other PSF fits better: points between voxels, or a gain that is off, leave "
-            "as much"
+            "more than noise is left, but no other PSF fits better: points between voxels, or a gain that is off, "
+            "leave as much"
         )
         return replace(misfit, severity="doubt", text=text)
     text = f"the stack follows PSFs of {others[0]} better"

@@ -79,7 +79,8 @@ def one(row: Row, seed: int, telescope: simulated.Telescope) -> dict[str, float]
     rejected = ~fit.stars.used
     return {
         "found": float(min(ratios) < 2.0), "converged": float(fit.converged), "ratio": min(ratios),
-        "chi2": fit.chi2, "held_out": fit.held_out, "blur": fit.blur[0], "blur_error": fit.blur_deviation[0],
+        "chi2": fit.chi2, "held_out": fit.held_out, "blur": fit.blur[-1].sigma / row.pixel,
+        "blur_error": fit.blur_errors[0][-1] / row.pixel,
         "caught": float(rejected[: row.doubles].sum()), "lost": float(rejected[row.doubles :].sum()),
         "seconds": seconds, **({f"within {k}": w for k, w in zip((1, 2, 3), within, strict=True)}),
     }  # fmt: skip
@@ -96,7 +97,7 @@ def pixels(seed: int, stars: int, telescope: simulated.Telescope) -> tuple[float
     fresh = waves(u, v)
     exact = np.stack([telescope.image(one, (0.0, 0.0), 0.5, side, 0.6) for one in fresh])
     x, y = u * 1000.0, v * 1000.0
-    made = lm.psf(fit.field.pupil(x, y), side, 0.5, integrate=True, blur=lm.Jitter(0.5 * float(fit.blur[0]))).values
+    made = lm.psf(fit.field.pupil(x, y), side, 0.5, integrate=True, blur=fit.blur).values
     ours = float(np.sqrt(((made - exact) ** 2).sum() / (exact**2).sum()))
     # The same stars moved from the fitted places to the middle, over their flux, which pixels alone know worse.
     level, flux = fit.stars.background[:, 0], fit.stars.flux[:, 0]

@@ -46,7 +46,7 @@ def test_two_wavelengths_tell_one_wavefront_in_metres(defocus):
     x, y = ((places[:, k] - 1999.5) * PIXEL for k in (1, 0))
     values, errors = fit.at(x, y)
     assert 0.5 < np.sqrt((((values - true) / errors) ** 2).mean()) < 1.6
-    np.testing.assert_allclose(fit.blur, 0.5, atol=0.05)
+    np.testing.assert_allclose([jitter.sigma / PIXEL for (jitter,) in fit.blurs], 0.5, atol=0.05)
     # One sign is open for both wavelengths where both are at one focus.
     assert (fit.twin is None) is (defocus[0] != defocus[1])
     alone = fitted(images[:, :1], places, defocus=defocus[:1], wavelengths=None)

@@ -62,6 +62,22 @@ class Telescope:
         return summed[pad:-pad, pad:-pad]
 
 
+def through_turbulence(telescope, waves, place, pixel, side, fwhm, sigma=0.0):
+    """Return fractions of all light in pixels, blurred by Kolmogorov's turbulence (Fried 1966) and a Gaussian."""
+    n = len(telescope.grid)
+    padded = np.zeros((2 * n, 2 * n), complex)
+    padded[:n, :n] = telescope.aperture * np.exp(1j * np.tensordot(waves, telescope.terms, 1))
+    transfer = np.fft.ifft2(np.abs(np.fft.fft2(padded)) ** 2)
+    lag = np.fft.fftfreq(2 * n, 1.0 / 2.0)  # frequency in 1 / (lambda N): lag in diameters
+    f = np.hypot(lag[:, None], lag)
+    transfer = transfer / transfer[0, 0] * np.exp(-3.44 * (f * fwhm * pixel / 0.9759) ** (5 / 3))
+    transfer *= np.exp(-2.0 * (np.pi * f * sigma * pixel) ** 2)
+    y, x = (pixel * (np.arange(side) - side // 2 - at) for at in place)
+    area = np.sinc(lag * pixel)
+    down, across = (np.exp(-2j * np.pi * np.outer(part, lag)) * area for part in (y, x))
+    return (down @ transfer @ across.T).real * (pixel / n) ** 2
+
+
 def field(draw, terms=11, scale=1.0, degree=3):
     """Return a function of u and v in [-1, 1]: curvature, tilt of the sensor, astigmatism, coma, spherical, more."""
     curvature, astigmatism, coma, spherical = draw.normal(size=4) * [0.20, 0.15, 0.10, 0.08]

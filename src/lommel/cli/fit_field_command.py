@@ -11,6 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.units import parse_length
+from lommel.blur.blurs import FWHM, Jitter, Seeing
 from lommel.cli.instruments import (
     EXCESS,
     LENS,
@@ -41,9 +42,9 @@ if TYPE_CHECKING:
     from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
     from lommel.localize.point_sources import PointSources
-    from lommel.optics.pupil import Pupil
 
 _MOST_CROSSINGS = 100
+_ARCSEC = math.pi / 648000.0
 _LISTED = 12  # stars left out, that are printed one by one
 
 
@@ -68,7 +69,10 @@ _LISTED = 12  # stars left out, that are printed one by one
            help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
            "that of all. By default that of the lens."),
     Option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
-           help="Standard deviation of blur by seeing or jitter, where it is known; by default it is estimated."),
+           help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
+           "estimated."),
+    Option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+           help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known."),
     Option("-o", "--output", type=OUTPUT, help="Table for `[field] file =` of the lens file: .csv."),
     Option("--twin", type=OUTPUT,
            help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
@@ -117,6 +121,7 @@ def fit_field(
     defocus: str | None,
     wavelengths: str | None,
     known_blur: float | None,
+    seeing: float | None,
     output: Path | None,
     twin: Path | None,
     figure: Path | None,
@@ -164,6 +169,8 @@ def fit_field(
         raise ValueError(
             "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
         )
+    if seeing is not None and known_blur is not None:
+        raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
     instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
     require_noise(given)
     with progress("reading") as started:
@@ -180,6 +187,7 @@ def fit_field(
         started(f"finding {targets}s")
         known = numbers_of(defocus or "0")
         pupil = instrument.pupil()
+        focal_length = instrument.lens.focal_length
         pitch = float(min(np.atleast_1d(instrument.side)))
         across = 0.0 if targets == "crossing" or size is None else size / pitch
         side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
@@ -215,7 +223,7 @@ def fit_field(
             terms=terms,
             defocus=known,
             wavelengths=colours,
-            blur=True if known_blur is None else known_blur,
+            blur=known_blur if known_blur is not None else seeing is None or _air(seeing, focal_length),
             targets=targets,
             size=size,
             saturation=saturation,
@@ -229,11 +237,10 @@ def fit_field(
         made.save(twin, twin=True)
     if figure is not None:
         save_figure(made.plot(), figure)
-    told = _headlines(made, pupil, np.atleast_1d(known))
-    blur = _blurred(made, pitch, instrument.lens.focal_length)
-    facts = _facts(made, found) | told | {"notes": notes}
-    report = Report(facts, [*_parts(made, found, told, blur), *map(Wrapped, notes)], made.converged)
-    verdict = "" if made.converged else f", of a fit that has not converged: {made.message.partition(':')[0]}"
+    facts = _facts(made, found) | {"notes": notes}
+    blur = _blurred(made, pitch, focal_length)
+    report = Report(facts, [*_parts(made, found, blur), *map(Wrapped, notes)], made.converged)
+    verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
 
 
@@ -286,21 +293,39 @@ def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, flo
     return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
 
 
+def _air(fwhm: float, focal_length: float) -> Seeing:
+    return Seeing.from_fwhm(fwhm * _ARCSEC, focal_length)
+
+
 def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
     """Return the blur, and how images get it."""
-    each = zip(made.blur, made.blur_deviation, strict=True)
-    said = f"blur: {', '.join(f'{width:.3f} +- {error:.3f}' for width, error in each)} pixels"
-    if not made.blur.any():
-        return said
-    metres = pitch * float(made.blur.max())
-    angle = math.degrees(metres / focal_length) * 3600.0
+    said = []
+    for several, errors in zip(made.blurs, made.blur_errors, strict=True):
+        words = []
+        for each, error in zip(several, errors, strict=True):
+            if isinstance(each, Seeing):
+                width = FWHM / each.coherence(each.wavelength) / focal_length / _ARCSEC
+                outer = "" if each.outer_scale is None else f", outer scale {each.outer_scale:.0f} m"
+                words.append(f"seeing of {width:.3f} +- {width * error / each.r0:.3f} arcsec (FWHM{outer})")
+            elif isinstance(each, Jitter):
+                words.append(f"{each.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
+        said.append(" and ".join(words) or "none")
+    if not any(made.blurs):
+        return f"blur: {'; '.join(said)}"
+    options = []
+    for each in made.blur:
+        if isinstance(each, Seeing):
+            at_500 = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
+            options.append(f"--seeing {at_500:.4g}")
+        elif isinstance(each, Jitter):
+            options.append(f"--jitter {each.sigma / focal_length / _ARCSEC:.3g}")
     return (
-        f"{said} (standard deviation). It is not in the table: PSFs have it by lommel psf --jitter {angle:.3g}, in "
-        f"Python by blur=lommel.Jitter({metres:.3g})"
+        f"blur: {'; '.join(said)}. It is not in the table: PSFs have it by lommel psf {' '.join(options)}, in Python "
+        "by the blur of the fit"
     )
 
 
-def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts, blur: str) -> list[Any]:
+def _parts(made: FieldFit, found: PointSources | Crossings, blur: str) -> list[Any]:
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     spots = _spots(made)
     rows = []
@@ -314,17 +339,18 @@ def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts, blur: s
             )
     table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
     first = []
-    if (coma := told["coma"]) is not None:
+    if (coma := made.coma) is not None:
+        waves, error = (part / (2.0 * math.pi) for part in coma[:2])
         first.append(
-            f"coma in the middle: {coma['waves']:.4f} +- {coma['deviation']:.4f} waves rms, axis at "
-            f"{coma['degrees']:.0f} degrees from columns to rows"
+            f"coma in the middle: {waves:.4f} +- {error:.4f} waves rms, axis at {coma.degrees:.0f} degrees from "
+            "columns to rows"
         )
-    if (focus := told["focus"]) is not None:
-        way = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
-        places = min(6, max(0, 1 - math.floor(math.log10(max(1e3 * focus["deviation"], 1e-9)))))
-        shift, error = (f"{1e3 * abs(focus[name]):.{places}f}" for name in ("shift", "deviation"))
-        sign = ", or as far the other way" if made.twin is not None and not focus["known"] else ""
-        first.append(f"focus in the middle: the sensor is {shift} +- {error} mm {way}{sign}")
+    if (focus := made.focus) is not None:
+        way = "towards the lens" if focus.shift > 0.0 else "away from the lens"
+        places = min(6, max(0, 1 - math.floor(math.log10(max(1e3 * focus.error, 1e-9)))))
+        shift, off = (f"{1e3 * abs(part):.{places}f}" for part in focus[:2])
+        sign = ", or as far the other way" if focus.sign_open else ""
+        first.append(f"focus in the middle: the sensor is {shift} +- {off} mm {way}{sign}")
     left = _left(made, found)
     lines = [f"row {row}, column {column}: {why}" for row, column, why in left[:_LISTED]]
     if len(left) > _LISTED:
@@ -343,32 +369,6 @@ def _left(made: FieldFit, found: PointSources | Crossings) -> list[tuple[int, in
     return [(int(row), int(column), why) for row, column, why in (*of_fit, *each)]
 
 
-def _headlines(made: FieldFit, pupil: Pupil, known: Array) -> Facts:
-    """Return the coma and the distance from focus in the middle, each None where its terms were not estimated."""
-    values, errors = made.at(*_positions(made)["middle"])
-    at = {name: j for j, name in enumerate(map(label, made.names))}
-    facts: Facts = {"coma": None, "focus": None}
-    if len(both := [j for name, j in at.items() if name.startswith(("noll 7 ", "noll 8 "))]) == 2:
-        down, across = values[both]
-        size = math.hypot(down, across)
-        spread = math.hypot(down * errors[both[0]], across * errors[both[1]]) / max(size, 1e-300)
-        facts["coma"] = {
-            "waves": size / (2.0 * math.pi),
-            "deviation": spread / (2.0 * math.pi),
-            "degrees": math.degrees(math.atan2(down, across)),
-        }
-    j = next((j for name, j in at.items() if name.startswith("noll 4 ")), None)
-    if j is not None and pupil.wavelength is not None and pupil.f_number is not None and known.size == 1:
-        # C_d (1) is half the phase at the edge; Noll 4 is a sqrt(3) (2 rho^2 - 1).
-        metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
-        facts["focus"] = {
-            "shift": metres * float(known[0] + math.sqrt(3.0) * values[j]),
-            "deviation": metres * math.sqrt(3.0) * float(errors[j]),
-            "known": bool(known[0]),
-        }
-    return facts
-
-
 def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
     """Return terms and standard errors, waves rms, in the middle and in the bottom right corner."""
     return {
@@ -379,7 +379,7 @@ def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
 
 def _positions(made: FieldFit) -> dict[str, tuple[float, float]]:
     x, y = made.extent
-    return {"middle": (0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])), "corner": (x[1], y[1])}
+    return {"middle": made.middle, "corner": (x[1], y[1])}
 
 
 def _bent(made: FieldFit, bent: Distortion) -> list[tuple[Any, Any]]:
@@ -389,7 +389,6 @@ def _bent(made: FieldFit, bent: Distortion) -> list[tuple[Any, Any]]:
 
 def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
     """Return the results as JSON can hold them."""
-    held_out = made.held_out if np.isfinite(made.held_out) else None
     distortion: Facts | None = None
     if (bent := made.distortion) is not None:
         spots = zip(_positions(made), _bent(made, bent), strict=True)
@@ -400,20 +399,25 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
             "scatter": bent.scatter,
             "pixels": {name: {"displacement": v.tolist(), "deviation": d.tolist()} for name, (v, d) in spots},
         }
-    return {
-        "converged": made.converged,
-        "message": made.message,
-        "chi2": made.chi2,
-        "held_out": held_out,
-        "degree": made.degree,
+    coma, focus = made.coma, made.focus
+    fit = made.to_dict()
+    kept = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree"
+    return {name: fit[name] for name in kept} | {
+        "coma": coma
+        and {
+            "waves": coma.rms / (2.0 * math.pi),
+            "deviation": coma.error / (2.0 * math.pi),
+            "degrees": coma.degrees,
+        },
+        "focus": focus and focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in made.names],
         "waves": {
             name: {"coefficients": values.tolist(), "deviation": errors.tolist()}
             for name, (values, errors) in _spots(made).items()
         },
-        "blur": made.blur.tolist(),
-        "blur_deviation": made.blur_deviation.tolist(),
+        "blur": [[each.to_dict() for each in several] for several in made.blurs],
+        "blur_errors": [list(several) for several in made.blur_errors],
         "stars": len(made.stars.used),
         "rejected": int((~made.stars.used).sum()),
         "rejected_stars": [

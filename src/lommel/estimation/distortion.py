@@ -15,6 +15,7 @@ from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
 from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding, Findings, FitReport
 
 POSES = ("free", "known")
 _FAR = 0.2  # of the spread of places: no lens distorts more in the rms
@@ -24,8 +25,8 @@ _TURNS = 4  # of polynomials and what of them is shift, rotation and magnificati
 _HALVINGS = 40
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Distortion:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Distortion(FitReport):
     """Displacement of images over the field: `distortion` of a :class:`lommel.FieldFit`.
 
     Attributes
@@ -47,19 +48,20 @@ class Distortion:
         of the chart, of the catalogue, or of higher degrees. Standard errors include it.
     chi2 : float
         Of the places per degree of freedom, with the noise of the images alone.
-    message : str
-        Degree, number of places, scatter, and how many were rejected.
+    findings : Findings
+        Scatter of places beside noise, and places that were rejected.
+    summary : str
+        Degree and number of places.
     """
 
     coefficients: Array
-    covariance: Array
+    covariance: Array = attribute(repr=False)
     degree: int
     pose: Array
     ideal: Array
     residuals: Array
     scatter: float
     chi2: float
-    message: str
     _sensor: Sensor = attribute(repr=False)
 
     def at(self, x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
@@ -211,11 +213,12 @@ def fit_distortion(
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
     residuals[used[kept]] = tested.residuals(solution)
     limit = float(goodness_of_fit.most(math.sqrt(2.0 / tested.tested)))
-    message = f"distortion of degree {degree} from {len(kept)} places"
+    found_there = []
     if chi2 > limit:
-        message += f", which scatter by {scatter:.2g} pixels beside noise"
-    if len(at) > len(kept):
-        message += f", {len(at) - len(kept)} far off rejected"
+        text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
+        found_there.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
+    if lost := len(at) - len(kept):
+        found_there.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
     return Distortion(
         coefficients=coefficients,
         covariance=rest @ covariance[: 2 * m, : 2 * m] @ rest.T,
@@ -225,7 +228,8 @@ def fit_distortion(
         residuals=residuals,
         scatter=scatter,
         chi2=chi2,
-        message=message,
+        findings=Findings(found_there),
+        summary=f"distortion of degree {degree} from {len(kept)} places",
         _sensor=sensor,
     )
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
+from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
+from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Outcome, Search
@@ -26,12 +28,12 @@ from lommel.estimation.phase_retrieval import label
 from lommel.estimation.star_images import Unknowns
 from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap
-from lommel.fit import goodness_of_fit
-from lommel.methods.derivative_names import Name, Term
+from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
-from lommel.recorded.counts import Counts, remarks
+from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
@@ -44,7 +46,25 @@ _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exa
 _AXES = "rows", "columns"
 _SEARCHES = 3  # with other random starts, until one holds
 _NAMED = 3  # rejected stars, of which the message says where they are
+_ALIKE = 2.0  # log-likelihood by which two shapes of blur are told apart
+_UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
+
+
+class Coma(NamedTuple):
+    """Coma: radians rms, their standard error, and the direction of the axis in degrees from columns to rows."""
+
+    rms: float
+    error: float
+    degrees: float
+
+
+class FocusShift(NamedTuple):
+    """Distance of the sensor from focus, metres, positive towards the lens, its standard error, and an open sign."""
+
+    shift: float
+    error: float
+    sign_open: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +94,8 @@ class FittedStars:
     used: NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class FieldFit:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class FieldFit(FitReport):
     """Wavefronts over the field with their standard errors: the answer of :func:`lommel.fit_field`.
 
     Attributes
@@ -92,17 +112,20 @@ class FieldFit:
         Of each term (radians rms) in products of Legendre polynomials of the position, see :meth:`at`.
     covariance : ndarray, shape (k * m, k * m)
         Of the coefficients, row by row; places, light and blur being nuisance parameters.
-    blur, blur_deviation : ndarray, shape (e,)
-        Standard deviation of the Gaussian blur of each exposure, pixels, and its standard error (0 where given).
+    blurs : tuple of tuples of blurs
+        Of each exposure, as :func:`lommel.psf` takes it: :class:`lommel.Seeing`, :class:`lommel.Jitter`, or both. r0
+        is for the focal length of the pupil, of one without for 1 m.
+    blur_errors : tuple of tuples of float
+        Standard errors of r0, or of sigma, of each; 0 where given.
     chi2 : float
         Pearson's chi2 per degree of freedom of all stars used: about 1 where the model is right.
     held_out : float
         The same of a fifth of the stars with the wavefronts that a fit of the others predicts; NaN where there are
         too few.
-    converged : bool
-        Whether the steps settled, at a chi2 that is consistent with the noise.
-    message : str
-        The verdict: "converged", "the steps did not settle", "misfit" or "interrupted", and why.
+    findings : Findings
+        What the checks of the fit found: misfits, rejected stars, an open sign, the shape of the blur.
+    summary : str
+        Chi2, number of stars and degree.
     degree : int
         Of the polynomials.
     distortion : Distortion or None
@@ -112,17 +135,15 @@ class FieldFit:
         Images in electrons, NaN where left out, and the fitted model.
     """
 
-    field: FieldMap
-    twin: FieldMap | None
+    field: FieldMap = attribute(repr=False)
+    twin: FieldMap | None = attribute(repr=False)
     names: tuple[Name, ...]
     coefficients: Array
-    covariance: Array
-    blur: Array
-    blur_deviation: Array
+    covariance: Array = attribute(repr=False)
+    blurs: tuple[tuple[Blur, ...], ...]
+    blur_errors: tuple[tuple[float, ...], ...]
     chi2: float
     held_out: float
-    converged: bool
-    message: str
     degree: int
     distortion: Distortion | None
     stars: FittedStars
@@ -130,7 +151,8 @@ class FieldFit:
     model: Array = attribute(repr=False)
     _sensor: Sensor = attribute(repr=False)
     _terms: tuple[Term, ...] = attribute(repr=False)  # of the table,
-    _own: dict[Term, float] = attribute(repr=False)  # and of the pupil, radians at the edge
+    _pupil: Pupil = attribute(repr=False)
+    _defocus: tuple[float, ...] = attribute(repr=False)
 
     def at(self, x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
         """Return the estimated terms and their standard errors at positions of the sensor.
@@ -155,6 +177,47 @@ class FieldFit:
         if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
             raise ValueError("x and y must be on the sensor that was fitted, got a position outside of it")
         return with_errors(u, v, self.degree, self.coefficients, self.covariance)
+
+    @property
+    def blur(self) -> tuple[Blur, ...]:
+        """The blur of the first exposure, as :func:`lommel.psf` takes it."""
+        return self.blurs[0]
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """The x and y of the middle of the sensor."""
+        (left, right), (top, bottom) = self.extent
+        return 0.5 * (left + right), 0.5 * (top + bottom)
+
+    @property
+    def coma(self) -> Coma | None:
+        """The coma in the middle of the sensor, Noll 7 and 8 together; None where they were not estimated."""
+        values, errors = self.at(*self.middle)
+        i, j = (self._place(term) for term in ((3, -1), (3, 1)))
+        if i is None or j is None:
+            return None
+        down, across = values[i], values[j]
+        size = math.hypot(down, across)
+        spread = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
+        return Coma(size, spread, math.degrees(math.atan2(down, across)))
+
+    @property
+    def focus(self) -> FocusShift | None:
+        """How far the middle is from focus; None without defocus, wavelength, or of several exposures."""
+        j, pupil = self._place((2, 0)), self._pupil
+        if j is None or pupil.wavelength is None or pupil.f_number is None or len(self._defocus) != 1:
+            return None
+        values, errors = self.at(*self.middle)
+        # C_d is half the phase at the edge; Noll 4 is a sqrt(3) (2 rho^2 - 1).
+        metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
+        known = self._defocus[0]
+        sign_open = self.twin is not None and known == 0.0
+        shift, error = metres * (known + math.sqrt(3.0) * values[j]), metres * math.sqrt(3.0) * errors[j]
+        return FocusShift(float(shift), float(error), sign_open)
+
+    def _place(self, term: Term) -> int | None:
+        """Return where a term is among those estimated."""
+        return next((j for j, name in enumerate(self.names) if term_of(name) == term), None)
 
     @property
     def extent(self) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -196,12 +259,12 @@ class FieldFit:
                 "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
                 "metres"
             )
-        terms = self._terms
+        terms, own = self._terms, self._pupil.wavefront.edge_terms()
         x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
         across, down = (part.ravel() for part in np.meshgrid(x, y))
         edge = chosen.pupil(across, down).wavefront.edge_terms()
         waves = [
-            (np.broadcast_to(edge.get(t, 0.0), across.shape) - self._own.get(t, 0.0)) / zernike.rms_factor(*t)
+            (np.broadcast_to(edge.get(t, 0.0), across.shape) - float(own.get(t, 0.0))) / zernike.rms_factor(*t)
             for t in terms
         ]
         values = np.stack(waves, axis=-1) / (2.0 * math.pi)
@@ -209,9 +272,8 @@ class FieldFit:
         columns = [f"Z{_noll(terms[j])}" for j in order]
         used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
         lines = [f"# {self.message}"]
-        if self.blur.any():
-            widths = ", ".join(f"{width:.3g}" for width in self.blur)
-            lines.append(f"# not in this table: blur of {widths} pixels (standard deviation of a Gaussian)")
+        if any(self.blurs):
+            lines.append(f"# not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
         for what, spot in (
             ("the middle", (x[len(x) // 2], y[len(y) // 2])),
             ("the bottom right corner", (x[-1], y[-1])),
@@ -275,7 +337,7 @@ def fit_field(
     terms: int | Sequence[tuple[int, int] | str] = 11,
     defocus: ArrayLike = 0.0,
     wavelengths: ArrayLike | None = None,
-    blur: bool | float = True,
+    blur: bool | float | Blur | Iterable[Blur] = True,
     start: FieldMap | None = None,
     targets: str = "star",
     size: float | None = None,
@@ -323,9 +385,11 @@ def fit_field(
         Of each exposure, metres, as of channels or filters; by default that of the pupil. The wavefront in metres and
         the f-number are those of all; places (lateral colour), light and blur are of each. Axial colour is that of
         the lens of the pupil, if it has one, and else to be part of `defocus`.
-    blur : bool or float, default True
-        Gaussian blur by seeing, jitter or charge diffusion: True estimates the standard deviation in each exposure,
-        False is without, and a number is a known standard deviation in pixels.
+    blur : bool, float, Blur or several, default True
+        True estimates it in each exposure: seeing (Kolmogorov, or von Karman with an outer scale of 1000, 240 or 60
+        r0) and a Gaussian by jitter or charge diffusion, together or alone as is most likely; of pinholes and corners
+        a Gaussian. False is without. A number is the known standard deviation of a Gaussian in pixels, and
+        :class:`lommel.Seeing`, isotropic :class:`lommel.Jitter` and the like are known, too.
     start : FieldMap, optional
         Where the search begins: the design of the lens, for example. It decides the sign of the even terms.
     targets : {"star", "pinhole", "crossing"}, default "star"
@@ -382,9 +446,11 @@ def fit_field(
     phase is open: signs are made consistent over the field by the first eigenvector of the similarities of neighbours
     (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials through these wavefronts are
     then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
-    each star eliminated. Stars with a chi2 above the median by five standard deviations are left out. Blur is
-    computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be
-    even: windows of corners are divided by a polynomial of degree 4 at most through the white of all.
+    each star eliminated. Blur by turbulence is a mixture of Gaussians within 3e-4 of its transfer function; shapes
+    are compared by likelihood, and the one with fewer unknowns is taken where another width gains less than lnL 2.
+    Stars with a chi2 above the median by five standard deviations are left out. Blur is computed from samples at
+    most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows of corners
+    are divided by a polynomial of degree 4 at most through the white of all.
 
     One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
     map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is
@@ -438,25 +504,25 @@ def fit_field(
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
     middle = ((rows - 1) / 2.0, (columns - 1) / 2.0) if axis is None else validation.position("axis", axis)
     chip = Sensor((rows, columns), pitch, middle)
-    width_given = (
-        None if isinstance(blur, bool) else validation.real("blur", blur, least=0.0, below=0.25 * min(height, width))
-    )
     alike = noise.poisson
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
     begun = given if start is None else _begun(start, given, chip, x, y)
     target = _target(targets, size, pitch)
+    if not isinstance(blur, bool | Blur | Iterable):
+        blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
     lit = np.ones(1)
     if targets == "crossing":
         across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         lit = relative_light(electrons, valid, across, down)
         electrons, read = electrons / lit, read / lit**2
+    behind = _shape(blur, given, pitch, min(height, width), target)
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
-        blurred=blur is True, integrate=plan.grid(given).integrate, tol=plan.tol, threads=plan.threads,
-        known=width_given or 0.0, target=target, wavelengths=colours,
+        blur=behind, integrate=plan.grid(given).integrate, tol=plan.tol,
+        threads=plan.threads, target=target, wavelengths=colours,
     )  # fmt: skip
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
@@ -476,7 +542,19 @@ def fit_field(
         if search.latest is None or search.latest.best is None:
             raise
         interrupted = True
-    return _answer(search, state, interrupted, given, start, chip, at, counts, (noise, lit), (holes, pose, far))
+    return _answer(
+        search,
+        state,
+        interrupted,
+        given,
+        start,
+        chip,
+        at,
+        counts,
+        (noise, lit),
+        (holes, pose, far),
+        behind if isinstance(behind, tuple) else (),
+    )
 
 
 def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
@@ -507,11 +585,28 @@ def _target(kind: str, size: float | None, pixel: float) -> Target | None:
     return Target(kind, across)
 
 
+def _shape(
+    blur: bool | Blur | Iterable[Blur], pupil: Pupil, pitch: float, side: int, target: Target | None
+) -> Shape | tuple[Blur, ...]:
+    """Return the shape of blur of unknown width that a fit begins with, or the known blurs."""
+    if blur is True:
+        return Shape.turbulent() if target is None else Shape.gaussian()
+    known = blurs(None if blur is False else blur)
+    require_unit(known, pupil)
+    if not isotropic(known).all() or sum(isinstance(each, Seeing) for each in known) > 1:
+        raise ValueError(
+            f"blur must be the same in all directions, with one Seeing at most, got {validation.shown(blur)}"
+        )
+    if any(max(each.lengths, default=0.0) > 0.25 * side * pitch for each in known):
+        raise ValueError(f"blur must be narrower than a quarter of the windows, got {validation.shown(blur)}")
+    return known
+
+
 def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any]) -> None:
     """Put the best outcome of up to three searches into `state`; the first that holds is the last."""
     places = search.places
     for attempt in range(_SEARCHES):
-        search.places, search.degree = places, degrees[-1]
+        search.places, search.degree, search.stars = places, degrees[-1], search.first
         # A known defocus is a good start, for what is unknown beside it is usually less.
         first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
         if first is None:
@@ -530,9 +625,10 @@ def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any])
             _, search.degree, first = next(each for each in tried if each[0] <= most)
         outcome = search.outcome(first)
         best = state.setdefault("outcome", outcome)
-        if not outcome.doubt or outcome.cost < best.cost:
+        holds = outcome.findings.converged
+        if holds or outcome.cost < best.cost:
             state["outcome"] = outcome
-        if not outcome.doubt:
+        if holds:
             break
 
 
@@ -542,6 +638,11 @@ def _degree(most: int, count: int) -> int:
     while degree > 0 and (degree + 1) * (degree + 2) > count:
         degree -= 1
     return degree if count >= 4 else -1
+
+
+def in_words(several: tuple[Blur, ...]) -> str:
+    """Return blurs in words."""
+    return " and ".join(map(repr, several)) or "nothing"
 
 
 def _noll(term: Term) -> int:
@@ -623,14 +724,17 @@ def _answer(
     counts: Counts,
     camera: tuple[Noise, Array],
     grid: tuple[Array | None, str, int],
+    known: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the answer of a search."""
     stars, one = search.stars, search.stars.one
-    doubt, held_out = "", math.nan
+    held_out, told = math.nan, list[Finding]()
+    shapes: dict[str, float] = {}
     if "outcome" in state:
         outcome: Outcome = state["outcome"]
-        search.places, search.degree = outcome.places, outcome.degree
-        found, lost, doubt, held_out = outcome.found, outcome.lost, outcome.doubt, outcome.held_out[0]
+        shapes, told = outcome.shapes, [*outcome.findings]
+        search.places, search.degree, search.stars = outcome.places, outcome.degree, outcome.found.model.of
+        found, lost, held_out = outcome.found, outcome.lost, outcome.held_out[0]
     else:
         assert search.latest is not None
         assert search.latest.best is not None
@@ -657,7 +761,6 @@ def _answer(
     covariance = found.model.covariance(found.scores)
     k, m = polynomials.shape
     twin = None
-    message_sign = ""
     if one.sign_ambiguous:
         inverse = np.linalg.pinv(one.directions)
         flip = (one.directions * one.even) @ inverse
@@ -670,16 +773,15 @@ def _answer(
             covariance[: k * m, : k * m] = turned @ covariance[: k * m, : k * m] @ turned.T
             found.x[0, : k * m] = polynomials.ravel()
         twin = _map(chip, pupil, splines, edge_of(other), one.terms)
-        nearer = "add a second defocus, or give start"
-        if start is not None or stars.defocused:
-            nearer = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
-        message_sign = f"; {_SIGN}: {nearer}, the other is twin"
+        how = "add a second defocus, or give start"
+        if decided := start is not None or stars.defocused:
+            how = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
+        told.append(Finding("sign_open", "note" if decided else "doubt", f"{_SIGN}: {how}, the other is twin"))
     made = _map(chip, pupil, splines, edge_of(polynomials), one.terms)
     squares = found.squares()
-    errors = np.sqrt(np.diag(covariance))[k * m :]
-    width = np.sqrt(np.maximum(squares, 0.0))
-    # Of a square that may be 0, the width is known to the root of the standard error of the square.
-    deviation = errors / np.maximum(2.0 * width, np.sqrt(errors))
+    errors = np.sqrt(np.diag(covariance))[k * m :].reshape(squares.shape)
+    blurred = _blurs(stars, known, squares, errors)
+    told += _blur_findings(stars, shapes)
     every = np.arange(stars.count)
     own = np.ones((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
@@ -698,8 +800,6 @@ def _answer(
     used = np.zeros(stars.count, dtype=bool)
     used[found.model.chosen] = True
     chi2 = float(found.scores.chi2[0])
-    spread = float(found.scores.spread[0])
-    settled = found.settled and not doubt
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
@@ -708,19 +808,19 @@ def _answer(
         why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
         named = ", ".join(f"row {places[k, 0]:.0f} column {places[k, 1]:.0f}" for k in lost[:_NAMED])
         more = f" and {len(lost) - _NAMED} more" if len(lost) > _NAMED else ""
-        work += f"; {len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why}) at {named}{more}"
+        text = f"{len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why}) at {named}{more}"
+        told.append(Finding("rejected", "note", text, {"rejected": len(lost)}))
     if distortion is not None:
-        work += f"; {distortion.message}"
+        work += f"; {distortion.summary}"
+        told += distortion.findings
     if interrupted:
-        message = f"interrupted: {work}"
-    elif doubt:
-        message = f"misfit: {work}; {doubt}"
-    elif not found.settled:
-        message = f"the steps did not settle: {work}"
-    else:
-        message = f"converged: {work}{goodness_of_fit.remark(chi2, spread)}"
+        told.append(Finding("interrupted", "error", "the search was interrupted: this is the best so far"))
+    elif not found.settled and Findings(told).converged:
+        told.append(Finding("not_settled", "error", "the steps have not settled"))
+    if Findings(told).converged:
+        told += _unsure(one, found, covariance[: k * m, : k * m])
     noise, lit = camera
-    message += remarks([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
+    told += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     pad = tuple(one.terms)
 
     estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
@@ -733,12 +833,12 @@ def _answer(
         names=one.unknowns.terms,
         coefficients=polynomials,
         covariance=covariance[: k * m, : k * m],
-        blur=width,
-        blur_deviation=deviation if stars.blurred else np.zeros_like(width),
+        blurs=tuple(tuple(each for each, _ in several) for several in blurred),
+        blur_errors=tuple(tuple(error for _, error in several) for several in blurred),
         chi2=chi2,
         held_out=held_out,
-        converged=settled and not interrupted,
-        message=message + message_sign,
+        findings=Findings(told),
+        summary=work,
         degree=degree,
         distortion=distortion,
         stars=FittedStars(places, centers, noise.excess * own[:, 2], noise.excess * own[:, 3], each.chi2, used),
@@ -746,8 +846,70 @@ def _answer(
         model=model.reshape(counts.values.shape) * lit * noise.excess,
         _sensor=chip,
         _terms=kept,
-        _own={term: float(value) for term, value in pupil.wavefront.edge_terms().items()},
+        _pupil=pupil,
+        _defocus=tuple(float(each) for each in stars.known),
     )
+
+
+def _blurs(
+    stars: FieldStars, known: tuple[Blur, ...], squares: Array, errors: Array
+) -> list[list[tuple[Blur, float]]]:
+    """Return the blurs of each exposure, for squared widths (e, b) in pixels, with their standard errors."""
+    found: list[list[tuple[Blur, float]]] = [[(each, 0.0) for each in known] for _ in squares]
+    for at, pupil, pixel in stars.lights:
+        pitch = pixel * float(pupil.scale)
+        shape = stars.shapes[0]
+        for i in at:
+            for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
+                # Of a square that may be 0, the width is known to the root of the standard error of the square.
+                width = math.sqrt(max(float(square), 0.0))
+                off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
+                if name == "Gaussian":
+                    found[i].append((Jitter(width * pitch), off * pitch))
+                elif width > 0.0:
+                    light, far = pupil.wavelength, None
+                    if light is not None:
+                        far = 1.0 if pupil.geometry is None else pupil.geometry.focal_length
+                    coherence = FWHM / (SIGMAS * width * pitch)
+                    r0 = coherence * (1.0 if light is None or far is None else light * far)
+                    outer = None if shape.outer is None else shape.outer * r0
+                    found[i].append((Seeing(r0, far, light, outer), r0 * off / width))
+    return found
+
+
+def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
+    """Return which shape of blur the stars follow, and by how much."""
+    if not shapes:
+        return []
+    outer = stars.shapes[0].outer
+    seeing = "Kolmogorov" if outer is None else f"von Karman with an outer scale of {outer:.0f} r0"
+    gain = shapes["Gaussian"] - shapes["seeing"]
+    numbers = {"gain": gain, "outer_over_r0": outer}
+    if abs(gain) < _ALIKE:
+        text = f"Kolmogorov and a Gaussian are alike within lnL {abs(gain):.1f}: the images do not tell them apart"
+    elif gain > 0.0:
+        also = " and a Gaussian" if "Gaussian" in stars.shapes[0].names else ""
+        text = f"blur by {seeing} turbulence{also}, preferred to a Gaussian by lnL {gain:.0f}"
+    else:
+        also = " and seeing" if "seeing" in stars.shapes[0].names else ""
+        text = f"blur by a Gaussian{also}, preferred to Kolmogorov by lnL {-gain:.0f}"
+    return [Finding("blur_shape", "note", text, numbers)]
+
+
+def _unsure(one: Any, found: Found, covariance: Array) -> list[Finding]:
+    """Return the finding of standard errors in which images are not linear."""
+    basis = found.model.basis
+    k, m = one.directions.shape[0], basis.shape[1]
+    blocks = covariance.reshape(k, m, k, m)
+    metric = (one.directions * one.mean_squares) @ one.directions.T
+    rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
+    if rms <= _UNKNOWN:
+        return []
+    text = (
+        f"the wavefront is known to {rms:.2g} rad rms in the mean of the stars: images are not linear within its "
+        "standard errors, and other wavefronts may fit as well"
+    )
+    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": _UNKNOWN})]
 
 
 def _splines(degree: int, distortion: Distortion | None) -> bool:

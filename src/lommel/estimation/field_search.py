@@ -6,17 +6,19 @@ import itertools
 import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.fit import goodness_of_fit
-from lommel.fit.goodness_of_fit import SURE
+from lommel.fit.findings import Finding, Findings
+from lommel.fit.goodness_of_fit import SURE, chi2_findings
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import SHIFTS, term_of
 
@@ -25,6 +27,11 @@ _STARTS = 5  # of each
 _STEPS = 14  # of each start
 _SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
 _BLUR = 0.5  # pixels, at first
+_ROUGH = 3  # terms of blur of stars by themselves
+_TRIED = 6  # steps with another shape of blur
+_TOLD = 5.0  # log-likelihood by which seeing is better than a Gaussian, from which on its outer scale is looked for
+_BETTER, _AS_LIKELY = 1.0, 2.0  # the same that an outer scale has to gain, and that a width more has to
+_SMALL = 0.06  # pixels^2 of blur of which the shape is of no account
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # radians rms, all over the field
 _FEW, _SCANNED = 20, 2  # stars by which such shifts are compared, and how many of these are tried
 _GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
@@ -37,6 +44,7 @@ _MOST_LOST = 0.4  # of the stars, that may be rejected
 _MANY_LOST = 0.25  # beyond which the map is doubted
 _HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
 _QUIET = 0.9  # chi2 below which the noise cannot be as stated
+_CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
 
@@ -61,8 +69,9 @@ class Found:
         return self.x[0, : k * m].reshape(k, m).copy()
 
     def squares(self) -> Array:
-        """Return the squared widths of the blur (e,)."""
-        return np.asarray(self.x[0, self.model.waves * self.model.basis.shape[1] : self.model.shared])
+        """Return the squared widths of the blur (e, b)."""
+        found = self.x[0, self.model.waves * self.model.basis.shape[1] : self.model.shared]
+        return np.array(found.reshape(self.model.of.exposures, -1))
 
 
 @dataclass
@@ -75,27 +84,31 @@ class Outcome:
     bright: tuple[float, float]
     places: Array
     degree: int
+    shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
 
     @property
-    def doubt(self) -> str:
-        """Why the fit does not hold, or ""."""
+    def findings(self) -> Findings:
+        """What the stars say of the fit."""
         chi2, spread = float(self.found.scores.chi2[0]), float(self.found.scores.spread[0])
-        limit = float(goodness_of_fit.most(spread))
-        reasons = "; pupil, pixel, noise or defocus are wrong, the degree is too low, or terms are missing"
-        if chi2 >= limit:
-            return f"noise alone stays below {limit:.4g}{reasons}"
+        found = chi2_findings(chi2, spread, _CAUSES)
         bright, off = self.bright
-        if math.isfinite(bright) and bright >= (limit := float(goodness_of_fit.most(off))):
+        if not found and math.isfinite(bright) and bright >= (limit := float(goodness_of_fit.most(off))):
             where = "of the pixels in which stars exceed the noise"
-            return f"chi2 {bright:.4g} {where}, noise alone stays below {limit:.4g}{reasons}"
+            text = f"chi2 {bright:.4g} {where}, noise alone stays below {limit:.4g}; {_CAUSES}"
+            found = [Finding("misfit", "error", text, {"bright_chi2": bright, "limit": limit})]
         held, off = self.held_out
-        if held - 1.0 > _HELD_OUT + 4.0 * off:
-            return f"stars that were left out do not follow the map{reasons}"
-        if len(self.lost) > _MANY_LOST * (len(self.lost) + len(self.found.model.chosen)):
-            return f"many stars do not follow the map{reasons}"
-        if chi2 < min(float(goodness_of_fit.least(spread)), _QUIET):
-            return "the images are less noisy than white, read and offset state: standard errors do not hold"
-        return ""
+        if held - 1.0 > (limit := _HELD_OUT + 4.0 * off):
+            text = f"stars that were left out do not follow the map; {_CAUSES}"
+            found.append(Finding("held_out", "error", text, {"held_out": held, "limit": 1.0 + limit}))
+        count = len(self.lost) + len(self.found.model.chosen)
+        if len(self.lost) > _MANY_LOST * count:
+            text = f"many stars do not follow the map; {_CAUSES}"
+            found.append(Finding("many_rejected", "error", text, {"rejected": len(self.lost), "of": count}))
+        if chi2 < _QUIET:  # chi2 of few electrons is below that of noise by chance more often
+            found = [replace(each, severity="error") if each.code == "too_quiet" else each for each in found]
+        else:
+            found = [each for each in found if each.code != "too_quiet"]
+        return Findings(found)
 
     @property
     def cost(self) -> float:
@@ -112,8 +125,12 @@ class Search:
         self, stars: FieldStars, places: Array, part: Array, degree: int, draw: np.random.Generator, report: Report
     ) -> None:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
+        self.first = stars
+        self.shapes: dict[str, float] = {}
         self.part = part
-        self.square = _BLUR**2 if stars.blurred else stars.fixed**2
+        #: The same behind a coarser blur, for stars by themselves.
+        self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
+        self.squares = np.full((stars.exposures, stars.widths), _BLUR**2 / max(stars.widths, 1))
         self.widest = (0.25 * min(stars.shape)) ** 2
         self.taken = 0
         self.latest: WholeField | None = None
@@ -147,7 +164,7 @@ class Search:
         for turn in range(_STARTS):
             rows = chosen[open_]
             x = self._random(rows, scatter=turn > 0 or ambiguous)
-            model = SingleStars(stars, rows, self.widest)
+            model = SingleStars(self.rough, rows, self.widest)
 
             def report(step: int, value: float, turn: int = turn) -> None:
                 self.report(share[0] + share[1] * (turn + step / _STEPS) / _STARTS, value)
@@ -174,7 +191,7 @@ class Search:
         waves = stars.start[rows].copy()
         if scatter:
             waves += self.draw.normal(size=waves.shape) * size
-        squares = np.full((len(rows), stars.exposures), self.square)
+        squares = np.broadcast_to(self.squares, (len(rows), *self.squares.shape))
         return stars.joined(waves, squares, self._centred(rows, waves), stars.first(rows))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
@@ -198,7 +215,7 @@ class Search:
         """Return the fit of the brightest stars from the given wavefronts, None where these are not near enough."""
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
-        squares, few = np.full(self.stars.exposures, self.square), chosen[:: max(1, len(chosen) // _FEW)]
+        squares, few = self.squares, chosen[:: max(1, len(chosen) // _FEW)]
         begun = itertools.chain([polynomials], self._shifted(few, polynomials, squares))
         for turn, tried in enumerate(begun):
             found = self.refined(chosen, tried, squares, 10, (0.15 * turn, 0.15))
@@ -376,8 +393,45 @@ class Search:
         moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
         self.places = self.places.copy()
         self.places[chosen] += moved[:, ::-1] * self.part
+        if self.stars.widths == 2:
+            found = self.best_shape(found)
+            own = found.of_stars()
         last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
         return last or found, np.setdiff1d(every, chosen)
+
+    def best_shape(self, found: Found) -> Found:
+        """Return the fit with the shape of blur that is most likely, and the fewest unknowns that are as likely."""
+        own, polynomials, squares = found.of_stars(), found.polynomials(), found.squares()
+
+        def behind(shape: Shape, widths: Array, most: int) -> Found:
+            self.stars = self.first.shaped(shape)
+            again = self.refined(found.model.chosen, polynomials, widths, most, (0.88, 0.01), own)
+            return again or replace(found, scores=found.scores._replace(deviance=np.full(1, np.inf)))
+
+        both = behind(Shape.turbulent(), squares, _TRIED)
+        cost: dict[float | None, float] = {None: float(both.scores.deviance[0])}
+        gaussian = behind(Shape.gaussian(), squares.sum(axis=-1, keepdims=True), _TRIED)
+        self.shapes = {"Gaussian": float(gaussian.scores.deviance[0])}
+        outer: float | None = None
+        best = both
+        if self.shapes["Gaussian"] > cost[None] + _TOLD:
+            polynomials, own, squares = both.polynomials(), both.of_stars(), both.squares()
+            for other in OUTER[1:]:
+                tried = behind(Shape.turbulent(other), squares, 2)
+                cost[other] = float(tried.scores.deviance[0])
+                if cost[other] < cost[outer] - _BETTER:
+                    best, outer = tried, other
+                else:
+                    break
+        alone = behind(Shape.turbulent(outer, alone=True), best.squares().sum(axis=-1, keepdims=True), _TRIED)
+        self.shapes |= {"seeing": float(alone.scores.deviance[0]), "both": cost[outer]}
+        least = cost[outer] + _AS_LIKELY
+        single = [each for each, name in ((gaussian, "Gaussian"), (alone, "seeing")) if self.shapes[name] < least]
+        sharp = float(gaussian.squares().max()) < _SMALL
+        if len(single) == 1 or (single and sharp):
+            best = single[0]
+        self.stars = best.model.of
+        return best
 
     def regained(self, found: Found) -> Found:
         """Return the fit with stars that it has rejected, if it is the polynomials that were wrong there."""
@@ -418,7 +472,7 @@ class Search:
         fits, waves = np.zeros(len(lost), dtype=bool), model.copy()
         with suppress(Declined, ToleranceError):
             own = self.placed(lost, found.polynomials(), squares)
-            x = stars.joined(model, np.broadcast_to(squares, (len(lost), len(squares))), own[:, :2], own[:, 2:])
+            x = stars.joined(model, np.broadcast_to(squares, (len(lost), *squares.shape)), own[:, :2], own[:, 2:])
             x, scores, _, taken = search_rows(
                 SingleStars(stars, lost, self.widest), x, _STEPS, lambda *_: None, fast=True
             )
@@ -446,7 +500,7 @@ class Search:
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
         bright = self.stars.bright(chosen, psf, light, float(unknown))
-        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree)
+        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree, self.shapes)
 
     def held_out(self, found: Found) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""

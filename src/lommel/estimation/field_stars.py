@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple, cast
@@ -12,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.blur.blurs import Blur
+from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.star_images import StarImages, Unknowns, carrying
 from lommel.estimation.star_readout import StarReadout
@@ -50,8 +53,9 @@ class Quality(NamedTuple):
 class FieldStars:
     """Images of n stars in e exposures, electrons (n, e, height, width), and their likelihood.
 
-    Parameters of a star are the k coefficients of its wavefront (radians rms), the squared widths of the blur of each
-    exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two angles.
+    Parameters of a star are the k coefficients of its wavefront (radians rms), the b squared widths of the blur of
+    each exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two
+    angles. `blur` is a shape of unknown widths, or known blurs.
     Wavefronts, tilts and defocus are radians at the wavelength of the pupil; `wavelengths` (e,) are those of the
     exposures, which have the same path differences.
     """
@@ -66,19 +70,18 @@ class FieldStars:
         unknowns: Unknowns,
         pixel: float,
         *,
-        blurred: bool,
+        blur: Shape | tuple[Blur, ...],
         integrate: bool,
         tol: float,
         threads: int,
-        known: float = 0.0,
         target: Target | None = None,
         wavelengths: Array | None = None,
     ) -> None:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
         self.pixels = shape[0] * shape[1]
-        self.pupil, self.threads, self.blurred, self.integrate = pupil, threads, blurred, integrate
-        self.fixed = known  # pixels of blur where that is known
+        self.known = defocus
+        self.pupil, self.threads, self.integrate = pupil, threads, integrate
         self.target = target
         self.own = _OWN + (0 if target is None else target.angles)
         self.cornered = self.own > _OWN
@@ -89,11 +92,17 @@ class FieldStars:
         #: Phases there over those at the wavelength of the pupil.
         self.ratio: Array = own / light
         seen = {float(w): first if w == own else first.in_light(float(w)) for w in light}
-        self._lights = [
+        self.lights = [
             Light(np.flatnonzero(light == w), one, pixel / float(one.scale)) for w, one in sorted(seen.items())
         ]
+        self.shapes = [
+            blur if isinstance(blur, Shape) else Shape.known(blur, group.pixel * float(one.scale), one.wavelength)
+            for group in self.lights
+            for one in [group.pupil]
+        ]
+        self.widths = self.shapes[0].unknown
         added: dict[int, Wavefront] = {}
-        for group in self._lights:  # what the colour of the lens adds to the same path differences
+        for group in self.lights:  # what the colour of the lens adds to the same path differences
             factor = float(self.ratio[group.exposures[0]])
             changed = (group.pupil.wavefront + first.wavefront * -factor) * (1.0 / factor)
             if any(abs(value) > 1e-9 for value in changed.edge_terms().values()):
@@ -102,7 +111,7 @@ class FieldStars:
             first = first.carrying(first.wavefront + changed * 0.0, first.geometry)
         #: The images of one star, whose terms are those of all.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
-        self.size = len(unknowns.terms) + (1 + self.own) * self.exposures
+        self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
         flat = (self.count, self.exposures, self.pixels)
         counted = np.where(valid, electrons, 0.0)
         parts = counted, variance, np.maximum(variance, 0.05), valid
@@ -125,9 +134,19 @@ class FieldStars:
                 self.one.base[i, self.one.terms.index(term)] += value
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Name, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
-        self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self._lights)
+        self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self.lights)
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
+
+    def shaped(self, shape: Shape) -> FieldStars:
+        """Return the same stars behind another blur of unknown widths."""
+        found = copy(self)
+        found.shapes = [shape] * len(self.lights)
+        found.size += (shape.unknown - self.widths) * self.exposures
+        found.tested += (self.widths - shape.unknown) * self.exposures
+        found.widths = shape.unknown
+        found._readers = [None] * len(self.lights)
+        return found
 
     def images(
         self,
@@ -140,13 +159,13 @@ class FieldStars:
         fast: bool,
         slopes: str = "all",
     ) -> list[Array]:
-        """Return images of rows (r,) of stars, slopes by edge terms and tilts, by the squares if blurred, by angles.
+        """Return images of rows (r,) of stars, slopes by edge terms and tilts, by squared widths, by angles.
 
-        `waves` is (r, k), `squares` (r, e), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
+        `waves` is (r, k), `squares` (r, e, b), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
         list is (r * e, height, width). `slopes` may be "own", by tilts and angles, those by the wavefront being 0, or
         "none": values alone.
         """
-        readers = [self._readout(k, float(squares.max(initial=0.0))) for k in range(len(self._lights))]
+        readers = [self._readout(k, squares) for k in range(len(self.lights))]
         lattice = max(math.prod(self.shape if one is None else one.shape) for one in readers)
         each = self.exposures * lattice * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
@@ -156,19 +175,21 @@ class FieldStars:
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, k: int, square: float) -> StarReadout | TargetReadout | None:
-        """Return what reads pixels from samples for blur of this squared width; None where samples are the pixels."""
-        reader, pixel = self._readers[k], self._lights[k].pixel
+    def _readout(self, k: int, squares: Array) -> StarReadout | TargetReadout | None:
+        """Return what reads pixels from samples for blur of these squares; None where samples are the pixels."""
+        reader, pixel, shape = self._readers[k], self.lights[k].pixel, self.shapes[k]
         if self.target is not None:
             if reader is None:
-                self._readers[k] = TargetReadout(self.shape, pixel, self.target, integrate=self.integrate)
+                self._readers[k] = TargetReadout(self.shape, pixel, self.target, shape, integrate=self.integrate)
             return self._readers[k]
-        if not (self.blurred or self.integrate or self.fixed):
+        if not (self.widths or self.integrate or shape.fixed.any()):
             return None
-        width = math.sqrt(square)
+        # The wide Gaussians of seeing reach farther: they leave out light far beyond the window alone.
+        known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
+        width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         if reader is None or not reader.widest - 2.0 * _ROOM <= width <= reader.widest:
-            widest = width + _ROOM if self.blurred else width
-            self._readers[k] = StarReadout(self.shape, pixel, widest, integrate=self.integrate)
+            widest = width + _ROOM if self.widths else width
+            self._readers[k] = StarReadout(self.shape, pixel, widest, shape, integrate=self.integrate)
         return self._readers[k]
 
     def _block(
@@ -188,14 +209,14 @@ class FieldStars:
             edge[:, :, column] += tilts[:, j]
         edge *= self.ratio[:, None]
         parts = []
-        for light, reader in zip(self._lights, readers, strict=True):
+        for light, reader in zip(self.lights, readers, strict=True):
             at = light.exposures
             own = edge[:, at], squares[:, at], angles[:, :, at]
             parts.append(self._in_light(light, reader, *own, fast=fast, slopes=slopes))
         if len(parts) == 1:
             return parts[0]
         found = [np.empty((len(stars), self.exposures, *self.shape), one.dtype) for one in parts[0]]
-        for light, part in zip(self._lights, parts, strict=True):
+        for light, part in zip(self.lights, parts, strict=True):
             for place, images in zip(found, part, strict=True):
                 place[:, light.exposures] = images.reshape(len(stars), -1, *self.shape)
         return [place.reshape(-1, *self.shape) for place in found]
@@ -223,20 +244,20 @@ class FieldStars:
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": ()}[slopes]
         _, made, rates = asked.images(pupil, by)
         samples = [made.values, *(slope.values for slope in rates)]
-        blurred = self.blurred and slopes == "all"
         if reader is None:
             found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
         else:
             flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
             if isinstance(reader, TargetReadout):
                 turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
-                found = reader.read(flat, squares.ravel(), turned, blurred=blurred, threads=self.threads)
+                widths = squares.reshape(len(flat[0]), -1)
+                found = reader.read(flat, widths, turned, slopes=slopes == "all", threads=self.threads)
             else:
-                found = reader.read(flat, squares, blurred=blurred)
+                found = reader.read(flat, squares, slopes=slopes == "all")
         if slopes == "own":
             nothing = np.zeros_like(found[0])
             held = [nothing] * (len(self._slopes) - 2)
-            found = [found[0], *held, *found[1:3], *([nothing] if self.blurred else []), *found[3:]]
+            found = [found[0], *held, *found[1:3], *[nothing] * self.widths, *found[3:]]
         return found
 
     def likelihood(
@@ -246,7 +267,7 @@ class FieldStars:
 
         Of all parameters of single stars; `light` is (r, 2, e), or more than that.
         """
-        r, e, k = len(stars), self.exposures, len(self.one.directions)
+        r, e, k, b = len(stars), self.exposures, len(self.one.directions), self.widths
         own = np.ascontiguousarray(np.moveaxis(light[:, :2], 1, 0).reshape(1, 2, r * e))
         whole = r == self.count and bool((stars == np.arange(r)).all())
         star = (self.star if whole else self.star[:, stars]).reshape(4, r * e, self.pixels)
@@ -258,13 +279,13 @@ class FieldStars:
         flux = light[:, 0]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * (self.ratio * flux)[:, :, None, None]
         for i in range(e):
-            at = k + e + np.arange(self.own) * e + i
-            if self.blurred:
-                chain[:, i, k + i, edge + 2] = flux[:, i]
+            at = k + e * b + np.arange(self.own) * e + i
+            for j in range(b):
+                chain[:, i, k + i * b + j, edge + 2 + j] = flux[:, i]
             chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = self.ratio[i] * flux[:, i]
             chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
             for j in range(_OWN, self.own):
-                chain[:, i, at[j], edge + 2 + self.blurred + j - _OWN] = flux[:, i]
+                chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i]
         chain[:, :, -1, -1] = 1.0
         found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
         return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
@@ -348,15 +369,15 @@ class FieldStars:
         return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
     def split(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Return waves (r, k), squares (r, e), tilts (r, 2, e), light and angles (r, own - 2, e) of parameters."""
-        k, e = len(self.one.directions), self.exposures
-        own = x[:, k + e :].reshape(len(x), self.own, e)
-        return x[:, :k], x[:, k : k + e], own[:, :2], own[:, 2:]
+        """Return waves (r, k), squares (r, e, b), tilts (r, 2, e), light and angles (r, own - 2, e) of parameters."""
+        k, e, b = len(self.one.directions), self.exposures, self.widths
+        own = x[:, k + e * b :].reshape(len(x), self.own, e)
+        return x[:, :k], x[:, k : k + e * b].reshape(len(x), e, b), own[:, :2], own[:, 2:]
 
     def joined(self, waves: Array, squares: Array, tilts: Array, light: Array) -> Array:
         """Return the parameters of stars (r, p)."""
         r = len(waves)
-        return np.concatenate([waves, squares, tilts.reshape(r, -1), light.reshape(r, -1)], axis=1)
+        return np.concatenate([part.reshape(r, -1) for part in (waves, squares, tilts, light)], axis=1)
 
     def limited(self, tilts: Array, rest: Array, before: Array) -> None:
         """Limit tilts to the window, and flux and angles to steps from those before, in place."""
@@ -380,6 +401,17 @@ class FieldStars:
         return found.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
 
+def limit_widths(squares: Array, before: Array, widest: float, *, sharp: float) -> None:
+    """Limit squared widths (r, e, b) to steps from those before, in place; a sum below `sharp` may become 0."""
+    total = before.sum(axis=-1, keepdims=True)
+    np.clip(squares, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squares)
+    least = np.where(total < sharp, 0.0, 0.25 * total)
+    now = squares.sum(axis=-1, keepdims=True)
+    short = now < least
+    grown = np.where(now > 0.0, squares * least / np.maximum(now, 1e-300), before * 0.25)
+    np.copyto(squares, grown, where=short)
+
+
 class SingleStars:
     """Stars that each have a wavefront of their own: rows of a search are stars and their starts."""
 
@@ -388,10 +420,6 @@ class SingleStars:
     def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
         self.of, self.rows, self.widest = stars, rows, widest
         self.size, self.tested = stars.size, stars.tested
-        self._held = np.zeros(stars.size, dtype=bool)
-        if not stars.blurred:
-            k = len(stars.one.directions)
-            self._held[k : k + stars.exposures] = True
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return images of all rows, and their slopes."""
@@ -411,11 +439,7 @@ class SingleStars:
         return self._scores(x, self.rows, [values, *slopes])
 
     def _scores(self, x: Array, stars: NDArray[np.intp], images: list[Array]) -> Scores:
-        found = self.of.scores(stars, images, self.of.split(x)[3], float((~self._held).sum()))
-        found.slope[:, self._held] = 0.0
-        found.information[:, self._held] = 0.0
-        found.information[:, :, self._held] = 0.0
-        return found
+        return self.of.scores(stars, images, self.of.split(x)[3], float(self.size))
 
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
@@ -427,7 +451,7 @@ class SingleStars:
         """Limit parameters in place."""
         _, squares, tilts, light = self.of.split(x)
         old = self.of.split(before)
-        np.clip(squares, 0.25 * old[1], np.minimum(4.0 * old[1] + 0.1, self.widest), out=squares)
+        limit_widths(squares, old[1], self.widest, sharp=0.0)
         self.of.limited(tilts, light, old[3])
         return x
 
@@ -446,7 +470,7 @@ class Blocks:
     """Information of a field: of shared parameters, and of those of each star.
 
     `shared` (s, s), `own` (n, o, o), `mixed` (n, c, o) of the c waves and squares of a star with its own, `basis`
-    (n, m) of the monomials at each. `squares` (e,) are the squared widths of the blur there.
+    (n, m) of the monomials at each. `squares` (e * b,) are the squared widths of the blur there.
     """
 
     shared: Array
@@ -502,9 +526,9 @@ class WholeField:
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], basis: Array, *, held: bool = False) -> None:
         self.of, self.chosen, self.basis, self.held = stars, chosen, basis, held
         self.waves = len(stars.one.directions)
-        self.shared = self.waves * basis.shape[1] + stars.exposures
+        self.shared = self.waves * basis.shape[1] + stars.exposures * stars.widths
         self.size = self.shared + len(chosen) * stars.own * stars.exposures
-        unknown = self.size - (self.shared if held else 0) - (0 if stars.blurred or held else stars.exposures)
+        unknown = self.size - (self.shared if held else 0)
         self.pixels = int(stars.star[3][chosen].sum())
         self.tested = max(self.pixels - unknown, 1)
         self._each = unknown / len(chosen)
@@ -514,14 +538,14 @@ class WholeField:
         """Return the parameters of each star: waves, squares, tilts, light and angles."""
         k, m, e = self.waves, self.basis.shape[1], self.of.exposures
         waves = self.basis @ x[0, : k * m].reshape(k, m).T
-        squares = np.broadcast_to(x[0, k * m : self.shared], (len(waves), e))
+        squares = np.broadcast_to(x[0, k * m : self.shared].reshape(e, -1), (len(waves), e, self.of.widths))
         own = x[0, self.shared :].reshape(-1, self.of.own, e)
         return waves, squares, own[:, :2], own[:, 2:]
 
     def row(self, polynomials: Array, squares: Array, tilts: Array, light: Array) -> Array:
-        """Return parameters (1, p) of polynomials (k, m), squares (e,) and those of stars."""
+        """Return parameters (1, p) of polynomials (k, m), squares (e, b) and those of stars."""
         own = np.concatenate([tilts, light], axis=1)
-        return np.concatenate([polynomials.ravel(), squares, own.ravel()])[None]
+        return np.concatenate([polynomials.ravel(), squares.ravel(), own.ravel()])[None]
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return images of all stars, and their slopes."""
@@ -542,7 +566,7 @@ class WholeField:
         (deviance, total, spread), found, square = self.of.likelihood(
             self.chosen, [values, *slopes], self.parts(x)[3]
         )
-        c = self.waves + self.of.exposures
+        c = self.waves + self.of.exposures * self.of.widths
         info, slope = found[:, :, :-1], found[:, :, -1]
         squares = x[0, self.waves * self.basis.shape[1] : self.shared].copy()
         blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves, squares)
@@ -574,7 +598,7 @@ class WholeField:
             shared = scale * np.linalg.solve(matrix, right)
             at = np.arange(self.shared - len(blocks.squares), self.shared)
             sharp = shared[at] < -blocks.squares
-            if self.of.blurred and sharp.any():  # images of stars sharper than any: blur ends at 0
+            if sharp.any():  # images of stars sharper than any: blur ends at 0
                 bound = np.zeros(self.shared, dtype=bool)
                 bound[at[sharp]] = True
                 ended = (-blocks.squares / scale[at])[sharp]
@@ -594,8 +618,9 @@ class WholeField:
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
         at = slice(self.waves * self.basis.shape[1], self.shared)
-        least = np.where(before[:, at] < _SHARP, 0.0, 0.25 * before[:, at])
-        np.clip(x[:, at], least, 4.0 * before[:, at] + 0.1, out=x[:, at])
+        new, old = (part[:, at].reshape(1, self.of.exposures, -1) for part in (x, before))
+        limit_widths(new, old, math.inf, sharp=_SHARP)
+        x[:, at] = new.reshape(1, -1)
         _, _, tilts, light = self.parts(x)
         self.of.limited(tilts, light, self.parts(before)[3])
         return x

@@ -1,4 +1,4 @@
-r"""Pixel values of stars from samples of their images, with pixel area and Gaussian blur, and the slope by its width.
+r"""Pixel values of stars from samples of their images, with pixel area and blur, and the slopes by its widths.
 
 The intensity holds no frequency above 1 / (lambda*N): from samples h < 1/2 apart (units of lambda*N), images are
 
@@ -7,6 +7,7 @@ The intensity holds no frequency above 1 / (lambda*N): from samples h < 1/2 apar
 
 along rows and columns, ``s_j`` being fractions of light per sample; T is 1 up to f = 1 and falls to 0 at ``1/h - 1``,
 where copies of the spectrum begin. Pixels may be of any size, and blur of any width: nothing is blurred on pixels.
+Blur of another shape is a mixture of Gaussians: a sum of such images.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array, Values
+from lommel.blur.mixtures import Shape
 from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
@@ -29,17 +31,20 @@ _FALL = 2.2  # of the error function, in half the width of the fall of T
 
 
 class StarReadout:
-    """From samples on a lattice around the axis to the pixels of a window, for blur up to `widest` pixels.
+    """From samples on a lattice around the axis to the pixels of a window, for blur of a shape up to `widest` pixels.
 
     `pixel` is in lambda*N; pixels that do not `integrate` are points.
     """
 
     step = STEP
 
-    def __init__(self, shape: tuple[int, int], pixel: float, widest: float, *, integrate: bool) -> None:
+    def __init__(
+        self, window: tuple[int, int], pixel: float, widest: float, shape: Shape, *, integrate: bool
+    ) -> None:
+        self.blur = shape
         self.pixel, self.widest = pixel, widest
         margin = _MARGIN + pixel * (0.5 * integrate + _WIDTHS * widest)
-        halves = [math.ceil(((side // 2) * pixel + margin) / STEP) for side in shape]
+        halves = [math.ceil(((side // 2) * pixel + margin) / STEP) for side in window]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = STEP * max(halves)
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * _EDGE * (2.0 * length)) + 30)
@@ -50,17 +55,17 @@ class StarReadout:
         self._weights = 2.0 * pixel * _EDGE * weights * taper * area
         self._sides = [
             (self._waves(pixel, side - side // 2 - 1, side // 2), self._waves(STEP, half, half))
-            for side, half in zip(shape, halves, strict=True)
+            for side, half in zip(window, halves, strict=True)
         ]
 
     def _waves(self, pitch: float, last: int, before: int) -> tuple[Array, Array]:
         angle = np.multiply.outer(pitch * np.arange(-before, last + 1.0), 2.0 * math.pi * self._f)
         return np.cos(angle), np.sin(angle)
 
-    def matrices(self, squares: Array) -> tuple[list[Array], list[Array]]:
-        """Return matrices of rows and columns (r, pixels, samples) for squared widths (r,), pixels^2, and slopes."""
+    def matrices(self, variances: Array) -> tuple[list[Array], list[Array]]:
+        """Return matrices of rows and columns (r, pixels, samples) for variances (r,), and slopes by these."""
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
-        faded = self._weights * np.exp(np.multiply.outer(squares, rate))
+        faded = self._weights * np.exp(np.multiply.outer(variances, rate))
         made: tuple[list[Array], list[Array]] = ([], [])
         for weights, place in zip((faded, faded * rate), made, strict=True):
             for (cos, sin), (along, across) in self._sides:
@@ -68,30 +73,34 @@ class StarReadout:
                 place.append(one.astype(np.float32))
         return made
 
-    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool) -> list[Values]:
-        """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e).
+    def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
+        """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e, b).
 
-        And, if `blurred`, the slope by the squares.
+        And, if there are to be `slopes`, those by the b squares.
         """
         one = bool((squares == squares[:1]).all())
-        (down, across), (down_slope, across_slope) = self.matrices((squares[:1] if one else squares).ravel())
-        found: list[Values] = [
-            np.empty((len(samples[0]), down.shape[1], across.shape[1]), np.float32)
-            for _ in range(len(samples) + blurred)
-        ]
-        if (apart := len(down)) == len(samples[0]):  # each image has a blur of its own
-            parts = [(slice(None), (down, across), (down_slope, across_slope))]
-        else:  # images that many apart have the same
-            parts = [
-                (slice(k, None, apart), (down[k], across[k]), (down_slope[k], across_slope[k])) for k in range(apart)
-            ]
-        for each, (rows, columns), (by_rows, by_columns) in parts:
-            halves = [_products(one[each], columns) for one in samples]
-            for place, half in zip(found, halves, strict=False):
-                place[each] = _down(half, rows)
-            if blurred:
-                found[-1][each] = _down(halves[0], by_rows)
-                found[-1][each] += _down(_products(samples[0][each], by_columns), rows)
+        variances = self.blur.variances(squares[:1] if one else squares).reshape(-1, len(self.blur.weights))
+        size = tuple(len(cos) for (cos, _), _ in self._sides)
+        more = self.blur.unknown if slopes else 0
+        found: list[Values] = [np.zeros((len(samples[0]), *size), np.float32) for _ in range(len(samples) + more)]
+        for weight, rates, variance in zip(self.blur.weights, self.blur.rates, variances.T, strict=True):
+            (down, across), (down_slope, across_slope) = self.matrices(variance)
+            down, down_slope = np.float32(weight) * down, np.float32(weight) * down_slope
+            if (apart := len(down)) == len(samples[0]):  # each image has a blur of its own
+                parts = [(slice(None), (down, across), (down_slope, across_slope))]
+            else:  # images that many apart have the same
+                parts = [
+                    (slice(k, None, apart), (down[k], across[k]), (down_slope[k], across_slope[k]))
+                    for k in range(apart)
+                ]
+            for each, (rows, columns), (by_rows, by_columns) in parts:
+                halves = [_products(one[each], columns) for one in samples]
+                for place, half in zip(found, halves, strict=False):
+                    place[each] += _down(half, rows)
+                if more:
+                    slope = _down(halves[0], by_rows) + _down(_products(samples[0][each], by_columns), rows)
+                    for place, rate in zip(found[-more:], rates, strict=True):
+                        place[each] += np.float32(rate) * slope
         return found
 
 

@@ -1,6 +1,6 @@
 r"""Pixel values of pinholes and of crossings of a checkerboard from samples of PSFs, and slopes by blur and angles.
 
-An image is the object convolved with the PSF, the pixel and a Gaussian blur. The intensity of a PSF holds no
+An image is the object convolved with the PSF, the pixel and a mixture of Gaussians. The intensity of a PSF holds no
 frequency above 1 / (lambda*N): from samples ``h < 1/2`` apart (units of lambda*N) sums over samples are the
 convolution, and frequencies of the object above 1 are of no account. The spectrum of a disc is known. The corners of
 a checkerboard are sampled after a narrow Gaussian, which is then divided out: with lines at
@@ -24,6 +24,7 @@ from scipy import fft, special
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
+from lommel.blur.mixtures import Shape
 
 _STEP = 0.45  # lambda*N from sample to sample, at most
 _FINE = 0.285  # the same of objects
@@ -55,16 +56,18 @@ class TargetReadout:
 
     widest = math.inf  # pixels of blur
 
-    def __init__(self, shape: tuple[int, int], pixel: float, target: Target, *, integrate: bool) -> None:
-        self.pixel, self.target, self._pixels = pixel, target, shape
+    def __init__(
+        self, window: tuple[int, int], pixel: float, target: Target, shape: Shape, *, integrate: bool
+    ) -> None:
+        self.pixel, self.target, self._pixels, self.blur = pixel, target, window, shape
         self._every = math.ceil(pixel / _STEP)
         self.step = pixel / self._every
-        halves = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in shape]
+        halves = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in window]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         pad = 2 * math.ceil(_PAD / self.step)
         self._sides = [
             fft.next_fast_len(side * self._every + samples + pad, real=True)
-            for side, samples in zip(shape, self.shape, strict=True)
+            for side, samples in zip(window, self.shape, strict=True)
         ]
         f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
         f_column = fft.rfftfreq(self._sides[1], self.step)[None]
@@ -74,7 +77,7 @@ class TargetReadout:
         self._rate: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * square.astype(np.float32)
         area = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
         # Sample 0 of a PSF is its corner, the middle of the first pixel is half a window before the axis.
-        corner = [half - (side // 2) * self._every for half, side in zip(halves, shape, strict=True)]
+        corner = [half - (side // 2) * self._every for half, side in zip(halves, window, strict=True)]
         turned = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
         plain = inside * area * turned
         if target.kind == "pinhole":
@@ -138,24 +141,36 @@ class TargetReadout:
         kept = np.concatenate([whole[:half], whole[len(whole) - (rows - half) :]])
         return np.asarray(kept[:, : columns // 2 + 1])
 
-    def _spectra(self, square: float, angles: Array, *, blurred: bool) -> list[Values]:
-        """Return spectra of what samples are convolved with, and slopes by the blur and by angles."""
-        plain = self._plain * np.exp(square * self._rate)
-        parts = [plain] if self.target.kind == "pinhole" else [plain * part for part in self._corners(angles)]
-        return [parts[0], *([parts[0] * self._rate] if blurred else []), *parts[1:]]
+    def _spectra(self, squares: Array, angles: Array, *, slopes: bool) -> list[Values]:
+        """Return spectra of what samples are convolved with, and slopes by the squares (b,) and by angles."""
+        shape = self.blur
+        each = [
+            np.float32(weight) * np.exp(np.float32(variance) * self._rate)
+            for weight, variance in zip(shape.weights, shape.variances(squares), strict=True)
+        ]
+        faded = [np.sum(each, axis=0)]
+        if slopes:
+            faded += [
+                self._rate * sum(np.float32(rate) * one for rate, one in zip(rates, each, strict=True))
+                for rates in shape.rates.T
+            ]
+        objects = [self._plain]
+        if self.target.kind != "pinhole":
+            objects = [self._plain * part for part in self._corners(angles)]
+        return [objects[0] * one for one in faded] + [one * faded[0] for one in objects[1:]]
 
     def read(
-        self, samples: Sequence[Values], squares: Array, angles: Array, *, blurred: bool, threads: int = 0
+        self, samples: Sequence[Values], squares: Array, angles: Array, *, slopes: bool, threads: int = 0
     ) -> list[Values]:
         """Return images (r, height, width) of samples of PSFs and of their slopes, and slopes of the images.
 
-        Slopes are by the squared blur (r,), pixels^2, if `blurred`, and by the angles (r, a).
+        If there are to be `slopes`, by the squared blurs (r, b), pixels^2; and by the angles (r, a).
         """
-        count = len(samples) + blurred + self.target.angles
+        count = len(samples) + (self.blur.unknown if slopes else 0) + self.target.angles
         found: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
 
         def one(k: int) -> None:
-            first, *others = self._spectra(float(squares[k]), angles[k], blurred=blurred)
+            first, *others = self._spectra(squares[k], angles[k], slopes=slopes)
             light = [fft.rfft2(np.asarray(each[k], np.float32), self._sides) for each in samples]
             spectra = [*(first * each for each in light), *(light[0] * other for other in others)]
             for place, spectrum in zip(found, spectra, strict=True):

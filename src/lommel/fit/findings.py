@@ -12,6 +12,7 @@ Severity: TypeAlias = Literal["error", "doubt", "note"]
 
 CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the answer, fits as well",
+    "blur_shape": "which shape of blur the images follow",
     "errors_change": "a standard error changes within one standard deviation of the answer",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
@@ -20,6 +21,7 @@ CODES: Mapping[str, str] = {
     "interrupted": "the search was interrupted: the answer is the best so far",
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the lenses state",
+    "many_rejected": "many sources do not follow the fit",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search are not those that are certified",
     "moved": "planes are shifted against the others",
@@ -30,6 +32,7 @@ CODES: Mapping[str, str] = {
     "psf_compared": "other PSFs were compared with the one that was used, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",
     "rare_chi2": "noise alone seldom leaves so large a chi2",
+    "rejected": "sources that do not follow the fit were left out",
     "reversed_z": "planes in the reversed order fit far better",
     "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
     "scatter": "values scatter by more than their standard errors",

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.fit.findings import Finding, Findings
+from lommel.fit.findings import Findings
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.axial import stage
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import STACK_MISFIT, TOO_QUIET, Background, Counted
+from lommel.microscopy.stack_steps import Background, Counted
 from lommel.microscopy.total_variation import walk_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
@@ -110,21 +110,14 @@ def deconvolve(
     with shown(progress) as tell:
         steps, stopped, each = walk.solve(way, tell)
     values, found = walk.inside(planes, pixels), counted.mean(each)
-    if finding := counted.finding(stopped, steps, found):
+    finding = counted.finding(stopped, steps, found)
+    if finding is not None:
         stopped = f"misfit: {finding}"
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(
         values, values, found, tuple(map(float, each)), before, steps, stopped, walk.strength, unknown,
-        background=counted.background, findings=_findings(stopped, found),
+        background=counted.background, findings=Findings([] if finding is None else [finding]),
     )  # fmt: skip
-
-
-def _findings(stopped: str, discrepancy: float) -> Findings:
-    """Return what is to be said of the restoration of a stack."""
-    code = {STACK_MISFIT: "misfit", TOO_QUIET: "too_quiet"}.get(stopped)
-    if code is None:
-        return Findings()
-    return Findings([Finding(code, "error", stopped.removeprefix("misfit: "), {"discrepancy": discrepancy})])
 
 
 def background_of(given: float | str) -> Background:

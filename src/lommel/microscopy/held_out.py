@@ -113,8 +113,8 @@ class HeldOut(Trial):
         """Return the background of the stack: the highest that held-out photons agree with.
 
         Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began
-        with. Less background than there is leaves a floor of light, which agrees little worse; more is contradicted by
-        dark voxels. `free` is the walk that estimates it with the specimen.
+        with. Less background than there is leaves a floor of light, which agrees little worse; more is contradicted
+        by dark voxels. `free` is the walk that estimates it with the specimen.
         """
         places, losses = [free.level], [free.loss]
         for _ in range(_LEVELS):

@@ -48,7 +48,10 @@ def verdict(result: Any) -> Verdict:
     for each in (result, *(channels or ())):
         findings = getattr(each, "findings", None)
         if findings is not None:
-            return Verdict(findings.reliable, findings.codes, findings.text)
+            # The sign of a field of one focus is open, and its twin is given: errors are those of the nearer of both.
+            twin = {"sign_open"} if hasattr(each, "degree") else set[str]()
+            doubts = {one.code for one in findings if one.severity != "note"}
+            return Verdict(doubts <= twin, findings.codes, findings.text)
     if channels:  # a restored stack
         return Verdict(channels[0].stopped.startswith("noise"), (_code(channels[0].stopped),), channels[0].stopped)
     if hasattr(result, "agrees"):  # depth from defocus

@@ -44,7 +44,7 @@ def test_fits_are_unbiased_and_their_errors_are_those_that_they_state():
     for _ in range(120):
         fit = lm.fit_moffat(rng.poisson(clean) + rng.normal(0.0, 3.0, clean.shape), lm.Noise(read=3.0))
         pulls.append(
-            [(getattr(fit, name) - truth) / fit.deviations[name] for name, truth in zip(NAMES, TRUTH, strict=True)]
+            [(getattr(fit, name) - truth) / fit.errors[name] for name, truth in zip(NAMES, TRUTH, strict=True)]
         )
         chi.append(fit.chi2)
     # Four standard errors of a mean and of a standard deviation of 120.
@@ -78,8 +78,8 @@ def test_a_long_exposure_through_the_atmosphere_has_its_exponent_and_width():
     ("image", "wrong"),
     [
         (np.ones((4, 9)), "at least 5 x 5"),
-        (np.full((9, 9), np.nan), "finite but for NaN"),
-        (np.full((9, 9), np.inf), "finite but for NaN"),
+        (np.full((9, 9), np.nan), "neither NaN, masked nor full"),
+        (np.full((9, 9), np.inf), "neither NaN, masked nor full"),
         (np.full((9, 9), 7.0), "a star above its background"),
     ],
 )
@@ -100,8 +100,8 @@ def test_narrow_stars_have_unbiased_errors_too():
             _model(np.array([1.0, 9.3, 10.8, fwhm, 2.7, 0.0]), (21, 21))[0], image, atol=2e-4 * image.max()
         )
         fit = lm.fit_moffat(1e6 * image + 30.0, lm.Noise(read=3.0))
-        assert abs(fit.flux - 1e6) < fit.deviations["flux"]
-        assert abs(fit.fwhm - fwhm) < fit.deviations["fwhm"]
+        assert abs(fit.flux - 1e6) < fit.errors["flux"]
+        assert abs(fit.fwhm - fwhm) < fit.errors["fwhm"]
 
 
 def test_a_gaussian_ends_at_the_largest_exponent():
@@ -116,7 +116,7 @@ def test_a_gaussian_says_so():
     y, x = np.mgrid[:25, :25]
     gaussian = 30.0 + 4e3 * np.exp(-((y - 12.2) ** 2 + (x - 12.4) ** 2) / (2.0 * 1.8**2))
     fit = lm.fit_moffat(gaussian, lm.Noise(read=3.0))
-    assert math.isinf(fit.deviations["beta"])
+    assert math.isinf(fit.errors["beta"])
     assert "beta=100 (a Gaussian)," in repr(fit)
     assert "beta=100 (held)," in repr(lm.fit_moffat(gaussian, lm.Noise(read=3.0), beta=100.0))
 
@@ -138,12 +138,12 @@ def test_dim_stars_are_found_where_the_exponent_and_the_background_are_held(trut
             refused.append(str(error))
         fits = [lm.fit_moffat(image, lm.Noise(read=3.0), beta=4.765, background=truth[5])]
         fits.append(lm.fit_moffat(image, lm.Noise(read=3.0), beta=4.765))
-        assert all(fit.beta == 4.765 and fit.deviations["beta"] == 0.0 for fit in fits)
+        assert all(fit.beta == 4.765 and fit.errors["beta"] == 0.0 for fit in fits)
         assert fits[0].background == truth[5]
-        assert fits[0].deviations["background"] == 0.0 < fits[1].deviations["background"]
-        assert fits[0].deviations["flux"] < fits[1].deviations["flux"]
-        names = [name for name in NAMES if fits[0].deviations[name] > 0.0]
-        pulls.append([(getattr(fits[0], n) - truth[NAMES.index(n)]) / fits[0].deviations[n] for n in names])
+        assert fits[0].errors["background"] == 0.0 < fits[1].errors["background"]
+        assert fits[0].errors["flux"] < fits[1].errors["flux"]
+        names = [name for name in NAMES if fits[0].errors[name] > 0.0]
+        pulls.append([(getattr(fits[0], n) - truth[NAMES.index(n)]) / fits[0].errors[n] for n in names])
     assert len(pulls[0]) == 4
     # Five standard errors: the logarithm of the width of dim stars is skewed.
     assert np.abs(np.mean(pulls, axis=0)).max() < 5.0 / math.sqrt(STARS)
@@ -177,15 +177,39 @@ def test_missing_pixels_at_the_edge_do_not_count_as_a_background():
     [
         ((2e4, -3.0, 12.0, 4.0, 2.7, 30.0), "row at its limit -0.5"),
         ((2e5, 12.0, 26.0, 4.0, 2.7, 30.0), "column at its limit 24.5"),
-        (None, "no solution"),
     ],
 )
-def test_a_fit_that_ends_at_a_limit_or_nowhere_is_refused(truth, wrong):
+def test_a_fit_that_ends_at_a_limit_is_refused(truth, wrong):
+    with pytest.raises(ValueError, match=wrong):
+        lm.fit_moffat(_model(np.array(truth), (25, 25))[0], lm.Noise(read=3.0))
+
+
+def test_what_is_not_of_this_profile_is_a_misfit():
     y, x = np.mgrid[:25, :25]
     r = np.hypot(y - 12.0, x - 12.0)
-    clean = 30.0 + 200.0 * ((r > 5.0) & (r < 9.0)) if truth is None else _model(np.array(truth), (25, 25))[0]
-    with pytest.raises(ValueError, match=wrong):
-        lm.fit_moffat(clean, lm.Noise(read=3.0))
+    noise = lm.Noise(read=3.0)
+    ring = lm.fit_moffat(noise.record(30.0 + 200.0 * ((r > 5.0) & (r < 9.0)), seed=0), noise)
+    one = _model(TRUTH, (25, 25))[0]
+    double = lm.fit_moffat(noise.record(one + np.roll(one, (4, 5), (0, 1)), seed=0), noise)
+    for fit in (ring, double):
+        assert (fit.status, fit.converged) == ("misfit", False)
+        assert fit.to_dict()["findings"][0]["numbers"]["chi2"] == fit.chi2
+    right = lm.fit_moffat(noise.record(one, seed=0), noise)
+    assert right.converged
+    assert right.reliable
+
+
+def test_masked_and_saturated_pixels_do_not_count():
+    noise = lm.Noise(read=3.0)
+    seen = noise.record(_model(TRUTH, (21, 23))[0], seed=2)
+    bad = np.zeros(seen.shape, bool)
+    bad[8:10, 9:11] = True
+    plain = lm.fit_moffat(np.where(bad, np.nan, seen), noise)
+    masked = lm.fit_moffat(seen, noise, mask=bad)
+    full = lm.fit_moffat(np.where(bad, 5e4, seen), noise, saturation=5e4)
+    for fit in (masked, full):
+        assert [getattr(fit, name) for name in NAMES] == [getattr(plain, name) for name in NAMES]
+        assert fit.findings.get("left_out").numbers["pixels"] == 4
 
 
 def test_other_arguments_are_checked():

@@ -73,7 +73,7 @@ OPTIONS = {
     "retrieve": "star.toml --defocus=-4,0,4 --white 0.5 --read 2 --offset 100 --terms 5 --starts 1",
     "beads": "oil.toml --step 250nm --read 1.6 --offset 100 --terms 1 --fixed",
     "deconvolve": "oil.toml --gain 1 --read 1.6 --offset 100 --steps 2 --direction up --background 0 --slabs 1 "
-    "-o restored.ome.tif",
+    "--no-diagnosis -o restored.ome.tif",
     "fit-field": "sky.toml --defocus=-2.5,0,2.5 --read 2 --offset 50 --window 17 --degree 0 --terms 5 --known-blur 0",
     "localize": "glass.toml --gain 0.46 --read 1.6 --offset 100 --z -300nm 300nm --box 11 --reach 1 -o table.csv",
 }

@@ -88,8 +88,8 @@ def moffat(noise):
     y, x = np.mgrid[:21, :21] - 10.0
     image = EM.record(2e4 * np.exp(-(x**2 + y**2) / 8.0) / (8.0 * np.pi) + 5.0, 1)
     found = lm.fit_moffat(image, noise)
-    light = [found.flux, found.background, found.deviations["flux"], found.deviations["background"]]
-    return [found.fwhm, found.row, found.beta, found.deviations["fwhm"], found.chi2], light
+    light = [found.flux, found.background, found.errors["flux"], found.errors["background"]]
+    return [found.fwhm, found.row, found.beta, found.errors["fwhm"], found.chi2], light
 
 
 def spots(noise):

@@ -16,13 +16,11 @@ from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares
 
 POSES = ("free", "known")
 _FAR = 0.2  # of the spread of places: no lens distorts more in the rms
-_OUTLIER, _LEAST = 10.0, 0.03  # times the median distance from the polynomials, pixels, or this one
-_MOST_LOST = 0.2  # of the places
 _TURNS = 4  # of polynomials and what of them is shift, rotation and magnification
-_HALVINGS = 40
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -187,9 +185,9 @@ def fit_distortion(
         spots = _moved(transform, given)
         basis = monomials(*sensor.relative(*sensor.positions(spots)), degree)
         found, distance = robust(basis, first - spots, np.ones(len(at)), np.eye(2))
-        good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _LEAST)
-        if good.mean() < 1.0 - _MOST_LOST:  # the degree is too low, or places are far less exact than images
-            good[:] = True
+        near = inliers(distance)
+        good = np.ones(len(at), dtype=bool) if near is None else near
+        if near is None:  # the degree is too low, or places are far less exact than images
             found = np.asarray(np.linalg.lstsq(basis, first - spots, rcond=None)[0].T, np.float64)
         if pose == "known" or turn == _TURNS - 1:
             break
@@ -199,20 +197,14 @@ def fit_distortion(
     kept = at[good]
     part = Places(seen[good], places.noise[kept], places.mixed[kept], places.shared)
     off = part.fitted - spots[good][:, None]
-    tested = _Squares(basis[good], off, part)
-    chi2 = tested.solved(0.0)[2]
-    scatter = 0.0
-    if chi2 > 1.0:
-        low, high = 0.0, max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
-        for _ in range(_HALVINGS):
-            scatter = 0.5 * (low + high)
-            low, high = (scatter, high) if tested.solved(scatter)[2] > 1.0 else (low, scatter)
-    solution, covariance, _ = tested.solved(scatter)
+    model = _PlaceModel(basis[good], off, part)
+    most = max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
+    (solution, covariance, _), scatter, chi2 = fit_scatter(model.fit, most)
     rest = np.eye(2 * m) - held.T @ held
     coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
-    residuals[used[kept]] = tested.residuals(solution)
-    limit = float(goodness_of_fit.most(math.sqrt(2.0 / tested.tested)))
+    residuals[used[kept]] = model.residuals(solution)
+    limit = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom)))
     found_there = []
     if chi2 > limit:
         text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
@@ -234,8 +226,8 @@ def fit_distortion(
     )
 
 
-class _Squares:
-    """Generalised least squares of displacements (r, e, 2): polynomials, and an alignment of each later exposure."""
+class _PlaceModel:
+    """Displacements (r, e, 2) as polynomials and an alignment of each later exposure, and shared parameters."""
 
     def __init__(self, basis: Array, off: Array, places: Places) -> None:
         self.basis, self.off, self.places = basis, off, places
@@ -249,31 +241,23 @@ class _Squares:
                 start = 2 * m + own * (2 * (i - 1) + j)
                 design[:, j, i, start : start + own] = basis[:, :own]
         self.design = design.reshape(r, 2 * e, -1)
-        self.tested = max(2 * e * r - self.design.shape[2], 1)
-
-    def solved(self, scatter: float) -> tuple[Array, Array, float]:
-        """Return the solution, its covariance and chi2 per degree of freedom."""
-        _, p = self.design.shape[1:]
+        self.freedom = max(2 * e * r - self.design.shape[2], 1)
+        # The shared parameters are known as well as the images tell them.
+        self.joined = np.concatenate([self.design, places.mixed], axis=-1)
+        self.prior = np.zeros((self.joined.shape[2],) * 2)
+        self.prior[self.design.shape[2] :, self.design.shape[2] :] = places.shared
+        self.data = off.swapaxes(1, 2).reshape(r, -1)
         # A hole that is off its place is so in all exposures.
-        shared = np.kron(np.eye(2), np.ones((self.off.shape[1], self.off.shape[1])))
-        weight = np.linalg.inv(self.places.noise + scatter**2 * shared)
-        right = np.concatenate([self.design, self.places.mixed], axis=-1)
-        data = self.off.swapaxes(1, 2).reshape(len(self.off), -1)
-        weighted = weight @ right
-        normal = np.tensordot(right, weighted, ([0, 1], [0, 1]))
-        normal[p:, p:] += self.places.shared  # the shared parameters are known as well as the images tell them
-        found = np.tensordot(weighted, data, ([0, 1], [0, 1]))
-        scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
-        inverse = np.linalg.pinv(normal * np.outer(scale, scale), rcond=1e-13, hermitian=True) * np.outer(
-            scale, scale
-        )
-        answer = inverse @ found
-        total = float(np.einsum("ri,rij,rj->", data, weight, data) - found @ answer)
-        return answer[:p], inverse[:p, :p], total / self.tested
+        self.alike = np.kron(np.eye(2), np.ones((e, e)))
+
+    def fit(self, scatter: float) -> LinearFit:
+        """Return the fit for a standard deviation of places about the polynomials."""
+        weight = np.linalg.inv(self.places.noise + scatter**2 * self.alike)
+        return least_squares(self.joined, self.data, weight, self.prior, np.zeros(len(self.prior)), self.freedom)
 
     def residuals(self, solution: Array) -> Array:
         """Return displacements less those of a solution, (r, e, 2)."""
-        model = (self.design @ solution).reshape(len(self.off), 2, -1)
+        model = (self.design @ solution[: self.design.shape[2]]).reshape(len(self.off), 2, -1)
         return np.asarray(self.off - model.swapaxes(1, 2))
 
 

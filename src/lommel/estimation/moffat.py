@@ -3,25 +3,33 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.core.engine import star_likelihood
+from lommel.fit.findings import Findings, FitReport
+from lommel.fit.goodness_of_fit import chi2_findings
+from lommel.fit.scoring import Policy, Scores, covariance, damped_steps, search_rows
+from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise
 from lommel.special.legendre import gauss_legendre
 
 _NAMES = ("flux", "row", "column", "fwhm", "beta", "background")
 _STEPS = 200
+_POLICY = Policy(settled=1e-9, patience=None)  # nearer than a standard error by far, and of misfits too
+_DARK = 1e-3  # electrons squared: the smallest variance of reading
 _BETA = (1.05, 100.0)  # of less the light is infinite; of more it is a Gaussian
 _NARROWEST = 0.2  # fwhm, pixels
 _HOLD_BETA, _HOLD_SKY = "beta= (4.765 of seeing)", "background="
 
 
-@dataclass(frozen=True, eq=False)
-class MoffatFit:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class MoffatFit(FitReport):
     r"""Moffat's profile of a star, ``I = I_0 (1 + r^2 / alpha^2)^{-beta}`` plus a background.
 
     Attributes
@@ -37,11 +45,13 @@ class MoffatFit:
         Exponent: 4.765 for the atmosphere without outer scale, 2 to 4 as measured; at most 100, a Gaussian.
     background : float
         Electrons a pixel.
-    deviations : dict of str to float
+    errors : dict of str to float
         Standard errors of all these, from Fisher's information; the errors of `beta` and `flux` go together. They are
         0 of numbers that were held, and infinite of the exponent of a Gaussian.
     chi2 : float
-        Sum of squared residuals over their variances, per degree of freedom: near 1 where the profile fits.
+        Sum of squared residuals over their variances, over what noise leaves of it: near 1 where the profile fits.
+    findings, converged, reliable, status, message
+        As of :class:`lommel.fit.FitReport`: whether the profile explains the image, and pixels left out.
     """
 
     flux: float
@@ -50,23 +60,30 @@ class MoffatFit:
     fwhm: float
     beta: float
     background: float
-    deviations: dict[str, float]
+    errors: dict[str, float]
     chi2: float
 
     def __repr__(self) -> str:
         words = {0.0: "held", math.inf: "a Gaussian"}
-        errors = {n: f"({words[e]})" if e in words else f"+- {e:.2g}" for n, e in self.deviations.items()}
+        errors = {n: f"({words[e]})" if e in words else f"+- {e:.2g}" for n, e in self.errors.items()}
         listed = ", ".join(f"{n}={getattr(self, n):.6g} {errors[n]}" for n in _NAMES)
-        return f"<MoffatFit {listed}, chi2 {self.chi2:.3g}>"
+        return f"<MoffatFit {listed}, {self.status}, chi2 {self.chi2:.3g}>"
 
 
 def fit_moffat(
-    image: ArrayLike, noise: Noise, *, pixel: float = 1.0, beta: float | None = None, background: float | None = None
+    image: ArrayLike,
+    noise: Noise,
+    *,
+    pixel: float = 1.0,
+    beta: float | None = None,
+    background: float | None = None,
+    mask: ArrayLike | None = None,
+    saturation: float | None = None,
 ) -> MoffatFit:
     """Fit Moffat's profile, averaged over pixels, and a background to the image of a star.
 
-    The parameters of least squares weighted by the variance of the model (iteratively, which for photon noise is
-    maximum likelihood), by damped steps (Levenberg and Marquardt).
+    The parameters of maximum likelihood for Poisson's photons and Gaussian read noise, by damped steps of Fisher
+    scoring.
 
     Parameters
     ----------
@@ -81,6 +98,10 @@ def fit_moffat(
         five widths, determine flux, exponent and background only together.
     background : float, optional
         Background that is held, electrons a pixel, as measured beside the star; by default it is fitted.
+    mask : array_like of bool, shape (height, width), optional
+        True for pixels that do not count, as NaN.
+    saturation : float, optional
+        Value from which on pixels are full and do not count; by default what the image tells.
 
     Returns
     -------
@@ -108,50 +129,32 @@ def fit_moffat(
     "The effects of seeing on Sersic profiles II: the Moffat PSF", Mon. Not. R. Astron. Soc. 328, 977 (2001),
     doi:10.1046/j.1365-8711.2001.04937.x.
     """
-    given = validation.number_array("image", image)
-    if given.ndim != 2 or min(given.shape) < 5:
-        raise ValueError(f"image must be at least 5 x 5, got shape {given.shape}")
+    counts = Counts.of("image", image, sides=(2,), shape="(height, width)", mask=mask, saturation=saturation)
+    shape = counts.values.shape
+    if min(shape) < 5:
+        raise ValueError(f"image must be at least 5 x 5, got shape {shape}")
     validation.instance("noise", noise, Noise)
     pitch = validation.real("pixel", pixel, above=0.0)
-    counts = np.isfinite(given)
-    if np.isinf(given).any() or counts.sum() < 3 * len(_NAMES):
+    known = counts.known
+    if known.sum() < 3 * len(_NAMES):
         raise ValueError(
-            f"image must be finite but for NaN, with {3 * len(_NAMES)} pixels that count at least, "
-            f"got {int(counts.sum())}"
+            f"image must have {3 * len(_NAMES)} pixels that count at least, neither NaN, masked nor full, got "
+            f"{int(known.sum())}"
         )
-    data = noise.electrons(np.where(counts, given, 0.0))
+    gain, camera = noise.excess, noise.poisson
+    data = np.where(known, camera.electrons(counts.filled()), 0.0)
     if background is not None:
-        background = validation.real("background", background)
-    low, high = _limits(given.shape)
-    p = _start(data, counts, background)
+        background = validation.real("background", background) / gain
+    start = _start(data, known, background)
     if beta is not None:
-        p[4] = validation.real("beta", beta, least=_BETA[0], most=_BETA[1])
+        start[4] = validation.real("beta", beta, least=_BETA[0], most=_BETA[1])
     held = np.array([False] * 4 + [beta is not None, background is not None])
-    step, best, settled = 1e-3, math.inf, False
-    for _ in range(_STEPS):
-        model, slopes = _model(p, given.shape)
-        variance = np.maximum(noise.variance(np.maximum(model, 0.0)), 1e-3)
-        weight = np.where(counts, 1.0 / variance, 0.0)
-        information = np.einsum("iyx,yx,jyx->ij", slopes, weight, slopes)
-        score = np.einsum("iyx,yx,yx->i", slopes, weight, data - model)
-        chi2 = float((weight * (data - model) ** 2).sum())
-        size = np.sqrt(np.maximum(np.diag(information), 1e-300))
-        scaled = information / np.outer(size, size)
-        free = np.where(score > 0.0, p < high, p > low) & ~held  # others stay at their limit
-        while True:
-            system = np.where(np.outer(free, free), scaled, 0.0) + step * np.eye(len(p)) + np.diag(1.0 * ~free)
-            tried = np.clip(p + np.linalg.solve(system, free * score / size) / size, low, high)
-            there = _model(tried, given.shape)[0]
-            if float((weight * (data - there) ** 2).sum()) <= chi2 or step > 1e12:
-                break
-            step *= 8.0
-        settled = float(np.abs((tried - p) * size).max()) < 1e-6 and abs(best - chi2) <= 1e-9 * chi2
-        p, step, best = tried, max(0.1 * step, 1e-12), chi2
-        if settled:
-            break
+    star = _StarProfile(data, camera.variance(np.zeros(shape)), known, held)
+    x, scores, stopped, _ = search_rows(star, start[None], _STEPS, lambda *_: None, fast=False, policy=_POLICY)
+    p, settled, low, high = x[0], bool(stopped[0]), *star.limits
     errors = np.zeros(len(p))
-    errors[~held] = np.sqrt(np.maximum(np.diag(np.linalg.pinv(scaled[np.ix_(~held, ~held)])), 0.0)) / size[~held]
-    choices = [text for text, is_held in zip((_HOLD_BETA, _HOLD_SKY), held[4:], strict=True) if not is_held]
+    errors[~held] = np.sqrt(np.diag(covariance(star.information(p)[np.ix_(~held, ~held)])))
+    choices = [text for text, is_held in zip((_HOLD_BETA, _HOLD_SKY), held[4:].tolist(), strict=True) if not is_held]
     advice = f". Give {' or '.join(choices)} to hold it, or take a larger window" if choices else ""
     if not p[0] > 2.0 * errors[0]:
         raise ValueError(
@@ -168,17 +171,90 @@ def fit_moffat(
         )
     if gaussian:
         errors[4] = math.inf
-    scale = np.array([1.0, 1.0, 1.0, pitch, 1.0, 1.0])
-    numbers, errors = p * scale, errors * scale
-    found = dict(zip(_NAMES, numbers.tolist(), strict=True))
+    scale = np.array([gain, 1.0, 1.0, pitch, 1.0, gain])
+    chi2 = float(scores.chi2[0])
+    causes = "the star is not of this profile: a companion, a halo, trailing, or gain and read noise are others"
     return MoffatFit(
-        **found,
-        deviations=dict(zip(_NAMES, errors.tolist(), strict=True)),
-        chi2=best / (int(counts.sum()) - int((~held).sum())),
+        **dict(zip(_NAMES, (p * scale).tolist(), strict=True)),
+        errors=dict(zip(_NAMES, (errors * scale).tolist(), strict=True)),
+        chi2=chi2,
+        findings=Findings(
+            [*chi2_findings(chi2, float(scores.spread[0]), causes), *recording_findings([counts], noise, "image")]
+        ),
+        summary=f"chi2 {chi2:.4g}",
     )
 
 
-def _start(data: Array, counts: Array, background: float | None) -> Array:
+class _StarProfile:
+    """The profile of a star averaged over pixels, as a function of rows of flux, centre, width, exponent, background.
+
+    Parameters at a limit, towards which the likelihood rises, and those `held` stay where they are.
+    """
+
+    alternatives = False
+    size = len(_NAMES)
+
+    def __init__(self, data: Array, reading: Array, known: NDArray[np.bool_], held: NDArray[np.bool_]) -> None:
+        self.shape, self.held, self.limits = data.shape, held, _limits(data.shape)
+        parts = data, reading, np.maximum(reading, _DARK), known
+        self.star = np.stack([np.asarray(part, dtype=np.float64).reshape(1, -1) for part in parts])
+        self.free = int((~held).sum())
+        self.tested = int(known.sum()) - self.free
+
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Array, list[Array]]:
+        """Return profiles of unit flux (s, height, width), and their derivatives by centre, width and exponent."""
+        made = [_model(np.array([1.0, *row[1:5], 0.0]), self.shape) for row in x]
+        return np.stack([values for values, _ in made]), list(np.stack([slopes[1:5] for _, slopes in made], axis=1))
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit."""
+        return self.scores_of(x, *self.images(x))
+
+    def scores_of(self, x: Array, values: Array, slopes: Sequence[Array]) -> Scores:
+        """Return the same from profiles and their derivatives."""
+        numbers, products = self._products(x, values, slopes)
+        deviance, total, spread = numbers[..., 0]
+        share = self.tested / (self.tested + self.free)
+        expected = np.maximum(total * share, 1e-300)
+        slope, information = products[:, :-1, -1], products[:, :-1, :-1]
+        free = np.where(slope > 0.0, x < self.limits[1], x > self.limits[0]) & ~self.held
+        information = np.where(free[:, :, None] & free[:, None, :], information, 0.0)
+        return Scores(
+            deviance, slope * free, information, products[:, -1, -1] / expected, np.sqrt(spread * share) / expected
+        )
+
+    def information(self, x: Array) -> Array:
+        """Return Fisher's information (6, 6) for one row of parameters."""
+        return np.asarray(self._products(x[None], *self.images(x[None]))[1][0, :-1, :-1])
+
+    def _products(self, x: Array, values: Array, slopes: Sequence[Array]) -> tuple[Array, Array]:
+        """Return the numbers and products of :func:`star_likelihood`, by parameters in their order and residual."""
+        light = np.ascontiguousarray(x[:, (0, 5)])[:, :, None]
+        numbers, products = star_likelihood([values, *slopes], light, self.star, 1)
+        factors = np.ones((len(x), self.size + 1))
+        factors[:, 1:5] = x[:, :1]
+        order = [4, 0, 1, 2, 3, 5, 6]
+        found = products[:, 0][:, order][:, :, order] * factors[:, :, None] * factors[:, None, :]
+        return numbers, np.asarray(found)
+
+    def with_light(self, x: Array, values: Array) -> Array:
+        """Return the parameters as they are: they start with flux and background of least squares."""
+        return x
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Limit parameters in place."""
+        return np.clip(x, *self.limits, out=x)
+
+    def rms(self, steps: Array) -> Array:
+        """Return 0: no step changes a wavefront."""
+        return np.zeros(len(steps))
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps and the gain in deviance that their slopes promise."""
+        return damped_steps(scores, damping)
+
+
+def _start(data: Array, counts: NDArray[np.bool_], background: float | None) -> Array:
     """Return parameters to begin with: of the profile of exponent 3 that stands out most above the median edge."""
     edge = counts.copy()
     edge[1:-1, 1:-1] = False

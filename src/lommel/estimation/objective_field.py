@@ -18,6 +18,7 @@ from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares
 from lommel.methods.derivative_names import Term
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -25,9 +26,6 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 _MOST_DEGREE = 4
-_OUTLIER, _LEAST = 10.0, 0.03  # times the median distance from the polynomials, radians rms, or this one
-_MOST_LOST = 0.2  # of the fits
-_HALVINGS = 40
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -228,18 +226,13 @@ def fit_objective_field(
     basis = monomials(u, v, order)
     waves = np.array([[one.coefficients.get(name, math.nan) for name in names] for one in fits])
     _, apart = robust(basis[used], waves[used], np.ones(int(used.sum())), np.eye(len(names)))
-    near = apart <= _OUTLIER * max(1.4826 * float(np.median(apart)), _LEAST)
-    converged = int(used.sum())
-    if near.mean() >= 1.0 - _MOST_LOST:
+    converged, near = int(used.sum()), inliers(apart)
+    if near is not None:
         used[np.flatnonzero(used)[~near]] = False
     joined = _Joined([one for one, good in zip(fits, used, strict=True) if good], names, basis[used])
-    chi2, scatter = joined.solved(0.0)[2], 0.0
-    if chi2 > 1.0:
-        low, high = 0.0, 4.0 * float(np.sqrt(((waves[used] - waves[used].mean(axis=0)) ** 2).mean())) + 1e-6
-        for _ in range(_HALVINGS):
-            scatter = 0.5 * (low + high)
-            low, high = (scatter, high) if joined.solved(scatter)[2] > 1.0 else (low, scatter)
-    solution, covariance, _ = joined.solved(scatter)
+    most = 4.0 * float(np.sqrt(((waves[used] - waves[used].mean(axis=0)) ** 2).mean())) + 1e-6
+    found, scatter, chi2 = fit_scatter(joined.fit, most)
+    solution, covariance = found.values * joined.units, found.covariance * np.outer(joined.units, joined.units)
     k, m = len(names), basis.shape[1]
     coefficients = solution[: k * m].reshape(k, m)
     constants = dict(zip(joined.constants, solution[k * m :].tolist(), strict=True))
@@ -247,7 +240,7 @@ def fit_objective_field(
     for name, value in constants.items():
         setup = setup.having(name, value)
     findings = []
-    if chi2 >= float(goodness_of_fit.most(math.sqrt(2.0 / joined.tested))):
+    if chi2 >= float(goodness_of_fit.most(math.sqrt(2.0 / joined.freedom))):
         text = f"terms scatter by {scatter:.2g} radians rms beside their errors, which are widened by it"
         findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2}))
     if lost := converged - len(joined.fits):
@@ -298,48 +291,38 @@ class _Joined:
     """What fits say of polynomials and constants together, the priors of these counted once."""
 
     def __init__(self, fits: Sequence[BeadFit], names: tuple[Term, ...], basis: Array) -> None:
-        self.fits, self.basis = fits, basis
+        self.fits = fits
         self.waves = len(names)
         self.constants = [name for name in fits[0].coefficients if isinstance(name, str)]
         self.scale = np.sqrt(np.diag(fits[0].covariance))
         values = np.array([list(one.coefficients.values()) for one in fits]) / self.scale
         posterior = np.array([np.linalg.inv(one.covariance / np.outer(self.scale, self.scale)) for one in fits])
-        self.prior = np.zeros(len(self.scale))
-        self.mean = np.zeros(len(self.scale))
+        prior, mean = np.zeros(len(self.scale)), np.zeros(len(self.scale))
         for j, name in enumerate(self.constants, self.waves):
             given = fits[0]._priors[name]
-            self.prior[j] = (self.scale[j] / given.deviation) ** 2
-            self.mean[j] = given.value / self.scale[j]
-        self.information = posterior - np.diag(self.prior)
-        vectors = np.einsum("nij,nj->ni", posterior, values) - self.prior * self.mean
-        self.values = np.einsum("nij,nj->ni", np.linalg.pinv(self.information, rcond=1e-9, hermitian=True), vectors)
+            prior[j] = (self.scale[j] / given.deviation) ** 2
+            mean[j] = given.value / self.scale[j]
+        self.information = posterior - np.diag(prior)
+        vectors = np.einsum("nij,nj->ni", posterior, values) - prior * mean
+        self.data = np.einsum("nij,nj->ni", np.linalg.pinv(self.information, rcond=1e-9, hermitian=True), vectors)
         c, m = len(self.constants), basis.shape[1]
-        self.size = self.waves * m + c
-        self.design = np.zeros((len(fits), self.waves + c, self.size))
+        size = self.waves * m + c
+        self.design = np.zeros((len(fits), self.waves + c, size))
         for j in range(self.waves):
             self.design[:, j, j * m : (j + 1) * m] = basis / self.scale[j]
         for j in range(c):
             self.design[:, self.waves + j, self.waves * m + j] = 1.0
-        self.tested = len(fits) * (self.waves + c) + int((self.prior > 0.0).sum()) - self.size
+        self.freedom = len(fits) * (self.waves + c) + int((prior > 0.0).sum()) - size
+        # Of the parameters, constants in units of `scale`.
+        none = np.zeros(self.waves * m)
+        self.prior = np.diag(np.concatenate([none, prior[self.waves :]]))
+        self.mean = np.concatenate([none, mean[self.waves :]])
+        self.units = np.concatenate([none + 1.0, self.scale[self.waves :]])
 
-    def solved(self, scatter: float) -> tuple[Array, Array, float]:
-        """Return the solution, its covariance and chi2 per degree of freedom."""
-        k = self.waves
-        weight = self.information
+    def fit(self, scatter: float) -> LinearFit:
+        """Return the fit for a standard deviation of terms about the polynomials."""
+        k, weight = self.waves, self.information
         if scatter > 0.0:
             loose = np.diag((self.scale[:k] / scatter) ** 2) + weight[:, :k, :k]
             weight = weight - weight[:, :, :k] @ np.linalg.solve(loose, weight[:, :k])
-        normal = np.einsum("nip,nij,njq->pq", self.design, weight, self.design)
-        right = np.einsum("nip,nij,nj->p", self.design, weight, self.values)
-        at = np.arange(self.size - len(self.constants), self.size)
-        normal[at, at] += self.prior[k:]
-        right[at] += (self.prior * self.mean)[k:]
-        scale = 1.0 / np.sqrt(np.diag(normal))
-        inverse = np.linalg.inv(normal * np.outer(scale, scale)) * np.outer(scale, scale)
-        found = inverse @ right
-        off = self.design @ found - self.values
-        total = float(np.einsum("ni,nij,nj->", off, weight, off))
-        total += float((self.prior[k:] * (found[at] - self.mean[k:]) ** 2).sum())
-        units = np.ones(self.size)
-        units[at] = self.scale[k:]
-        return found * units, inverse * np.outer(units, units), total / self.tested
+        return least_squares(self.design, self.data, weight, self.prior, self.mean, self.freedom)

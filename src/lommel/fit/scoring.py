@@ -256,7 +256,7 @@ class _RowProblem:
 
 
 def search_rows(
-    model: RowModel, x: Array, most: int, report: Report, *, fast: bool
+    model: RowModel, x: Array, most: int, report: Report, *, fast: bool, policy: Policy | None = None
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
     """Take damped steps from starts `x` (s, p) until they settle or one fits.
 
@@ -267,7 +267,7 @@ def search_rows(
     values, slopes = model.images(x, fast=fast)
     if fast:
         x = model.with_light(x, values)
-    policy = Policy(settled=_NEARLY if fast else _SETTLED)
+    policy = policy or Policy(settled=_NEARLY if fast else _SETTLED)
     now = model.scores_of(x, values, slopes)
     return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)[:4]
 

@@ -22,7 +22,9 @@ def stack():
 
 def restored(stack, **more):
     way = lm.imaging.RichardsonLucy(steps=3, target=0.0)
-    return lm.microscopy.restore(stack, OIL_60X, method=way, **(GIVEN | {"direction": "up"} | more))
+    return lm.microscopy.restore(
+        stack, OIL_60X, method=way, **(GIVEN | {"direction": "up", "diagnosis": False} | more)
+    )
 
 
 @pytest.mark.parametrize("more", [{}, {"direction": "down"}, {"tile": 18}], ids=str)

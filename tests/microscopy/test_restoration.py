@@ -76,7 +76,7 @@ def file(tmp_path, deep):
 def quick(stack, **options):
     way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
     given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "method": way, "psf_shape": WINDOW}
-    given |= {"background": 0.0} | options
+    given |= {"background": 0.0, "diagnosis": False} | options
     return lm.microscopy.restore(stack, OIL_60X, **given)
 
 
@@ -504,13 +504,19 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
 def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
     monkeypatch.setattr("lommel.microscopy.restoration.better", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
-    made = quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE, direction="down", method=way)
+    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
+    monkeypatch.setattr(restoration.HeldOut, "plain", True)
+    made = quick(deep, direction="down", method=way, diagnosis=True, **sizes)
+    assert made.channels[0].stopped == "misfit"
+    finding = made.findings.get("misfit")
     if not found:
-        assert made.channels[0].stopped.startswith("voxels: no other PSF fits better")
+        assert finding.severity == "doubt"
+        assert made.converged
+        assert "no other PSF fits better" in finding.text
     else:
-        assert made.channels[0].stopped.startswith("misfit: the PSF")
-        assert made.notes[-1].startswith("A misfit: the stack follows")
-        assert ", ".join(found) in made.notes[-1]
+        assert made.status == "misfit"
+        assert finding.numbers["others"] == found
+        assert ", ".join(found) in finding.text
 
 
 def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):

@@ -30,7 +30,11 @@ def restored(stack, out=None, *, chunks=None, at_first=lambda: None, lens=OIL_60
 
     given = {"pixel": 6e-6, "step": 0.5e-6, "wavelength": 520e-9, "depth": 3e-6, "tile": 16, "background": 0.0}
     given |= {"noise": lm.Noise(white=0.5, read=1.0), "direction": "up", "slabs": 1, "margin": (1, 2)}
-    given |= {"psf_shape": (3, 5), "method": lm.imaging.RichardsonLucy(steps=2, target=0.0)} | options
+    given |= {
+        "diagnosis": False,
+        "psf_shape": (3, 5),
+        "method": lm.imaging.RichardsonLucy(steps=2, target=0.0),
+    } | options
     made = lm.microscopy.restore(stack, lens, out=out, progress=told, **given)
     return np.asarray(made).reshape(-1, *SHAPE), counted
 

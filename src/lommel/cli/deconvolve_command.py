@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -42,7 +41,7 @@ from lommel.cli.options import (
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
-from lommel.microscopy import RestoredStack, restore
+from lommel.microscopy import restore
 from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
@@ -214,7 +213,8 @@ def deconvolve(
         if figure is not None:
             step("drawing")
             save_figure(found.plot(), figure)
-    facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
+    facts = {"stack": str(stack), "name": microscope.name} | found.to_dict()
+    facts |= {"notes": [with_options(note) for note in found.notes], "seconds": time.perf_counter() - begun}
     return Report(facts, _parts(facts), converged=found.converged) + written([*outputs, figure])
 
 
@@ -246,42 +246,6 @@ def _kept(place: Path | None) -> Iterator[None]:
         raise
 
 
-def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
-    channels = []
-    for label, wave, each in zip(found.recording.names, found.recording.emission, found.channels, strict=False):
-        low, high = float(each.depths.min()), float(each.depths.max())
-        channels.append(
-            {
-                "name": label,
-                "wavelength": wave,
-                "discrepancy": {"before": each.before, "after": each.discrepancy},
-                "steps": each.steps,
-                "stopped": each.stopped,
-                "strength": each.strength,
-                "background": float(np.mean(each.background)),
-                "direction": each.direction,
-                "depths": [low, high],
-                "psfs": len(each.psf_depths),
-                "refined": each.refined,
-                "errors": {name: value if math.isfinite(value) else None for name, value in each.errors.items()},
-                "findings": [finding.to_dict() for finding in each.findings],
-            }
-        )
-    return {
-        "stack": str(stack),
-        "name": name,
-        "shape": list(found.values.shape[-3:]),
-        "pixel_in_sample": found.recording.pixel,
-        "step": found.recording.step,
-        "channels": channels,
-        "status": found.status,
-        "converged": found.converged,
-        "reliable": found.reliable,
-        "findings": [finding.to_dict() for finding in found.findings],
-        "notes": [with_options(note) for note in found.notes],
-    }
-
-
 _STOPPED = {
     NOISE: "at the noise: the result agrees with the recording",
     STEPS: "after all steps",
@@ -297,7 +261,7 @@ def _parts(facts: Facts) -> list[Any]:
         ("voxels", f"{format_length(facts['pixel_in_sample'])} x {format_length(facts['step'])} along z"),
     ]
     for each in facts["channels"]:
-        before, after = each["discrepancy"]["before"], each["discrepancy"]["after"]
+        before, after = each["before"], each["discrepancy"]
         name = f", {each['name']}" if len(facts["channels"]) > 1 else ""
         lines += [
             (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {each['steps']} steps"),

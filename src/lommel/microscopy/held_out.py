@@ -18,7 +18,7 @@ from lommel.fit.findings import Finding
 from lommel.imaging.deconvolution import TINY, RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import Looked, Tell, Trial, Work, brightest
-from lommel.microscopy.stack_steps import Background, Counted, Walk
+from lommel.microscopy.stack_steps import Background, Counted, State, Walk
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -27,10 +27,11 @@ WHOLE = 500_000
 """Voxels of a stack, up to which its background is estimated by photons that are held out of all of it."""
 _STEPS, _PATIENCE = 150, 6  # of a walk at most, and after the best of them
 _USUAL = 55  # steps of a walk
-_RISE, _LEVELS = 0.013, 6  # share by which the background is raised, so often at most
+_RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # share by which the background is raised, how often at most, steps of each
+_WITHIN = 2.0  # of lnL, that a background may have less than the best one
 _APART, _FARTHER = 0.005, 4  # of the index of the sample, and how often it is changed further
-_SURE = 3.0  # standard errors, by which another PSF agrees better
-_OPEN = 1.0, 4.0  # standard errors between which the other half decides, too
+_SURE = 2.5  # standard errors, by which another PSF agrees better
+_OPEN = -1.0, 4.0  # standard errors between which the other half decides, too
 _WALKS = 8.0  # that are usual
 
 
@@ -42,6 +43,7 @@ class Best(NamedTuple):
     losses: Values  # of each voxel
     electrons: Values  # that are expected in each voxel
     level: float  # background of a half
+    state: State
 
 
 class _Half(Counted):
@@ -52,7 +54,7 @@ class _Half(Counted):
         super().__init__(recorded, noise)
         self._held = held
         self._losses, self._electrons = (np.zeros(held.shape, np.float32) for _ in range(2))
-        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0)
+        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State())
 
     def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         found = super()._compared(plane, rows, columns, light, misfit)
@@ -67,11 +69,13 @@ class _Half(Counted):
             self._electrons[at] = self.white * weight * light
         return found
 
-    def past(self, step: int, _: float) -> bool:
-        """Return whether the best step was some steps ago."""
+    def past(self, step: int, walk: Walk) -> bool:
+        """Return whether the best step of a walk was some steps ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
-            self.best = Best(loss, step, self._losses.copy(), self._electrons.copy(), float(self.background))
+            self.best = Best(
+                loss, step, self._losses.copy(), self._electrons.copy(), float(self.background), walk.state
+            )
         return step - self.best.steps >= _PATIENCE
 
 
@@ -101,12 +105,19 @@ class HeldOut(Trial):
         """Whether a flat scene explains all."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, words: str, model: DepthModel, fold: int = 0, level: float | None = None) -> Best:
+    def best(self, words: str, model: DepthModel, fold: int = 0) -> Best:
         """Restore a half, and return the step that agrees best with the other one."""
+        return self._walked(words, model, fold, Background(None), State(), _STEPS)
+
+    def _walked(
+        self, words: str, model: DepthModel, fold: int, background: Background, start: State, steps: int
+    ) -> Best:
         half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
-        walk = Walk(self.blur(model, len(self._values)), half, background=Background(level))
-        walk.enough = half.past
-        walk.solve(RichardsonLucy(steps=_STEPS, target=0.0), self._work(f"held-out photons, {words}", _USUAL))
+        walk = Walk(self.blur(model, len(self._values)), half, background=background)
+        walk.start_from(start)
+        walk.enough = lambda step, _: half.past(step, walk)
+        told = self._work(f"held-out photons, {words}", min(steps, _USUAL))
+        walk.solve(RichardsonLucy(steps=steps, target=0.0), told)
         return half.best
 
     def level(self, free: Best) -> float:
@@ -114,20 +125,21 @@ class HeldOut(Trial):
 
         Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began
         with. Less background than there is leaves a floor of light, which agrees little worse; more is contradicted
-        by dark voxels. `free` is the walk that estimates it with the specimen.
+        by dark voxels. From the `free` walk, which estimated it with the specimen, the background is raised by what
+        is taken from the specimen everywhere, and a few steps follow.
         """
-        places, losses = [free.level], [free.loss]
-        for _ in range(_LEVELS):
-            level = places[-1] * (1.0 + _RISE)
-            losses.append(self.best("background", self._model, level=level).loss)
-            places.append(level)
-            if losses[-1] > min(losses) + 2.0:
-                break
-        at = int(np.argmin(losses))
-        if not 0 < at < len(places) - 1:
-            return 2.0 * places[at]
-        bend, slope, _ = np.polyfit(np.array(places[at - 1 : at + 2]) - places[at], losses[at - 1 : at + 2], 2)
-        return 2.0 * float(places[at] - 0.5 * slope / bend)
+        places: list[float] = []
+        losses: list[float] = []
+        for raised in range(_LEVELS + 1):
+            places.append(free.level * (1.0 + _RISE) ** raised)
+            start = free.state.less(places[-1] - free.level)
+            losses.append(self._walked("background", self._model, 0, Background(places[-1]), start, _SETTLE).loss)
+            most = min(losses) + _WITHIN
+            if losses[-1] > most:
+                # Between the last two.
+                share = (most - losses[-2]) / (losses[-1] - losses[-2])
+                return 2.0 * (places[-2] + share * (places[-1] - places[-2]))
+        return 2.0 * places[-1]
 
     def finding(self, own: Best) -> Finding | None:
         """Return what held-out photons say of the PSF: of other indices of the sample, of which `own` has the given.

@@ -18,8 +18,10 @@ MOST = 1e-3
 """Of all voxels, that single events are: more are points of light, sharper than PSFs that are too wide."""
 
 _PERSISTENT = 8.0  # standard errors, by which the mean over all planes exceeds that of the neighbours
-_MOSTLY, _ABOVE = 0.75, 0.6  # of the planes: at least so many above the median of the neighbours; above them all
-_PLANES = 64  # that are looked at
+_MOSTLY = 0.75  # of the planes: at least so many above the median of the neighbours,
+_ABOVE = 0.6  # and more above them all;
+_BUT_ONE = 0.5  # or in the mean by so much of the excess above all but one, which may be hot, too
+_PLANES = 32  # that are looked at
 _FEW = 5  # planes, below which nothing is persistent
 _PASSES = 3  # of which each leaves out what the last one found
 _NEAR = [(y, x) for y, x in product((-1, 0, 1), (-1, 0, 1)) if y or x]
@@ -40,7 +42,8 @@ def hot_pixels(stack: Any, noise: Noise, sharpest: float, limit: float = math.in
     """Return which pixels are hot: above all of their neighbours in most planes, whatever is in focus there.
 
     A pixel exceeds the median of its eight neighbours by more than eight standard errors in the mean over the planes;
-    it is above that median in three quarters of the planes, and above all neighbours in 60 %. A point of light is so
+    it is above that median in three quarters of the planes, and above all neighbours in 60 %, or exceeds all
+    but one of them by half as much as the median: two hot pixels may be beside each other. A point of light is so
     in the planes near its focus alone. A line of light along the optical axis is so in all, but lights its
     neighbours, too: a hot pixel exceeds these by more than twice what the PSF lets a point exceed them.
     Values from the `limit` on, and NaN, are unknown.
@@ -62,7 +65,7 @@ def _persistent(
 ) -> NDArray[np.bool_]:
     """Return hot pixels beside those that are known."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
-    total, steps, slopes, seen, positive, above = (np.zeros(hot.shape) for _ in range(6))
+    total, steps, slopes, seen, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
     for plane in planes:
         given = np.asarray(stack[int(plane)], np.float64)
         known = np.isfinite(given) & (given < limit) & ~hot
@@ -75,14 +78,15 @@ def _persistent(
         middle = 0.5 * (near[3] + near[4])
         # That of the median of eight is a fifth of that of one.
         noisy = np.sqrt(1.2 * (np.maximum(middle, 1.0) + np.asarray(noise.read) ** 2))
-        sides, beyond = (np.mean([at[place] for place in places], axis=0) for places in (_SIDES, _NEXT))
+        # Medians, as one of these may be hot, too.
+        sides, beyond = (np.median([at[place] for place in places], axis=0) for places in (_SIDES, _NEXT))
         for values, sums in (
             ((light - middle) / noisy, total), (light - sides, steps), (sides - beyond, slopes), (1.0, seen),
-            (light > middle, positive), (light > near[-1], above),
+            (light > middle, positive), (light > near[-1], above), ((light - near[-2]) / noisy, but_one),
         ):  # fmt: skip
             sums += np.where(known, values, 0.0)
     sure = total > _PERSISTENT * np.sqrt(seen)
-    often = (positive >= _MOSTLY * seen) & (above > _ABOVE * seen)
+    often = (positive >= _MOSTLY * seen) & ((above > _ABOVE * seen) | (but_one > _BUT_ONE * total))
     return np.asarray(sure & often & (steps > steepest * slopes) & (seen >= _FEW))
 
 

@@ -151,6 +151,24 @@ class RestoredStack(FitReport):
             f"{first.steps} steps, stopped by {first.stopped!r}>"
         )
 
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain data, as JSON has it, without values.
+
+        Returns
+        -------
+        dict
+            As of all fits, and the shape and voxel sizes (metres). Channels have their name and wavelength, least and
+            greatest depth, number of PSFs, and the mean of their background.
+        """
+        found = super().to_dict()
+        told = zip(found["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
+        for channel, each, name, wave in told:
+            channel |= {"name": name, "wavelength": wave, "psfs": len(each.psf_depths)}
+            channel["depths"] = [float(each.depths.min()), float(each.depths.max())]
+            channel["background"] = float(np.mean(each.background))
+        sizes = {"pixel_in_sample": self.recording.pixel, "step": self.recording.step}
+        return {"shape": list(self.values.shape[-3:])} | sizes | found
+
     def plot(self) -> Figure:
         """Return a matplotlib figure of maximum projections before and after, and of the residual over its noise.
 
@@ -778,7 +796,7 @@ class _Job:
         turned = direction == "down"
         looked = Looked(stack, model, camera, limit, self._threads)
         estimate = background == Background(None)
-        parts = _shares(looked, crop, direction == "auto", len(refine), estimate or self.diagnosis)
+        parts = _shares(looked, crop, direction == "auto", len(refine), self.diagnosis)
         if direction == "auto":
             found, words = direction_of(looked, crop, _within(tell, 0.0, parts[0]))
             turned = found == "down"
@@ -831,7 +849,7 @@ class _Job:
             content = (
                 _hashed(stack), stack.shape, str(stack.dtype), psfs_of, model.pixel, model.step, model.depth,
                 nodes.tolist(), around, side, turned, camera.to_dict(), method, limit, background,
-                self.per_plane, estimate,
+                self.per_plane, estimate, self.diagnosis,
             )  # fmt: skip
             request = hashlib.sha256(repr(content).encode()).hexdigest()
         reached = parts[-1]
@@ -869,14 +887,14 @@ class _Job:
 
     def _held_out(self, looked: Looked, estimate: bool, tell: Shown) -> float | None:
         """Compare PSFs by photons that are held out, and return the level of the background, if it is to be found."""
-        if not (estimate or self.diagnosis):
+        if not self.diagnosis:
             return None
         held = HeldOut(looked, tell)
         if held.plain:
             return None
         own = held.best("the PSF as given", looked.model)
         self._steps = own.steps
-        if self.diagnosis and (finding := held.finding(own)):
+        if finding := held.finding(own):
             self._findings.append(finding)
         # A part has the blurred light of what is beside it as well: the background is that of the whole.
         if not estimate or math.prod(looked.stack.shape) > WHOLE:

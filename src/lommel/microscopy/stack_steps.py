@@ -261,6 +261,18 @@ class Move(NamedTuple):
     strength: float = 0.0
 
 
+class State(NamedTuple):
+    """Light of a specimen, and, of each plane, of what is beyond its margin; None where a walk begins flat."""
+
+    light: Values | None = None
+    outside: Values | None = None
+
+    def less(self, level: float) -> State:
+        """Return the state with so much less light everywhere."""
+        light, outside = (None if each is None else each - np.float32(level) for each in self)
+        return State(light, outside)
+
+
 class Walk:
     """Steps of Richardson and Lucy, with no more memory than twice the specimen and once the recording.
 
@@ -311,6 +323,19 @@ class Walk:
         self._of_specimen: list[float] = []
         self.discrepancies = np.full(len(counted.known), np.inf)
         self.enough: Callable[[int, float], bool] | None = None  # whether a step and its discrepancy are
+
+    @property
+    def state(self) -> State:
+        """A copy of the light, extrapolated, from which another walk may start."""
+        ahead = self._light if self._before is None else self._before
+        return State(ahead.copy(), None if self._blur.outside is None else self._blur.outside.copy())
+
+    def start_from(self, state: State) -> None:
+        """Start from the light of another walk, where there is some."""
+        if state.light is not None:
+            self._light = at_least(state.light, self._counted.smallest)
+        if state.outside is not None:
+            self._outside = self._outside_before = np.maximum(state.outside, self._counted.smallest)
 
     def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
         """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""

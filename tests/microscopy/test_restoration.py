@@ -82,7 +82,7 @@ def quick(stack, **options):
 
 @pytest.mark.usefixtures("few_trials")
 def test_a_file_is_restored_with_what_it_says(file):
-    found = lm.microscopy.restore(file, OIL_60X, depth=12e-6, psf_shape=WINDOW)
+    found = lm.microscopy.restore(file, OIL_60X, depth=12e-6, psf_shape=WINDOW, diagnosis=False)
     (channel,) = found.channels
     assert found.recording.pixel == pytest.approx(0.1e-6)
     assert found.recording.step == pytest.approx(0.3e-6)
@@ -122,6 +122,7 @@ def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep
     found = quick(deep, refine=["sample"], **given)
     watery = replace(OIL_60X, sample=1.36)
     usual = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "psf_shape": WINDOW, "background": 0.0}
+    usual["diagnosis"] = False
     way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
     expected = lm.microscopy.restore(deep, watery, method=way, **usual, **given)
     np.testing.assert_array_equal(found.values, expected.values)
@@ -446,7 +447,7 @@ def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6
     stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)
-    crop = refinement.crop_of(stack, 17)
+    crop = refinement.crop_of(stack, 17, np.inf)
     looked, told = refinement.Looked(stack, model, CAMERA, np.inf, 1), []
     _, found, errors = refinement.refined(looked, crop, ["spherical"], lambda *said: told.append(said))
     shares = [share for share, _ in told]
@@ -522,6 +523,7 @@ def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, dee
 def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):
     microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
     given = {"noise": CAMERA, "direction": "up", "slabs": 1, "wavelength": WAVE, "psf_shape": (5, 9)}
+    given["diagnosis"] = False
     way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
     said = " ".join(lm.microscopy.restore(deep[:5], microscope, method=way, **given).notes)
     pixel = 1e6 * microscope.pixel

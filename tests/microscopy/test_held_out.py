@@ -12,6 +12,7 @@ from lommel.microscopy import held_out
 from lommel.microscopy.held_out import Best, HeldOut
 from lommel.microscopy.refinement import Looked
 from lommel.microscopy.stack_steps import State
+from objectives import OIL_60X
 
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
 
@@ -97,6 +98,13 @@ def test_the_right_index_is_compared_and_stays(monkeypatch):
     found, calls = trial(monkeypatch, 1.33, 1.33)
     assert (found.code, found.severity) == ("psf_compared", "note")
     assert {at for at, _ in calls} == {1.325, 1.33, 1.335}
+    assert "lnL changes by -5 +- 4 with 1.325 and -2 +- 3 with 1.335" in found.text
+
+
+def test_of_a_flat_stack_nothing_is_compared():
+    given = {"pixel": 6.5e-6, "step": 0.3e-6, "wavelength": 520e-9, "direction": "up", "noise": NOISE}
+    found = lm.microscopy.restore(flat(planes=6)[:, :16, :16], OIL_60X, psf_shape=(5, 9), **given)
+    assert found.findings.codes == ("untested",)
 
 
 def test_where_one_half_is_not_sure_the_other_one_decides_too(monkeypatch):

@@ -170,11 +170,11 @@ class HeldOut(Trial):
             assert given is not None
             assert other is not None
             more, off = _gain(given, other)
-            gain, error = gain + more, math.hypot(error, off)
+            gains[value] = gain, error = gain + more, math.hypot(error, off)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
         if gain <= _SURE * error:
-            words = " and ".join(f"{each:.4g} by {-by:.0f} +- {off:.0f}" for each, (by, off) in gains.items())
-            text = f"of held-out photons, an index of the sample of {start:.4g} has a lnL above that of {words}"
+            words = " and ".join(f"{by:+.0f} +- {off:.0f} with {each:.4g}" for each, (by, off) in gains.items())
+            text = f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {words}"
             return Finding("psf_compared", "note", text, numbers)
         way, best = value - start, tried[value]
         for farther in range(2, 2 + _FARTHER):

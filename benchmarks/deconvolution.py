@@ -208,7 +208,7 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         return float(np.sqrt(((found - smooth) ** 2).sum() / (smooth**2).sum()))
 
     given: dict[str, Any] = {"pixel": PIXEL, "step": step, "wavelength": WAVE, "noise": camera, "threads": threads}
-    given |= {"direction": "up"}
+    given |= {"direction": "up", "diagnosis": False}
     found, most = {"recording": {"error": error(light)}}, 1
     for name, more in (
         ("PSFs by depth", {"depth": middle}),

@@ -54,13 +54,13 @@ def test_halves_add_up_to_the_counts_and_are_independent():
 def test_the_background_is_the_highest_that_held_out_photons_allow(monkeypatch):
     asked = []
 
-    def walked(_, words, model, fold, background, start, steps):
+    def walked(_, words, model, fold, background, start, steps, course=None):
         asked.append((background.level, float(start.light[0]), steps))
         loss = 0.5 * ((background.level - 15.0) / 0.05) ** 2
-        return Best(loss, 0, np.zeros(1), np.zeros(1), background.level, State())
+        return Best(loss, 0, np.zeros(1), np.zeros(1), background.level, State(), [])
 
     monkeypatch.setattr(HeldOut, "_walked", walked)
-    free = Best(99.0, 50, np.zeros(1), np.zeros(1), 14.7, State(np.full(1, 7.0, np.float32)))
+    free = Best(99.0, 50, np.zeros(1), np.zeros(1), 14.7, State(np.full(1, 7.0, np.float32)), [])
     level = held(flat()).level(free)
     assert level == pytest.approx(2.0 * 15.1, abs=0.06)
     assert len(asked) < 7
@@ -73,12 +73,12 @@ def trial(monkeypatch, truth, stated, bend=2e5, noise=0.0):
     """Return a finding where lnL falls from the true index on as a parabola; `noise` is what a second half adds."""
     calls = []
 
-    def best(_, words, model, fold=0):
+    def best(_, words, model, fold=0, course=None):
         off = model.objective.sample - truth
         calls.append((round(model.objective.sample, 4), fold))
         electrons = np.full(1000, 30.0) * np.where(np.arange(1000) % 2, np.exp(3.0 * off), np.exp(-3.0 * off))
         losses = np.full(1000, (0.5 * bend * off**2 + (noise * off if fold else 0.0)) / 1000)
-        return Best(float(losses.sum()), 40, losses, electrons, 15.0, State())
+        return Best(float(losses.sum()), 40, losses, electrons, 15.0, State(), [])
 
     monkeypatch.setattr(HeldOut, "best", best)
     given = held(flat(), Model(stated))

@@ -18,7 +18,7 @@ from lommel.fit.findings import Finding
 from lommel.imaging.deconvolution import TINY, RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import Looked, Tell, Trial, Work, brightest
-from lommel.microscopy.stack_steps import Background, Counted, State, Walk
+from lommel.microscopy.stack_steps import Background, Counted, Move, State, Walk
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -44,6 +44,7 @@ class Best(NamedTuple):
     electrons: Values  # that are expected in each voxel
     level: float  # background of a half
     state: State
+    course: list[Move]  # of the whole walk
 
 
 class _Half(Counted):
@@ -54,7 +55,7 @@ class _Half(Counted):
         super().__init__(recorded, noise)
         self._held = held
         self._losses, self._electrons = (np.zeros(held.shape, np.float32) for _ in range(2))
-        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State())
+        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State(), [])
 
     def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         found = super()._compared(plane, rows, columns, light, misfit)
@@ -74,7 +75,13 @@ class _Half(Counted):
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
             self.best = Best(
-                loss, step, self._losses.copy(), self._electrons.copy(), float(self.background), walk.state
+                loss,
+                step,
+                self._losses.copy(),
+                self._electrons.copy(),
+                float(self.background),
+                walk.state,
+                walk.course,
             )
         return step - self.best.steps >= _PATIENCE
 
@@ -105,15 +112,19 @@ class HeldOut(Trial):
         """Whether a flat scene explains all."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, words: str, model: DepthModel, fold: int = 0) -> Best:
-        """Restore a half, and return the step that agrees best with the other one."""
-        return self._walked(words, model, fold, Background(None), State(), _STEPS)
+    def best(self, words: str, model: DepthModel, fold: int = 0, course: list[Move] | None = None) -> Best:
+        """Restore a half, and return the step that agrees best with the other one.
+
+        With the `course` of another PSF steps are extrapolated as far as with that: lnL is then smooth in the index.
+        """
+        return self._walked(words, model, fold, Background(None), State(), _STEPS, course)
 
     def _walked(
-        self, words: str, model: DepthModel, fold: int, background: Background, start: State, steps: int
-    ) -> Best:
+        self, words: str, model: DepthModel, fold: int, background: Background, start: State, steps: int,
+        course: list[Move] | None = None,
+    ) -> Best:  # fmt: skip
         half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
-        walk = Walk(self.blur(model, len(self._values)), half, background=background)
+        walk = Walk(self.blur(model, len(self._values)), half, course, background=background)
         walk.start_from(start)
         walk.enough = lambda step, _: half.past(step, walk)
         told = self._work(f"held-out photons, {words}", min(steps, _USUAL))
@@ -149,16 +160,16 @@ class HeldOut(Trial):
         start = self._model.objective.sample
         tried: dict[float, Best] = {start: own}
 
-        def index(change: float, fold: int = 0) -> Best | None:
+        def index(change: float, like: Best, fold: int = 0) -> Best | None:
             value = start + change
             try:
                 model = self._model.changed("sample", value)
             except ValueError:
                 return None
-            return self.best(f"index of the sample {value:.4g}", model, fold)
+            return self.best(f"index of the sample {value:.4g}", model, fold, like.course)
 
         for change in (-_APART, _APART):
-            if found := index(change):
+            if found := index(change, own):
                 tried[start + change] = found
         gains = {value: _gain(own, each) for value, each in tried.items() if value != start}
         if not gains:
@@ -166,19 +177,21 @@ class HeldOut(Trial):
         value = max(gains, key=lambda each: gains[each][0] / gains[each][1])
         gain, error = gains[value]
         if _OPEN[0] < gain / error < _OPEN[1]:
-            given, other = index(0.0, 1), index(value - start, 1)
-            assert given is not None
+            given = self.best("the PSF as given", self._model, 1)
+            other = index(value - start, given, 1)
             assert other is not None
             more, off = _gain(given, other)
             gains[value] = gain, error = gain + more, math.hypot(error, off)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
         if gain <= _SURE * error:
             words = " and ".join(f"{by:+.0f} +- {off:.0f} with {each:.4g}" for each, (by, off) in gains.items())
-            text = f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {words}"
+            text = (
+                f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {words}"
+            )
             return Finding("psf_compared", "note", text, numbers)
         way, best = value - start, tried[value]
         for farther in range(2, 2 + _FARTHER):
-            following = index(farther * way)
+            following = index(farther * way, own)
             if following is None:
                 break
             tried[start + farther * way] = following

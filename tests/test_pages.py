@@ -363,7 +363,8 @@ def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, f
     if words[1] == "deconvolve" and "--steps" not in words:
         words += ["--steps", "4"]
     result = call_lommel(*words[1:], folder=folder)
-    assert result.returncode == 0, result.stderr
+    # Photographs and clips are checkerboards that no lens has made, which the verdict says.
+    assert result.returncode in ((0, 3) if words[1] in ("restore", "watch") else (0,)), result.stderr
     for option, name in pairwise(words):
         if option in ("-o", "--plot", "--figure", "--save"):
             assert (folder / name.replace("%03d", "001")).exists(), name

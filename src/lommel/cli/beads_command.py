@@ -44,7 +44,7 @@ from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figur
 from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.objective_field import fit_objective_field
-from lommel.estimation.phase_retrieval import label
+from lommel.estimation.star_images import label
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_each
 from lommel.recorded.metadata import Unusable, of_all

@@ -27,8 +27,8 @@ from lommel.cli.instruments import (
 from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
-from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
+from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
 from lommel.lensfiles.microscope_files import describes_microscope
 from lommel.recorded.frames import part_of, read_images

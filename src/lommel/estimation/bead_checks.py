@@ -13,7 +13,7 @@ from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack
 from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb, lowest, start_of
-from lommel.estimation.phase_retrieval import label
+from lommel.estimation.star_images import label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import RIVAL, Candidate, ScoreTest, log_bayes_factor, other_explanation, score_tests, seen

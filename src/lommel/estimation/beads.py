@@ -38,7 +38,8 @@ from lommel.estimation.bead_search import (
     brightest,
     start_of,
 )
-from lommel.estimation.phase_retrieval import label, star_counts
+from lommel.estimation.phase_retrieval import star_counts
+from lommel.estimation.star_images import label
 from lommel.fit import goodness_of_fit
 from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport

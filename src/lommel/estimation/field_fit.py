@@ -24,8 +24,7 @@ from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
-from lommel.estimation.phase_retrieval import label
-from lommel.estimation.star_images import Unknowns
+from lommel.estimation.star_images import Unknowns, label
 from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -528,7 +527,7 @@ def fit_field(
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
     best = _degree(most, count)
     if best < 0:
-        raise ValueError(f"windows must be of at least 4 stars, got {count}")
+        raise ValueError(f"windows must be of at least 4 stars, or degree 0, got {count}")
     share = progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     degrees = [best] if degree is not None else list(range(best + 1))
@@ -633,11 +632,11 @@ def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any])
 
 
 def _degree(most: int, count: int) -> int:
-    """Return the degree whose coefficients have two stars each, at least 0; -1 of fewer than four stars."""
+    """Return the degree whose coefficients have two stars each, at least 0; -1 where three stars are too few."""
     degree = most
     while degree > 0 and (degree + 1) * (degree + 2) > count:
         degree -= 1
-    return degree if count >= 4 else -1
+    return degree if count >= 4 or most == 0 else -1
 
 
 def in_words(several: tuple[Blur, ...]) -> str:

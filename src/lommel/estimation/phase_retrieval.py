@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
@@ -14,12 +14,15 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
+from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
     carrying,
     changes,
+    label,
     uncertainty,
 )
 from lommel.fit import goodness_of_fit
@@ -40,6 +43,7 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+_STARTS, _STEPS = 20, 60  # at most
 _SPREAD = 1.5  # radians rms of random starts
 _AT_ONCE = 2  # random starts in one stack
 # Starts that agree before the lowest minimum so far counts as the lowest: in 54 simulated sets of images (0.7 to
@@ -72,8 +76,8 @@ class Retrieval(FitReport):
         Parameters that all images share: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
         given wavelength), "f_number", "obscuration", "wavelength" in metres.
     deviation : dict of name to float or ndarray
-        Standard error of each, and of "flux", "background" and, where estimated, "row", "column", shape (n,); inf
-        where the images do not determine it. See `reliable`.
+        Standard error of each, and, without `blur`, of "flux", "background" and, where estimated, "row", "column",
+        shape (n,); inf where the images do not determine it. See `reliable`.
     covariance : ndarray, shape (k, k)
         Of `coefficients`, in their order, the parameters of single images being nuisance parameters.
     units : dict of name to str
@@ -94,7 +98,11 @@ class Retrieval(FitReport):
     center : ndarray, shape (n, 2)
         Row and column of the axis in each image, as of :func:`lommel.psf`.
     psf : PSF
-        Of the images, a stack (n, height, width); fractions of all light.
+        Of the images, a stack (n, height, width); fractions of all light, before `blurs`.
+    blurs : tuple of tuples of blurs
+        Of each image, as :func:`lommel.psf` takes it; empty where the images were fitted without.
+    blur_errors : tuple of tuples of float
+        Standard errors of r0 of seeing, or of sigma of jitter, of each; 0 where given.
     images, model, residual : ndarray, shape (n, height, width)
         The images, NaN where left out; the fitted model, in their unit; the difference in standard deviations of the
         noise.
@@ -120,6 +128,8 @@ class Retrieval(FitReport):
     background: Array
     center: Array
     psf: PSF = field(repr=False)
+    blurs: tuple[tuple[Blur, ...], ...]
+    blur_errors: tuple[tuple[float, ...], ...]
     images: Array = field(repr=False)
     model: Array = field(repr=False)
     residual: Array = field(repr=False)
@@ -226,12 +236,13 @@ def retrieve(
     terms: int | Sequence[tuple[int, int] | str] = 15,
     defocus: ArrayLike = 0.0,
     also: str | Sequence[str] = ("center",),
+    blur: bool | float | Blur | Iterable[Blur] = False,
     mask: ArrayLike | None = None,
     saturation: float | None = None,
     integrate: bool | None = None,
     tol: float = 1e-6,
-    starts: int = 20,
-    steps: int = 60,
+    starts: int = _STARTS,
+    steps: int = _STEPS,
     seed: int | np.random.Generator = 0,
     threads: int | None = None,
     progress: Callable[[float, float], object] | None = None,
@@ -264,6 +275,11 @@ def retrieve(
         Nuisance parameters: "center" ("row" and "column", one of each image), and, shared by all images, "f_number",
         "obscuration" and "wavelength" (at fixed path differences) of a lens. Empty where the axis is known to be in
         the middle of pixel ``(height // 2, width // 2)``.
+    blur : bool, float, Blur or several, default False
+        Of a star through air, or by vibration and charge diffusion: True estimates seeing and a Gaussian in each
+        image, as :func:`lommel.fit_field` does, whose search it is; a number of pixels, :class:`lommel.Seeing` and
+        isotropic :class:`lommel.Jitter` are known. Not of an Objective; `also` is then "center", and `starts` and
+        `steps` are left at their defaults.
     mask : array_like of bool, shape (height, width) or (n, height, width), optional
         True where a pixel is to be left out.
     saturation : float, optional
@@ -347,6 +363,18 @@ def retrieve(
     draw = random_numbers(seed)
     validation.function("progress", progress, required=False)
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
+    if blur is not False:
+        if isinstance(start, ObjectivePupil):
+            raise ValueError(f"blur must be False for an Objective, got {validation.shown(blur)}")
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (count, most) != (_STARTS, _STEPS):
+            raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
+        height, width = values.shape[1:]
+        several = fit_field(
+            np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
+            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=integrate, tol=tol,
+            seed=draw, threads=threads, progress=progress,
+        )  # fmt: skip
+        return _of_blurred(several, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
     if model.tested < 1:
         raise ValueError(
@@ -510,8 +538,8 @@ def _retrieval(
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     causes = (
-        f"pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, or all starts converged to "
-        "local minima"
+        f"pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, the images are blurred "
+        "(blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
     found += [*dark, *_sign_findings(model, x)]
@@ -545,6 +573,8 @@ def _retrieval(
         background=noise.excess * own[-1],
         center=center,
         psf=psf,
+        blurs=((),) * model.count,
+        blur_errors=((),) * model.count,
         images=np.where(counts.known, counts.values, np.nan),
         model=noise.poisson.image(mean.reshape(counts.values.shape)),
         residual=residual.reshape(counts.values.shape),
@@ -553,19 +583,49 @@ def _retrieval(
     )
 
 
+def _of_blurred(
+    found: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
+) -> Retrieval:
+    """Return the result of a field of one star, whose images are blurred."""
+    errors = np.sqrt(np.diag(found.covariance))
+    wavefront, twin = (None if each is None else each.pupil(0.0, 0.0).wavefront for each in (found.field, found.twin))
+    assert wavefront is not None
+    center, mean = found.stars.centers[0], found.model[0]
+    lens = pupil.carrying(wavefront, None)
+    # Tilts move the light to where the stars are.
+    height, width = counts.values.shape[1:]
+    tilt = np.pi * pixel / pupil.scale * (center - [height // 2, width // 2]).T
+    at = {SHIFTS[name]: tilt[k] for k, name in enumerate(("row", "column"))}
+    edge = lens.wavefront + Wavefront.zernike(at, normalization="edge")
+    images = found.images[0]
+    return Retrieval(
+        wavefront=wavefront,
+        twin=twin,
+        pupil=lens,
+        coefficients=dict(zip(found.names, found.coefficients[:, 0].tolist(), strict=True)),
+        deviation=dict(zip(found.names, errors.tolist(), strict=True)),
+        covariance=found.covariance,
+        units=dict.fromkeys(found.names, "rad"),
+        chi2=found.chi2,
+        findings=found.findings,
+        summary=f"chi2 {found.chi2:.3g} per degree of freedom",
+        flux=found.stars.flux[0],
+        background=found.stars.background[0],
+        center=center,
+        psf=plan(pupil.carrying(edge + Wavefront(defocus=defocus), None)),
+        blurs=found.blurs,
+        blur_errors=found.blur_errors,
+        images=np.where(counts.known, counts.values, np.nan),
+        model=noise.image(mean),
+        residual=(images - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
+        steps=0,
+        starts=0,
+    )
+
+
 def _between(pupil: Pupil | ObjectivePupil) -> str:
     """Return what images differ in that is known."""
     return "z (step, direction)" if isinstance(pupil, ObjectivePupil) else "the defocus of an image (unit, order)"
-
-
-def label(name: Name) -> str:
-    """Return the label of a term in a table, with Noll's index and the usual name of the aberration."""
-    if isinstance(name, str):
-        if name in POWERS or name in _UNITS:
-            return name
-        order, index = name.split()
-        return f"{name} {zernike.name(*zernike.term(int(index), order))}"
-    return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:

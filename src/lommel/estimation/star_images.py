@@ -104,6 +104,16 @@ def _inverse(directions: Array) -> Array:
     return np.asarray(np.linalg.pinv(directions))
 
 
+def label(name: Name) -> str:
+    """Return the label of a term in a table, with Noll's index and the usual name of the aberration."""
+    if isinstance(name, str):
+        if name in POWERS or name in OF_PUPIL:
+            return name
+        order, index = name.split()
+        return f"{name} {zernike.name(*zernike.term(int(index), order))}"
+    return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
+
+
 def wavefront_of(pupil: Pupil | ObjectivePupil) -> Wavefront:
     """Return the wavefront of a lens, or the aberrations of an objective."""
     return (pupil.aberrations or Wavefront()) if isinstance(pupil, ObjectivePupil) else pupil.wavefront

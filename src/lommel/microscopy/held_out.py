@@ -30,7 +30,7 @@ _USUAL = 55  # steps of a walk
 _RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # share by which the background is raised, how often at most, steps of each
 _WITHIN = 2.0  # of lnL, that a background may have less than the best one
 _APART, _FARTHER = 0.005, 4  # of the index of the sample, and how often it is changed further
-_SURE = 3.0  # standard errors, by which another PSF agrees better
+_SURE = 2.5  # standard errors, by which another PSF agrees better
 _OPEN = -1.0, 4.0  # standard errors between which the other half decides, too
 _WALKS = 8.0  # that are usual
 

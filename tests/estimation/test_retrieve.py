@@ -16,6 +16,8 @@ import lommel as lm
 from lommel.core.engine import star_likelihood
 from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, changes, uncertainty
 from lommel.fit.scoring import covariance
+from tests.world import air
+from tests.world.optics import Telescope
 
 NOISE = lm.Noise(read=2.0)
 DEFOCUS = np.array([-4.0, 0.0, 4.0])
@@ -593,3 +595,42 @@ def test_images_that_sum_to_1_are_told_to_be_no_electrons():
     image = lm.psf(lm.Pupil(lm.Wavefront(1.0)), 33, 0.5).values
     found = lm.retrieve(image / image.sum(), lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0), terms=3, starts=1)
     assert "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons" in found.message
+
+
+def through_air(seed, widths=(0.9, 1.1), side=25):
+    """Return images of a star through Kolmogorov's turbulence, by a mixture of pupils' transfer functions alone."""
+    telescope, images = Telescope(), []
+    for defocus, fwhm in zip((0.0, 3.0), widths, strict=True):
+        transfer = telescope.transfer(((5, 0.3), (8, -0.25), (11, 0.2)), defocus=2 * defocus)
+        transfer = transfer.times(air.kolmogorov(transfer.radius, fwhm))
+        images.append(2e4 * transfer.image(side, 0.5, side // 2 + 0.2, side // 2 - 0.3) + 10.0)
+    return np.random.default_rng(seed).poisson(images) + np.random.default_rng(seed).normal(0.0, 3.0, (2, side, side))
+
+
+def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
+    z = []
+    for seed in range(4):
+        images = through_air(seed)
+        terms = [f"noll {j}" for j in range(4, 12)]
+        plain = {"pixel": 0.5, "noise": lm.Noise(read=3.0), "defocus": [0.0, 3.0], "terms": terms, "integrate": True}
+        assert lm.retrieve(images, lm.Pupil(), starts=1, **plain).status == "misfit"
+        found = lm.retrieve(images, lm.Pupil(), blur=True, **plain)
+        assert found.converged
+        assert found.findings.get("blur_shape").numbers["gain"] > 0.0
+        truth = dict.fromkeys(terms, 0.0) | {"noll 5": 0.3, "noll 8": -0.25, "noll 11": 0.2}
+        z += [(found.coefficients[name] - truth[name]) / found.deviation[name] for name in truth]
+        assert [type(one).__name__ for several in found.blurs for one in several] == ["Seeing", "Seeing"]
+        assert_allclose(found.center, [[12.2, 11.7]] * 2, atol=0.1)
+        assert np.nanstd(found.residual) == pytest.approx(1.0, abs=0.1)
+    # chi2 of 32 at 1e-3 and 1 - 1e-3
+    assert 0.62 < np.sqrt(np.mean(np.square(z))) < 1.4
+
+
+def test_blur_goes_with_a_lens_and_its_own_search():
+    images, known = through_air(0), {"pixel": 0.5, "noise": NOISE, "defocus": [0.0, 3.0], "integrate": True}
+    for wrong in ({"also": ("center", "obscuration")}, {"also": ()}, {"starts": 1}, {"steps": 5}):
+        with pytest.raises(ValueError, match="blur must be False, or also 'center'"):
+            lm.retrieve(images, lm.Pupil(), blur=True, **known, **wrong)
+    oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
+    with pytest.raises(ValueError, match="blur must be False for an Objective"):
+        lm.retrieve(images, oil, pixel=6.5e-6, noise=NOISE, blur=True)

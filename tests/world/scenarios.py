@@ -164,7 +164,7 @@ def star(seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0) -> Trial:
     images = STARS.record(np.array(mean), seed)
     found, seconds = timed(
         lm.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
-        terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=True,
+        terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=bool(fwhm),
     )  # fmt: skip
     error = errors(found)
     z = [(found.coefficients[f"noll {j}"] - size) / error[f"noll {j}"] for j, size in waves]

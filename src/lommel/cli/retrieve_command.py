@@ -27,6 +27,7 @@ from lommel.cli.instruments import (
 from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
+from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
@@ -81,6 +82,9 @@ def _is_number(word: str) -> bool:
            '"noll 5, noll 6", or as printed, "coma x, coma y".'),
     Option("--also", default="center",
            help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
+    Option("--blur", is_flag=True,
+           help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image: of stars from the "
+           "ground."),
     Option("-o", "--output", type=OUTPUT,
            help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     plot_option("Figure of images, model, residuals and terms"),
@@ -120,6 +124,7 @@ def retrieve(
     defocus_unit: str,
     terms: str,
     also: str,
+    blur: bool,
     object_distance: float | None,
     camera: Camera | None,
     pixel: float | None,
@@ -192,6 +197,7 @@ def retrieve(
             mask=None if masked is None else mask_of(masked, stars),
             terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
+            blur=blur,
             defocus=known,
             integrate=(microscope or instrument).integrate,
             progress=lambda share, chi2: started(
@@ -222,13 +228,24 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
         rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
     each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
     each["background"] = found.background
-    own = [name for name in each if name in found.deviation]
+    blurred = any(found.blurs)
+    own = [name for name in each if blurred or name in found.deviation]
     images = []
     for k, file in enumerate(files):
+        if blurred:
+            images.append([file, *(f"{each[name][k]:.6g}" for name in own)])
+            continue
         pairs = [_with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
         images.append([file, *("+-".join(pair) for pair in pairs)])
-    table = table_of(("term", short, "std. error"), rows)
-    return [table, "", table_of(["image", *own], images), "", Wrapped(found.message)]
+    parts: list[RenderableType] = [
+        table_of(("term", short, "std. error"), rows),
+        "",
+        table_of(["image", *own], images),
+        "",
+    ]
+    if blurred:
+        parts.append(Wrapped(f"blur: {'; '.join(map(in_words, found.blurs))}"))
+    return [*parts, Wrapped(found.message)]
 
 
 def _with_error(value: float, deviation: float) -> tuple[str, str]:

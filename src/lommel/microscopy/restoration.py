@@ -325,7 +325,7 @@ def restore(
     diagnosis : bool, default True
         Whether some photons are held out, to find the background and when to stop, and to compare PSFs of other
         indices of the sample in a part of the stack; and whether other PSFs are tried after a misfit. Stacks of
-        20 x 40 x 40 voxels take two to four times as long with it, those of 41 x 96 x 96 twice as long.
+        20 x 40 x 40 voxels take two to four times as long with it, those of 41 x 96 x 96 two to three times.
     per_plane : bool, default False
         Whether restored values are the light that the objective collects in one plane, rather than in all planes of
         the window of the PSF; for "widefield" and "light sheet".

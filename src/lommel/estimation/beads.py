@@ -62,7 +62,14 @@ _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _FIRST = 5  # Noll's index of the first term after defocus
-USUAL: Mapping[str, float] = {"depth": 20e-9, "sample": 3e-3, "NA": 0.02, "pixel": 0.01, "diameter": 0.1}
+USUAL: Mapping[str, float] = {
+    "depth": 20e-9,
+    "sample": 3e-3,
+    "coverslip": 5e-6,  # of No. 1.5H; without it, terms of spherical aberration would be stated as if it were exact
+    "NA": 0.02,
+    "pixel": 0.01,
+    "diameter": 0.1,
+}
 """Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
 
 
@@ -372,8 +379,8 @@ def fit_beads(
         Constants that are unknowns: a standard deviation, or (value, standard deviation), inf for nothing known.
         Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
         "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
-        default depth 20 nm, sample 0.003, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is within a wavelength
-        of the glass. Empty to fix all.
+        default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is
+        within a wavelength of the glass. Empty to fix all.
     apodization : int, default 0
         Number of radial terms of the amplitude over the pupil to estimate, 0 to 4. They are the coefficients of its
         logarithm of degree 2, 4, ... that :meth:`lommel.Apodization.zernike` takes, and are named "apodization_2",

@@ -32,6 +32,9 @@ def test_limits_hold_for_counts_of_few_electrons():
 
 def test_a_chi2_that_noise_seldom_exceeds_is_remarked_on():
     spread = np.sqrt(2.0 / 1500)
-    assert goodness_of_fit.remark(1.05, spread) == ""
-    assert goodness_of_fit.remark(1.13, spread) == "; noise alone exceeds this chi2 in 0.03 % of fits"
+    assert goodness_of_fit.chi2_findings(1.05, spread, "why") == []
+    (found,) = goodness_of_fit.chi2_findings(1.13, spread, "why")
+    assert (found.code, found.severity, found.text) == (
+        "rare_chi2", "note", "noise alone exceeds this chi2 in 0.03 % of fits"
+    )  # fmt: skip
     assert 1.13 < goodness_of_fit.most(spread) < 1.15

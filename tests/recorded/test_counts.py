@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.recorded.counts import Counts, remarks
+from lommel.fit import Findings
+from lommel.recorded.counts import Counts, recording_findings
 
 NOISE = lm.Noise(white=0.46, read=1.6, offset=100.0)
 IMAGES = np.round(NOISE.record(np.full((3, 8, 9), 400.0), seed=1)).astype(np.uint16)
@@ -14,6 +15,10 @@ IMAGES = np.round(NOISE.record(np.full((3, 8, 9), 400.0), seed=1)).astype(np.uin
 
 def counted(images, **options):
     return Counts.of("images", images, sides=(2, 3), shape="(height, width) or (n, height, width)", **options)
+
+
+def told(images):
+    return Findings(recording_findings(images, NOISE, "image")).text
 
 
 @pytest.mark.parametrize("kind", [np.uint16, np.int32, np.float32])
@@ -30,8 +35,8 @@ def test_pixels_are_known_full_or_hidden(kind):
     np.testing.assert_array_equal(np.isnan(found.marked()), ~found.known)
     np.testing.assert_array_equal(found.filled(), np.where(found.known, images, 0.0))
     assert counted(IMAGES).marked() is IMAGES
-    assert "4 of 216 pixels left out (masked, saturated or NaN)" in remarks([found], NOISE, "image")
-    assert remarks([counted(IMAGES)], NOISE, "image") == ""
+    assert "4 of 216 pixels left out (masked, saturated or NaN)" in told([found])
+    assert told([counted(IMAGES)]) == ""
 
 
 def test_infinities_are_left_out_and_the_largest_of_a_type_is_full():
@@ -48,10 +53,10 @@ def test_what_was_assumed_or_may_be_saturated_is_said_once():
     bright = np.clip(np.arange(216.0).reshape(3, 8, 9) * 10.0, 100, 1023)
     found = counted(bright.astype(np.uint16))
     assert found.saturation == 1023
-    said = remarks([found[0], found[1], found[2]], NOISE, "image")
+    said = told([found[0], found[1], found[2]])
     assert said.count("that of 10 bits: they were taken as saturated; saturation= states another") == 1
     other = counted(np.minimum(bright, 1000.0))
-    said = remarks([other[k] for k in range(3)], NOISE, "image")
+    said = told([other[k] for k in range(3)])
     assert "pixels of image 1 have exactly the largest value, 1000: if they are saturated, state it" in said
 
 

@@ -57,9 +57,3 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
 
 def _percent(share: float) -> str:
     return f"{100.0 * max(share, 1e-6):.1g}"
-
-
-def remark(chi2: float, spread: float) -> str:
-    """Return what is to be said of a chi2 that noise seldom exceeds, or ""."""
-    rare = chance(chi2, spread)
-    return "" if rare >= _DOUBTED else f"; noise alone exceeds this chi2 in {_percent(rare)} % of fits"

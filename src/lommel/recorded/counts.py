@@ -154,17 +154,6 @@ def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> lis
     return found
 
 
-def remarks(images: Sequence[Counts], noise: Noise, name: str) -> str:
-    """Return what is to be said of pixels: how many are left out, and which may be saturated; or ""."""
-    every = sum(each.values.size for each in images)
-    count = every - sum(int(each.known.sum()) for each in images)
-    said = f"; {count} of {every} pixels left out (masked, saturated or NaN)" if count else ""
-    for words in dict.fromkeys(each.assumed for each in images if each.assumed):
-        said += f"; {words}"
-    told = flat_tops(images, noise, name)
-    return f"{said}; {told}" if told else said
-
-
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
     """Return what is to be said of the first image with a flat top, which may be saturated; or ""."""
     for k, each in enumerate(images):

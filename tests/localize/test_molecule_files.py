@@ -47,7 +47,7 @@ def test_the_table_is_what_thunderstorm_reads(tmp_path):
     )
     assert text.count("\n") == 5
     assert "\r" not in text
-    table, rows = pd.read_csv(tmp_path / "molecules.csv"), found.table[found.converged]
+    table, rows = pd.read_csv(tmp_path / "molecules.csv"), found.table[found.kept]
     assert list(table["id"]) == [1, 2, 3, 4]
     assert list(table["frame"]) == [1, 2, 4, 5]
     for column, expected in {
@@ -71,7 +71,7 @@ def test_the_data_set_is_what_picasso_reads(tmp_path):
     found.save(tmp_path / "molecules.hdf5")
     with h5py.File(tmp_path / "molecules.hdf5") as file:
         assert list(file) == ["locs"]
-        locs, rows = file["locs"][...], found.table[found.converged]
+        locs, rows = file["locs"][...], found.table[found.kept]
     assert locs["frame"].dtype == np.uint32
     assert all(locs.dtype[name] == np.float32 for name in locs.dtype.names if name != "frame")
     np.testing.assert_array_equal(locs["frame"], [0, 1, 3, 4])
@@ -192,7 +192,7 @@ def test_a_path_is_needed_and_localisations(tmp_path):
 def test_some_of_them_are_chosen_as_from_an_array():
     found = made(6)
     assert len(found[1:3]) == 2
-    assert len(found[found.converged]) == 5
+    assert len(found[found.kept]) == 5
     assert found.counts == {"converged": 5, "border": 1, "steps": 0, "undetermined": 0}
     np.testing.assert_array_equal(found[found.table["z"] > 0].table, found.table[found.table["z"] > 0])
     assert found[[0, 5]].recording is found.recording

@@ -13,7 +13,7 @@ import tifffile
 import lommel as lm
 import simulated_movies as simulated
 from lommel.localize import Table, localize_blocks, localize_movie, open_movie, writer
-from lommel.localize.movie_fits import Recurrence, gaussian_widths, likelier
+from lommel.localize.movie_fits import gaussian_widths
 
 PIXEL = simulated.PIXEL / simulated.MAGNIFICATION
 CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
@@ -37,7 +37,7 @@ def counts(molecules) -> np.ndarray:
 
 def errors(found: lm.localize.Localizations, true: simulated.Molecules) -> pd.DataFrame:
     """The error of each localisation over its deviation, and the molecule that it is."""
-    rows = found.table[found.converged]
+    rows = found.table[found.kept]
     x, y = (true.column + 0.5) * PIXEL, (true.row + 0.5) * PIXEL  # from the corner of the first pixel
     far = np.hypot(rows["x"][:, None] - x, rows["y"][:, None] - y)
     far[rows["frame"][:, None] != true.frame] = np.inf
@@ -60,7 +60,7 @@ def test_molecules_off_the_brightest_part_of_their_images_are_found():
     movie = CAMERA.record(1500.0 * images + 12.0, rng)
     table = Table(objective.pupil(**light), shape=15, pixel=11e-6, z=(-0.7e-6, 0.7e-6))
     found = localize_movie(movie, table, noise=CAMERA)
-    rows = found.table[found.converged]
+    rows = found.table[found.kept]
     assert len(rows) >= 57
     frame = rows["frame"]
     for name, truth in (("x", (column + 0.5) * 110e-9), ("y", (row + 0.5) * 110e-9), ("z", z)):
@@ -80,7 +80,7 @@ def test_molecules_are_where_they_were_put_within_the_stated_deviations(table, m
         assert 0.85 < spread < 1.15, name
         assert abs(off[name].mean()) < 0.3, name
     assert off[["x", "y", "z"]].abs().max().max() < 4.5
-    rows = found.table[found.converged]
+    rows = found.table[found.kept]
     assert np.median(rows["x_deviation"]) < 10e-9
     assert np.median(rows["z_deviation"]) < 25e-9
     assert abs(np.median(rows["discrepancy"])) < 0.4
@@ -127,7 +127,7 @@ def test_saturated_pixels_do_not_move_molecules(bits, kind, table):
         localize_movie(known, table, noise=CAMERA),
         localize_movie(movie, table, noise=CAMERA, saturation=most),
     ):
-        assert len(found) == len(other) == found.converged.sum() == 40
+        assert len(found) == len(other) == found.kept.sum() == 40
         for name in ("x", "y", "z", "photons"):
             np.testing.assert_allclose(found.table[name], other.table[name], rtol=1e-6, atol=1e-12)
     for name, true in (("x", 19.3 * PIXEL), ("y", 17.8 * PIXEL), ("z", 0.1e-6)):
@@ -145,7 +145,7 @@ def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
     images = lm.psf(light, 41, 6.5e-6, center=(row, column), tol=1e-4).values
     movie = CAMERA.record(800.0 * images + 5.0, rng)
     deep, flat = (localize_movie(movie, table, noise=CAMERA, flat=flat) for flat in (False, True))
-    assert deep.converged.sum() < 30 < 40 == flat.converged.sum()  # the others end at an end of the range of z
+    assert deep.kept.sum() < 30 < 40 == flat.kept.sum()  # the others end at an end of the range of z
     assert np.isnan(flat.table["z"]).all()
     for name, true in (("x", column + 0.5), ("y", row + 0.5)):
         off = (flat.table[name] - true * PIXEL) / flat.table[f"{name}_deviation"]
@@ -288,51 +288,6 @@ def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
     assert wide[-1] > 1.5 * tall[-1]
 
 
-@pytest.mark.parametrize("depth", [0.0, 1e-6])
-def test_the_right_sign_of_the_astigmatism_is_the_likelier(depth, tmp_path):
-    """Also of dim molecules on the cover glass, each of which alone cannot tell."""
-    draw = np.random.default_rng(7)
-    right, wrong = (
-        Table(simulated.pupil(depth=depth, aberrations=sign * simulated.ASTIGMATISM), 15, 6.5e-6, z=(-0.7e-6, 0.7e-6))
-        for sign in (1.0, -1.0)
-    )
-    frames = np.full((30, 100, 100), 8.0)
-    for frame in frames:
-        for row in range(20, 100, 20):
-            for column in range(20, 100, 20):
-                place = 7.0 + draw.uniform(-0.5, 0.5, 2)
-                frame[row - 7 : row + 8, column - 7 : column + 8] += 800.0 * right(*place, draw.uniform(-5e-7, 5e-7))
-    tifffile.imwrite(tmp_path / "movie.tif", draw.poisson(frames).astype(np.uint16), photometric="minisblack")
-    options = {"noise": lm.Noise(read=0.0), "threshold": 6.0, "width": None, "starts": 4, "block": 7, "threads": 1}
-    with lm.localize.open_movie(tmp_path / "movie.tif") as movie:
-        count, gain, deviation = likelier(movie, wrong, right, **options)
-        assert 300 < count <= 480
-        assert gain > 4.0 * deviation > 0.0
-        other_count, loss, other_deviation = likelier(movie, right, wrong, **options)
-    assert (other_count, loss, other_deviation) == pytest.approx((count, -gain, deviation))
-
-
-def test_spots_in_the_same_place_of_many_frames_are_counted(table):
-    """Where one pixel is bright in every frame, or in some, or in few; and nowhere in a short movie."""
-    frames = np.random.default_rng(0).poisson(5.0, (40, 70, 70)).astype(float)
-    frames[:, 20, 33] += 400.0
-    frames[::2, 50, 30] += 400.0
-    frames[::5, 50, 55] += 400.0
-
-    def places(of):
-        seen = Recurrence()
-        for part in lm.localize.localize_blocks(of, table, block=6):
-            seen.count(part)
-        return seen.places()
-
-    (one, other) = places(frames)
-    assert one[2] == 40
-    assert abs(np.subtract(one[:2], (20, 33))).max() <= 2
-    assert other[2] == 20
-    assert abs(np.subtract(other[:2], (50, 30))).max() <= 2
-    assert places(frames[:15]) == []
-
-
 def test_frames_without_molecules_have_none(table):
     found = localize_movie(np.random.default_rng(0).poisson(5.0, (4, 40, 40)), table)
     assert (len(found), found.spots) == (0, 0)
@@ -351,6 +306,9 @@ def test_frames_without_molecules_have_none(table):
         ({"threshold": 1.0}, "threshold must be"),
         ({"starts": 0}, "starts must be"),
         ({"progress": 5}, "progress must be"),
+        ({"mask": np.zeros((3, 3), bool)}, r"mask must be bool of the shape of a frame, \(40, 40\)"),
+        ({"mask": np.zeros((40, 40))}, "mask must be bool"),
+        ({"mask": np.ones((40, 40), bool)}, "mask must be bool .* False where pixels are used"),
     ],
 )
 def test_bad_arguments_are_told(changes, message, table):
@@ -366,3 +324,22 @@ def test_an_uneven_background_is_tilted_where_its_slope_is_seen(table):
         seen = CAMERA.record(even + slope * (np.arange(64) - 31.5), 3)
         found = localize_movie(seen, table, noise=CAMERA, background=background)
         assert least <= abs(errors(found, true)["x"].mean()) < most
+        told = found.findings.get("tilted_background")
+        assert (told is not None) == (slope > 0.0)
+        if told is not None:
+            assert told.severity == ("doubt" if background == "flat" else "note")
+            assert told.numbers["slope"] == pytest.approx(slope, abs=4 * told.numbers["error"])
+            assert told.numbers["sigmas"] > 20
+
+
+def test_pixels_of_a_mask_are_left_out(table, counts, molecules):
+    """As those that a masked array hides; with a hot pixel a molecule is where it was."""
+    hot = np.zeros((SIDE, SIDE), bool)
+    hot[int(molecules.row[0]) + 3, int(molecules.column[0])] = True
+    seen = counts[:1] + np.where(hot, 900, 0).astype(counts.dtype)
+    found = localize_movie(seen, table, noise=CAMERA, mask=hot)
+    hidden = localize_movie(np.ma.masked_array(seen, hot[None]), table, noise=CAMERA)
+    np.testing.assert_array_equal(found.table, hidden.table)
+    assert found.left_out == 1
+    assert found.findings.get("left_out").numbers == {"saturated": 0, "left_out": 1}
+    assert errors(found, molecules)[["x", "y"]].abs().max().max() < 4.5

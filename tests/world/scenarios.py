@@ -261,7 +261,7 @@ def movie(
     known = noise or lm.Noise(white=0.46, read=1.6, offset=100.0)
     images = table(sign, shift)
     found, seconds = timed(lm.localize.localize_movie, frames, images, noise=known, threads=1)
-    good = found.converged
+    good = found.kept
     for name in ("reliable", "doubtful"):  # flags of single molecules
         flags = getattr(found, name, None)
         if isinstance(flags, np.ndarray):

@@ -66,7 +66,7 @@ axes[0, 1].imshow(movie.sum(axis=0, dtype=float), cmap="gray", extent=extent)
 axes[0, 1].set_title("all frames")
 found.plot(pixel=30e-9, ax=axes[1, 0])
 for what, colour, label in ((found, "C0", "PSF at 1 um"), (shifted, "C1", "beads on the glass")):
-    rows = what.table[what.converged]
+    rows = what.table[what.kept]
     turned = np.arctan2(1e6 * rows["y"] - extent[1] / 2, 1e6 * rows["x"] - extent[1] / 2)
     axes[1, 1].plot(np.degrees(turned), 1e9 * rows["z"], ".", ms=2, color=colour, label=label)
 axes[1, 1].plot([-180, 180], [-450, 450], "k-", lw=0.8, label="true")

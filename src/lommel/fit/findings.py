@@ -12,7 +12,9 @@ Severity: TypeAlias = Literal["error", "doubt", "note"]
 
 CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the answer, fits as well",
+    "below_offset": "most counts are below the offset that was stated",
     "blur_shape": "which shape of blur the images follow",
+    "crowded": "many images hold other molecules beside the one that was fitted",
     "errors_change": "a standard error changes within one standard deviation of the answer",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
@@ -28,21 +30,26 @@ CODES: Mapping[str, str] = {
     "no_depth": "no depth is known: there is no texture, or all of it is out of range",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
+    "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "something that the model does not have, or another constant, explains the data better",
+    "pixel_pitch": "the pixel pitch is not that of the camera",
     "psf_compared": "other PSFs were compared with the one that was used, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",
     "rare_chi2": "noise alone seldom leaves so large a chi2",
+    "recurring": "sources are in the same place in many frames: beads, or hot pixels",
     "rejected": "sources that do not follow the fit were left out",
     "reversed_z": "planes in the reversed order fit far better",
     "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
     "scatter": "values scatter by more than their standard errors",
     "sign_open": "the sign of the even terms is open: another wavefront has the same images",
     "stated": "what was stated beside the images, and is used as it is",
+    "tilted_background": "the background of images is not flat, but tilted",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
     "undetermined": "the images do not determine a parameter",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
     "untested": "what these images cannot tell",
+    "z_range": "many fits end at a limit of the range of z",
 }
 """Codes of findings, and what each says."""
 

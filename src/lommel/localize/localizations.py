@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.fit.findings import Findings, FitReport
 from lommel.io import registry
 from lommel.localize.fitting import STATES
 from lommel.localize.molecule_files import Recording
@@ -24,8 +25,13 @@ _COLUMNS = (*_ESTIMATES, *(f"{name}_deviation" for name in _ESTIMATES))
 _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 
-@dataclass(frozen=True, eq=False)
-class Localizations:
+DOUBTFUL = 3.0
+"""Discrepancy from which on the image of a molecule is not of the model: noise exceeds it in some of 1000."""
+MEDIANS = ("photons", "background", "x_deviation", "y_deviation", "z_deviation", "discrepancy")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Localizations(FitReport):
     """Molecules of a movie, one row for each fit, by :func:`lommel.localize.localize_movie`.
 
     Attributes
@@ -42,18 +48,26 @@ class Localizations:
     spots, borders, overlapping, saturated, left_out : int
         Spots found and fitted, and those left out; pixels of boxes that do not count; see
         :class:`lommel.localize.Spots`.
+    ends : int
+        Fits at an end of the range of z, of those at a border.
     states : tuple of str
         "converged"; "border", "steps" and "undetermined", whose positions are no estimates.
+    findings, summary, converged, reliable, status, message
+        What the checks of all molecules together found, and the verdict that follows, see
+        :class:`lommel.fit.FitReport`; of a block of frames, those of the movie up to its end.
     """
 
-    table: NDArray[np.void]
+    table: NDArray[np.void] = field(repr=False)
     recording: Recording
     spots: int = 0
     borders: int = 0
     overlapping: int = 0
     saturated: int = 0
     left_out: int = 0
+    ends: int = 0
     states: tuple[str, ...] = field(default=STATES, repr=False)
+    findings: Findings = field(default=Findings(), kw_only=True)
+    summary: str = field(default="", kw_only=True)
 
     def __len__(self) -> int:
         return self.table.size
@@ -71,15 +85,45 @@ class Localizations:
         return replace(self, table=chosen)
 
     @property
-    def converged(self) -> NDArray[np.bool_]:
-        """Which fits converged."""
+    def kept(self) -> NDArray[np.bool_]:
+        """Which fits converged: files have these."""
         return np.asarray(self.table["state"] == 0)
+
+    @property
+    def doubtful(self) -> NDArray[np.bool_]:
+        """Which images noise does not explain, as with another molecule in the box: a discrepancy of 3 or more."""
+        return np.asarray(self.table["discrepancy"] >= DOUBTFUL)
 
     @property
     def counts(self) -> dict[str, int]:
         """Number of fits in each state."""
         found = np.bincount(self.table["state"], minlength=len(self.states))
         return dict(zip(self.states, found.tolist(), strict=True))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain data, without the table.
+
+        Returns
+        -------
+        dict
+            Verdict and findings, numbers of spots and fits, and medians of those that converged.
+        """
+        numbers, recording = super().to_dict(), self.recording
+        del numbers["recording"]
+        kept, flat = self.table[self.kept], recording.along == "none"
+        names = [name for name in MEDIANS if not (flat and name == "z_deviation")]
+        medians = {name: float(np.median(kept[name])) if kept.size else None for name in names}
+        return numbers | {
+            "frames": recording.frames,
+            "shape": [recording.rows, recording.columns],
+            "pixel_in_sample": float(f"{recording.pixel:.12g}"),
+            "along": recording.along,
+            "states": self.counts,
+            "border_fits": {"z": self.ends, "reach": self.counts["border"] - self.ends},
+            "written": kept.size,
+            "doubtful": int(self.doubtful[self.kept].sum()),
+            "medians": medians,
+        }
 
     def save(self, *paths: str | PathLike[str]) -> None:
         """Write those that converged to files: ThunderSTORM's .csv or Picasso's .hdf5.
@@ -128,7 +172,7 @@ class Localizations:
         one = self.recording
         side = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
         return molecules.picture(
-            self.table[self.converged], (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
+            self.table[self.kept], (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
         )
 
 
@@ -141,9 +185,9 @@ def columns() -> np.dtype[np.void]:
 
 def joined(parts: Sequence[Localizations]) -> Localizations:
     """Return the localisations of parts of one movie, at least one, together."""
-    names = ("spots", "borders", "overlapping", "saturated", "left_out")
+    names = ("spots", "borders", "overlapping", "saturated", "left_out", "ends")
     sums = {name: sum(getattr(part, name) for part in parts) for name in names}
-    return replace(parts[0], table=np.concatenate([part.table for part in parts]), **sums)
+    return replace(parts[-1], table=np.concatenate([part.table for part in parts]), **sums)
 
 
 @contextmanager
@@ -192,7 +236,7 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
         writes = [files.enter_context(form.write(*form.places(path))) for form, path in found]
 
         def write(part: Localizations) -> None:
-            kept = validation.instance("part", part, Localizations).table[part.converged]
+            kept = validation.instance("part", part, Localizations).table[part.kept]
             for each in writes:
                 each(kept, part.recording)
 

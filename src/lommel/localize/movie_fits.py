@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage, special
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.localize.detection import Spots, find, find_in, frame_counts
-from lommel.localize.fitting import BACKGROUNDS, STATES, Deviation, Molecules, fit, in_electrons
+from lommel.localize.checks import TILTED, Checks
+from lommel.localize.detection import Spots, find_in, frame_counts
+from lommel.localize.fitting import BACKGROUNDS, STATES, Deviation, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
 from lommel.localize.table import Table
@@ -40,6 +38,7 @@ def localize_movie(
     starts: int = 4,
     flat: bool = False,
     background: str = "auto",
+    mask: ArrayLike | None = None,
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -74,6 +73,8 @@ def localize_movie(
         Background of each box, as of :func:`lommel.localize.fit`. By default it is tilted from the block of frames on
         in which the slopes that flat ones leave, of up to a thousand molecules of a block, all together or in parts
         of the frame, are beyond five standard deviations.
+    mask : array_like of bool, shape (rows, columns), optional
+        True where a pixel is left out, as where the camera is hot.
     block : int, optional
         Frames in memory at once; by default as many as have four million pixels.
     threads : int, optional
@@ -106,6 +107,7 @@ def localize_movie(
         "starts": starts,
         "flat": flat,
         "background": background,
+        "mask": mask,
     }
     return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
 
@@ -121,6 +123,7 @@ def localize_blocks(
     starts: int = 4,
     flat: bool = False,
     background: str = "auto",
+    mask: ArrayLike | None = None,
     block: int | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -129,7 +132,7 @@ def localize_blocks(
 
     Parameters
     ----------
-    movie, table, noise, threshold, width, saturation, starts, flat, background, block, threads, progress
+    movie, table, noise, threshold, width, saturation, starts, flat, background, mask, block, threads, progress
         As of :func:`lommel.localize.localize_movie`.
 
     Yields
@@ -152,12 +155,21 @@ def localize_blocks(
         if (np.array(shape[1:]) < table.shape).any():
             sides, box = (" x ".join(map(str, each)) for each in (shape[1:], table.shape))
             raise ValueError(f"{name or 'movie'} must have frames of at least {box} pixels, the box, got {sides}")
+        left = None if mask is None else validation.array("mask", mask)
+        if left is not None and (left.dtype != bool or left.shape != shape[1:] or left.all()):
+            raise ValueError(
+                f"mask must be bool of the shape of a frame, {shape[1:]}, False where pixels are used, got "
+                f"{validation.shown(mask)}"
+            )
         pixel = table.pixel / table.pupil.magnification
         along = "none" if validation.truth("flat", flat) else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
-        done = 0
+        options = {"background": kind, "starts": starts, "threads": threads}
+        checks, done = Checks(recording, table, noise or Noise(read=0.0), options), 0
         for frames in blocks:
-            counts = frame_counts(frames, table.shape, saturation)
+            counts = frame_counts(frames if left is None else _left_out(frames, left), table.shape, saturation)
+            if not done:
+                checks.first(counts)
             if counts.assumed:
                 saturation = counts.saturation  # of the frames that follow, too
             spots = find_in(counts, table.shape, noise, threshold, width, done, threads)
@@ -165,132 +177,26 @@ def localize_blocks(
             values, which, corners = counts.marked(), spots.frame - done, spots.corners
             begun = "flat" if kind == "auto" else kind
             found = _recentred(values, which, corners, table, partial(again, background=begun))
-            if kind == "auto" and tilt_sigmas(spots, found, table, noise, shape[1:]) > _TILTED:
+            checks.compare(spots)
+            if begun == "flat" and checks.tilt(spots, found) > TILTED and kind == "auto":
                 kind = "tilted"
                 found = _recentred(values, which, corners, table, partial(again, background=kind))
-            yield _localizations(spots, found, recording, widths, table)
+            part = _localizations(spots, found, recording, widths, table)
+            checks.count(part)
+            yield replace(part, findings=checks.findings, summary=checks.summary)
             done += len(frames)
             if progress is not None:
                 progress(done, shape[0])
 
 
-def tilt_sigmas(spots: Spots, found: Molecules, table: Table, noise: Noise | None, shape: tuple[int, int]) -> float:
-    """Return how far slopes of the background that flat fits leave out are beyond 0, in standard deviations.
-
-    Score tests of two slopes in each box, all other unknowns being eliminated, pooled over all molecules and over
-    each of 4 x 4 parts of the frame; the larger of both.
-    """
-    height, width = table.shape
-    at = np.column_stack([found.row, found.column]) - spots.corners
-    middle = np.array([height // 2, width // 2])
-    kept = np.flatnonzero(found.converged & (np.abs(at - middle) < table.reach).all(axis=1))[:_MOLECULES]
-    if not kept.size:
-        return 0.0
-    camera = noise or Noise(read=0.0)
-    light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
-    row, column = at[kept].T
-    values, slopes = table(row, column, found.z[kept], derivatives=True)
-    photons, level = (each[kept, None, None] / camera.excess for each in (found.photons, found.background))
-    ramps = np.mgrid[:height, :width] - 0.5 * np.array([height - 1, width - 1])[:, None, None]
-    z = "depth" if "depth" in slopes else "z"
-    own = [slopes["row"], slopes["column"], slopes[z] * 1e-6, values, np.ones_like(values)]
-    columns = np.stack(
-        [*own[:3], *own[3:], *(np.broadcast_to(one, values.shape) for one in ramps)], axis=1, dtype=float
-    )
-    columns[:, :3] *= photons[:, None]
-    mean = np.maximum(photons * values + level, 0.01) + read
-    weight = np.where(np.isfinite(light), 1.0 / mean, 0.0)
-    off = np.nan_to_num(light + read - mean) * weight
-    score = np.einsum("nkyx,nyx->nk", columns, off)
-    information = np.einsum("nkyx,nlyx->nkl", columns * weight[:, None], columns)
-    taken = np.linalg.solve(information[:, :5, :5], information[:, :5, 5:])
-    left = information[:, 5:, 5:] - information[:, 5:, :5] @ taken
-    slope = score[:, 5:] - np.einsum("nki,nk->ni", taken, score[:, :5])
-    place = np.clip((4 * found.row[kept] / shape[0]).astype(int), 0, 3) * 4
-    place += np.clip((4 * found.column[kept] / shape[1]).astype(int), 0, 3)
-    squares = []
-    for parts in (np.zeros_like(place), place):
-        each = [(slope[parts == k].sum(axis=0), left[parts == k].sum(axis=0)) for k in np.unique(parts)]
-        squares.append((sum(float(v @ np.linalg.solve(s, v)) for v, s in each), 2 * len(each)))
-    chance = min(float(special.gammaincc(0.5 * free, 0.5 * square)) for square, free in squares)
-    return float(-special.ndtri(max(0.5 * chance, 1e-300)))
-
-
-_TILTED = 5.0  # standard deviations, from which on backgrounds are tilted
-
-
-class Recurrence:
-    """Places where spots are found again and again: beads, and hot pixels."""
-
-    def __init__(self) -> None:
-        self._counts: NDArray[np.int64] | None = None
-        self._frames = 0
-
-    def count(self, part: Localizations) -> None:
-        """Add the spots of a block of frames."""
-        made = part.recording
-        if self._counts is None:
-            self._counts, self._frames = np.zeros((made.rows, made.columns), np.int64), made.frames
-        at = (np.floor(part.table[name] / made.pixel).astype(np.int64) for name in "yx")
-        row, column = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
-        np.add.at(self._counts, (row, column), 1)
-
-    def places(self) -> list[tuple[int, int, int]]:
-        """Return row, column and number of spots within a pixel where they are in many frames, most first."""
-        if self._counts is None or self._frames < _LEAST_FRAMES:
-            return []
-        near = ndimage.convolve(self._counts, np.ones((3, 3), np.int64), mode="constant")
-        often = (near >= _OFTEN * self._frames) & (self._counts == ndimage.maximum_filter(self._counts, 5))
-        row, column = np.nonzero(often & (self._counts > 0))
-        order = np.argsort(-near[row, column], kind="stable")
-        return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
-
-
-_LEAST_FRAMES, _OFTEN = 20, 0.3  # of a movie, and the share of its frames in which a molecule is not again and again
-
-
-def likelier(
-    movie: Movie,
-    table: Table,
-    other: Table,
-    *,
-    noise: Noise,
-    threshold: float,
-    width: float | None,
-    saturation: float | None = None,
-    starts: int,
-    block: int | None,
-    threads: int | None,
-) -> tuple[int, float, float]:
-    """Return by how much the first molecules of a movie are likelier with another table, all together.
-
-    Their number, the log-likelihood with the other table less that with the first, and its standard deviation from
-    the spread over the molecules. Of up to a thousand, which tell the sign of an astigmatism on the cover glass
-    with 500 photons each: there one molecule alone is likelier with the right sign by 0.1.
-    """
-    gains: list[float] = []
-    if width is None:
-        width = _smoothing(table, gaussian_widths(table))
-    for frames in itertools.islice(movie.blocks(block), _MOST_BLOCKS):
-        spots = find(
-            frames, table.shape, noise=noise, threshold=threshold, width=width, saturation=saturation, threads=threads
-        )
-        options: dict[str, Any] = {"noise": noise, "corners": spots.corners, "starts": starts, "threads": threads}
-        one, another = (fit(each, spots.images, **options) for each in (table, other))
-        both = one.converged & another.converged
-        gains += (another.log_likelihood - one.log_likelihood)[both].tolist()
-        if len(gains) >= _MOLECULES:
-            break
-    spread = float(np.std(gains)) if len(gains) > 1 else math.inf
-    return len(gains), math.fsum(gains), spread * math.sqrt(len(gains))
-
-
-_MOLECULES, _MOST_BLOCKS = 1000, 20
-
-
 def _smoothing(table: Table, widths: tuple[Array, Array, Array]) -> float:
     """Return the standard deviation by which frames are smoothed to find images of a table, pixels."""
     return float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
+
+
+def _left_out(frames: Values, mask: NDArray[np.bool_]) -> Values:
+    """Return frames without the pixels of a mask, and those that they hide themselves."""
+    return np.ma.masked_array(frames, np.ma.getmaskarray(frames) | mask)
 
 
 _ROUNDS = 3  # of boxes moved
@@ -366,7 +272,8 @@ def _localizations(
     if recording.along == "none":
         rows["state"][(found.state == STATES.index("border")) & np.isin(found.z, table.z)] = 0
         rows["z"] = rows["z_deviation"] = np.nan
-    left = spots.borders, spots.overlapping, spots.saturated, spots.left_out
+    ends = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
+    left = spots.borders, spots.overlapping, spots.saturated, spots.left_out, ends
     return Localizations(rows, recording, len(spots), *left)
 
 

@@ -376,7 +376,7 @@ class Objective:
             start = self._paraxial(d)
         elif origin == "brightest":
             each, place = np.unique(d, return_inverse=True)
-            best = np.array([_brightest(layers, float(one)).brightest for one in each])
+            best = np.array([brightest(layers, float(one)).brightest for one in each])
             start = best[place].reshape(d.shape)
         focus = start + offset
         self._planes(d, focus)
@@ -550,7 +550,7 @@ class Objective:
         d = depths(depth)
         paraxial = self._paraxial(d)
         self._planes(d, paraxial)
-        found = [_brightest(layers, float(one)) for one in d.flat]
+        found = [brightest(layers, float(one)) for one in d.flat]
         self._planes(d, np.array([one.brightest for one in found]).reshape(d.shape))
         each = zip(d.flat, found, strict=True)
         wide = [_lateral_width(layers, float(one), light.brightest) for one, light in each]
@@ -636,7 +636,7 @@ def _depth_of_focus(layers: Layers) -> float:
 
 
 @lru_cache(maxsize=4096)
-def _brightest(layers: Layers, depth: float) -> _Axial:
+def brightest(layers: Layers, depth: float) -> _Axial:
     """Return the main axial maximum by a search in steps of a 16th of the depth of focus, then Newton's method.
 
     The search spans the ray foci and two depths of focus beyond, or more until half of the maximum is reached.

@@ -1,0 +1,162 @@
+"""What is told of localised molecules: movies by images of tables, with one thing wrong at a time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+import simulated_movies as simulated
+from lommel.localize import Table, localize_blocks, localize_movie
+
+CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
+
+
+def table_of(**changes) -> Table:
+    return Table(simulated.pupil(**changes), 15, 6.5e-6, z=(-0.7e-6, 0.7e-6), tol=1e-3)
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return table_of()
+
+
+def light(of: Table, frames=20, photons=800.0, background=8.0, apart=20) -> np.ndarray:
+    """Electrons of frames of 100 x 100 with 16 molecules each, at other places in each."""
+    draw = np.random.default_rng(7)
+    seen = np.full((frames, 100, 100), background)
+    for frame in seen:
+        down, across = draw.integers(-5, 6, 2)
+        for row in range(20, 100, 20):
+            for column in range(20, 100, 20):
+                place = 7.0 + draw.uniform(-0.5, 0.5, 2)
+                where = np.s_[row + down - 7 : row + down + 8, column + across - 7 : column + across + 8]
+                frame[where] += photons * of(*place, draw.uniform(-5e-7, 5e-7))
+    return seen
+
+
+@pytest.fixture(scope="module")
+def mean(table) -> np.ndarray:
+    return light(table)
+
+
+def test_a_movie_that_is_as_stated_is_reliable(table, mean):
+    found = localize_movie(CAMERA.record(mean, 1), table, noise=CAMERA)
+    assert (found.converged, found.reliable, found.status, tuple(found.findings)) == (True, True, "converged", ())
+    assert found.summary.startswith(f"{found.kept.sum()} molecules in 20 frames, median discrepancy ")
+    told = found.to_dict()
+    assert told["converged"] is True
+    assert (told["spots"], told["written"], told["frames"]) == (found.spots, int(found.kept.sum()), 20)
+    assert told["medians"]["photons"] == np.median(found.table["photons"][found.kept])
+    assert "table" not in told
+
+
+@pytest.mark.parametrize("depth", [0.0, 1e-6])
+def test_the_right_sign_of_the_astigmatism_is_the_likelier(depth):
+    """Also of dim molecules on the cover glass, each of which alone cannot tell."""
+    right, wrong = (table_of(depth=depth, aberrations=sign * simulated.ASTIGMATISM) for sign in (1.0, -1.0))
+    frames = np.random.default_rng(7).poisson(light(right, 30))
+    assert localize_movie(frames, right).reliable
+    found = localize_movie(frames, wrong)
+    assert (found.converged, found.status) == (False, "opposite_astigmatism")
+    numbers = found.findings.get("opposite_astigmatism").numbers
+    assert numbers["log_likelihood"] > 4.0 * numbers["error"] > 0.0
+    assert 300 < numbers["molecules"] <= 480
+    assert "opposite_astigmatism" not in localize_movie(frames, wrong, flat=True).findings.codes
+
+
+@pytest.mark.parametrize("shift", [-0.8e-6, 0.8e-6])
+def test_another_depth_is_told(shift):
+    """Where images hardly show it: by all molecules together."""
+    frames = CAMERA.record(light(table_of(depth=1e-6), photons=1500.0), 3)
+    found = localize_movie(frames, table_of(depth=1e-6 + shift), noise=CAMERA)
+    told = found.findings.get("other_explanation")
+    assert (told.severity, told.numbers["parameter"]) == ("doubt", "depth")
+    assert told.numbers["shift"] * shift < 0.0
+    assert (found.converged, found.reliable) == (True, False)
+
+
+def test_excess_noise_that_is_not_stated_is_told(table, mean):
+    draw = np.random.default_rng(4)
+    doubled = 2.0 * draw.poisson(mean / 2.0)
+    found = localize_movie(doubled, table, noise=lm.Noise(read=0.0))
+    assert found.status == "excess_noise"
+    assert found.findings.get("excess_noise").numbers["factor"] == pytest.approx(2.0, abs=0.1)
+    assert "excess_noise" not in localize_movie(doubled, table, noise=lm.Noise(read=0.0, excess=2.0)).findings.codes
+
+
+def test_molecules_beside_others_are_doubtful(table, mean):
+    crowd = mean + 0.8 * np.roll(mean - 8.0, 5, 2) * (np.arange(20) % 4 == 0)[:, None, None]
+    found = localize_movie(CAMERA.record(crowd, 2), table, noise=CAMERA)
+    told = found.findings.get("crowded")
+    assert told.severity == "doubt"
+    assert told.numbers["doubtful"] == (found.doubtful & found.kept).sum()
+    assert (found.table["frame"][found.doubtful & found.kept] % 4 == 0).mean() > 0.95
+    assert not {"misfit", "tilted_background"} & set(found.findings.codes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "severity"),
+    [({"white": 1.5}, "misfit", "error"), ({"white": 0.1}, "too_quiet", "doubt"),
+     ({"offset": 125.0}, "below_offset", "doubt")],
+)  # fmt: skip
+def test_a_wrong_camera_is_told(changes, code, severity, table, mean):
+    stated = {"white": 0.5, "read": 1.5, "offset": 100.0} | changes
+    found = localize_movie(CAMERA.record(mean[:10], 1), table, noise=lm.Noise(**stated))
+    assert found.findings.get(code).severity == severity
+
+
+def test_full_pixels_are_left_out_and_told(table, mean):
+    counts = np.minimum(CAMERA.record(10.0 * mean, 1), 700.0)
+    found = localize_movie(counts, table, noise=CAMERA, saturation=700.0)
+    assert found.findings.get("left_out").numbers == {"saturated": found.saturated, "left_out": 0}
+    assert found.saturated > 100
+    assert found.converged
+
+
+def test_a_wavefront_that_leaves_the_sign_of_z_open_is_told(mean):
+    plain = table_of(aberrations=lm.Wavefront.zernike({8: 0.1}, order="noll", unit="waves"))
+    assert localize_movie(mean[:1], plain).findings.get("sign_open").severity == "doubt"
+    assert localize_movie(mean[:1], plain, flat=True).findings.get("sign_open") is None
+
+
+def test_a_pixel_that_is_not_of_the_camera_is_told(mean):
+    one = Table(simulated.pupil(), 15, 0.1e-6, z=(-0.7e-6, 0.7e-6), tol=1e-3)
+    assert localize_movie(mean[:1], one, width=2.0).findings.get("pixel_pitch").severity == "doubt"
+
+
+def test_fits_at_the_ends_of_z_are_told(mean):
+    one = Table(simulated.pupil(), 15, 6.5e-6, z=(-0.2e-6, 0.2e-6), tol=1e-3)
+    found = localize_movie(CAMERA.record(mean[:5], 1), one, noise=CAMERA)
+    assert found.findings.get("z_range").numbers == {"ends": found.ends, "spots": found.spots}
+    assert found.ends > 0.3 * found.spots
+
+
+def test_spots_in_the_same_place_of_many_frames_are_counted(table):
+    """Where one pixel is bright in every frame, or in some, or in few; and nowhere in a short movie."""
+    frames = np.random.default_rng(0).poisson(5.0, (40, 70, 70)).astype(float)
+    frames[:, 20, 33] += 400.0
+    frames[::2, 50, 30] += 400.0
+    frames[::5, 50, 55] += 400.0
+    *_, last = localize_blocks(frames, table, block=6)
+    (one, other) = last.findings.get("recurring").numbers["places"]
+    assert one[2] == 40
+    assert abs(np.subtract(one[:2], (20, 33))).max() <= 2
+    assert other[2] == 20
+    assert abs(np.subtract(other[:2], (50, 30))).max() <= 2
+    assert localize_movie(frames[:15], table).findings.get("recurring") is None
+
+
+def test_a_movie_without_molecules_has_no_answer(table):
+    found = localize_movie(np.random.default_rng(0).poisson(5.0, (4, 40, 40)), table)
+    assert (found.status, found.converged, found.summary) == ("no_light", False, "0 molecules in 4 frames")
+    assert math.isclose(len(found), 0)
+
+
+def test_findings_of_blocks_are_of_the_movie_so_far(table, mean):
+    counts = CAMERA.record(mean, 1)
+    *parts, last = localize_blocks(counts, table, noise=CAMERA, block=6)
+    assert last.summary == localize_movie(counts, table, noise=CAMERA).summary
+    assert [part.summary.split(" in ")[0] for part in parts] != [last.summary.split(" in ")[0]] * 3

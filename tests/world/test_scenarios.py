@@ -121,11 +121,11 @@ def test_a_refusal_is_told_and_an_error_is_a_fault():
         attempt(Scenario("0", "a world", "fit", breaks), 0)
 
 
-def test_results_without_findings_are_read_by_their_flags():
-    fit = SimpleNamespace(converged=True, reliable=False, message="converged, but: no")
-    assert verdict(fit)[:2] == (False, ("converged",))
-    restored = SimpleNamespace(channels=(SimpleNamespace(stopped="noise"),))
-    assert verdict(restored).good
+def test_the_verdict_is_that_of_findings():
+    field = SimpleNamespace(findings=Findings([Finding("sign_open", "doubt", "open")]), degree=0)
+    assert verdict(field).good
+    restored = SimpleNamespace(channels=(SimpleNamespace(findings=Findings([MISFIT, NOTE])),))
+    assert verdict(restored)[:2] == (False, ("misfit", "flat_top"))
 
 
 def test_every_row_is_there_once_and_says_what_must_come_of_it():

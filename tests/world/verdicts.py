@@ -43,30 +43,12 @@ class Verdict(NamedTuple):
 
 
 def verdict(result: Any) -> Verdict:
-    """Return what a result says of itself."""
-    channels = getattr(result, "channels", None)
-    for each in (result, *(channels or ())):
-        findings = getattr(each, "findings", None)
-        if findings is not None:
-            # The sign of a field of one focus is open, and its twin is given: errors are those of the nearer of both.
-            twin = {"sign_open"} if hasattr(each, "degree") else set[str]()
-            doubts = {one.code for one in findings if one.severity != "note"}
-            return Verdict(doubts <= twin, findings.codes, findings.text)
-    if channels:  # a restored stack
-        return Verdict(channels[0].stopped.startswith("noise"), (_code(channels[0].stopped),), channels[0].stopped)
-    if hasattr(result, "agrees"):  # depth from defocus
-        words = {"less than noise": "too_quiet", "more than noise": "misfit", "blurs differ": "lens_scale"}
-        said = "; ".join(result.faults)
-        codes = [code for part, code in words.items() if part in said]
-        return Verdict(result.agrees, (*codes, "untested"), str(result))
-    if not hasattr(result, "message"):  # molecules, of which nothing is said together
-        return Verdict(True, (), "")
-    good = bool(getattr(result, "reliable", result.converged))
-    return Verdict(good, () if good else (_code(result.message),), result.message)
-
-
-def _code(text: str) -> str:
-    return text.partition(":")[0].partition(",")[0].strip().replace(" ", "_")
+    """Return what a result, or the first channel of a restored stack, says of itself."""
+    said = result if hasattr(result, "findings") else result.channels[0]
+    # The sign of a field of one focus is open, and its twin is given: errors are those of the nearer of both.
+    twin = {"sign_open"} if hasattr(said, "degree") else set[str]()
+    doubts = {one.code for one in said.findings if one.severity != "note"}
+    return Verdict(doubts <= twin, said.findings.codes, said.findings.text)
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,8 @@ class Checks:
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
         self._residuals: list[tuple[Array, ...]] = []
+        self._excess: list[Finding] = []
+        self._tested = 0  # molecules, of their noise
         self._rivals = {} if recording.along == "none" else rivals(table)
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
         self._tried = 0
@@ -75,6 +77,7 @@ class Checks:
             return 0.0
         if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
+            self._test_noise()
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
             slope, error = slope * self._noise.excess, error * self._noise.excess
@@ -136,14 +139,15 @@ class Checks:
     def findings(self) -> Findings:
         """What was found so far."""
         return Findings(
-            [*self._of_light(), *self._of_rivals(), *self._of_fits(), *self._told.values(), *self._of_spots()]
+            [*self._excess, *self._of_rivals(), *self._of_fits(), *self._told.values(), *self._of_spots()]
         )
 
-    def _of_light(self) -> list[Finding]:
-        if not self._residuals:
-            return []
-        residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
-        return excess_findings(residual, mean, read, self._noise.excess)
+    def _test_noise(self) -> None:
+        """Test for excess noise, of short blocks only where there are more molecules by half."""
+        count = sum(len(one) for one, _, _ in self._residuals)
+        if count >= 1.5 * self._tested:
+            residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
+            self._excess, self._tested = excess_findings(residual, mean, read, self._noise.excess), count
 
     def likelier(self) -> dict[str, tuple[int, float, float]]:
         """Return molecules that were tried, by how much all are likelier with each other table, and its deviation.

@@ -127,7 +127,7 @@ def test_a_pixel_that_is_not_of_the_camera_is_told(mean):
 
 def test_fits_at_the_ends_of_z_are_told(mean):
     one = Table(simulated.pupil(), 15, 6.5e-6, z=(-0.2e-6, 0.2e-6), tol=1e-3)
-    found = localize_movie(CAMERA.record(mean[:5], 1), one, noise=CAMERA)
+    found = localize_movie(CAMERA.record(mean[:5], 1), one, noise=CAMERA, block=2)
     assert found.findings.get("z_range").numbers == {"ends": found.ends, "spots": found.spots}
     assert found.ends > 0.3 * found.spots
 

@@ -38,7 +38,7 @@ class Checks:
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
         self._tested = 0  # molecules, of their noise
-        self._rivals = {} if recording.along == "none" else rivals(table)
+        self._rivals = {} if recording.along == "none" else rivals(table, options["threads"])
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
         self._tried = 0
         pupil, pixel = table.pupil, recording.pixel
@@ -302,11 +302,13 @@ def scored(spots: Spots, found: Molecules, table: Table, camera: Noise) -> Score
     return Score(slope, left, found.row[kept], found.column[kept], residual, mean, np.broadcast_to(read, mean.shape))
 
 
-def rivals(table: Table) -> dict[str, Table]:
+def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
     """Return tables that a wrong statement would hide, kept with the table: by what is other in them."""
     kept: dict[str, Table] | None = vars(table).get("_rivals")
     if kept is None:
-        kept = vars(table)["_rivals"] = {name: _other(table, *one) for name, one in _others(table.pupil, table)}
+        kept = vars(table)["_rivals"] = {
+            name: _other(table, threads, *one) for name, one in _others(table.pupil, table)
+        }
     return kept
 
 
@@ -327,9 +329,10 @@ def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, tuple[Ob
             yield f"{shift:+.1e}", (deeper, shift if moving else 0.0)
 
 
-def _other(table: Table, pupil: ObjectivePupil, shift: float) -> Table:
+def _other(table: Table, threads: int | None, pupil: ObjectivePupil, shift: float) -> Table:
     low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-    return Table(pupil, table.shape, table.pixel, z=(low, high), along=table.along, reach=table.reach, tol=table.tol)
+    made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
+    return Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **made)
 
 
 class Recurrence:

@@ -72,6 +72,29 @@ def test_json_has_all_facts(folder, call_lommel):
     assert found["misfit"] == pytest.approx(1.0, abs=0.2)
 
 
+def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
+    photos = [tifffile.imread(folder / f"{name}.tif") for name in ("near", "far")]
+    masks = np.zeros((2, 112, 112), dtype=np.uint8)
+    masks[1, 50:60, 40:48] = 1
+    photos[1][50:60, 40:48] = 0.9  # a reflection
+    tifffile.imwrite(folder / "far.tif", photos[1])
+    tifffile.imwrite(folder / "mask.tif", masks, photometric="minisblack")
+    arguments = "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json", "-o", "depth.tif"
+    told = json.loads(call_lommel(*arguments, "--mask", "mask.tif", folder=folder).stdout)
+    found = lm.imaging.depth_from_defocus(
+        [photos[0], np.ma.masked_array(photos[1], masks[1])], PAIR, PIXEL, encoding="linear",
+        noise=lm.Noise(white=1e4, read=3.0), between=(1.2, 2.0),
+    )  # fmt: skip
+    assert np.isnan(found.depth[52:58, 42:46]).all()
+    assert told.items() >= found.to_dict().items()
+    depth = lm.imaging.read_depth(folder / "depth.tif")
+    assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
+    np.save(folder / "small.npy", np.zeros((9, 9)))
+    refused = call_lommel(*arguments, "--mask", "small.npy", folder=folder)
+    assert refused.returncode == 2
+    assert "--mask must have the shape of the images, 112 x 112, one or 2, got 1 of 9 x 9" in refused.stderr
+
+
 def test_photos_that_do_not_fit_are_told(folder, call_lommel):
     tifffile.imwrite(folder / "moved.tif", np.roll(tifffile.imread(folder / "far.tif"), 2, axis=1))
     result = call_lommel("depth", "near.tif", "moved.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)

@@ -16,7 +16,7 @@ from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
-from lommel.cli.photo_commands import NOISE, read_as
+from lommel.cli.photo_commands import NOISE, read_as, without
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
@@ -84,6 +84,8 @@ def lens_options(which: str) -> list[Option]:
         Option("--saturation", type=float,
                help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
                "saturated."),
+        Option("--mask", "masked", type=FILE,
+               help="Image of the pixels to leave out: not 0 there; one for all photos, or one for each."),
     ),
     *under(
         "Estimation",
@@ -105,6 +107,7 @@ def depth(
     outputs: tuple[Path, ...],
     sharp: Path | None,
     figure: Path | None,
+    masked: Path | None,
     **options: Any,
 ) -> Report:
     """Estimate a depth map from photos (depth from defocus).
@@ -135,10 +138,13 @@ def depth(
         kinds = {(one.values.dtype, one.encoding) for one in pictures}
         if len(kinds) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+        given = [one.values for one in pictures]
+        if masked is not None:
+            given = without(given, masked)
         started("computing the PSFs of every distance")
         start = time.perf_counter()
         found = depth_from_defocus(
-            [one.values for one in pictures],
+            given,
             lenses,
             instrument.side,
             encoding=pictures[0].encoding,
@@ -203,31 +209,18 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
 
 def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
     """Return the report of a depth map and its photos, with the rest of the facts."""
-    known, misfit = np.isfinite(found.deviation), found.misfit
-    depth, deviation = None, None
-    text = "no depth found: the photos have no texture, or all of it is out of range"
-    if known.any():
-        ends = np.percentile(found.depth[known], [5.0, 50.0, 95.0]).tolist()
-        depth = dict(zip(("5 %", "50 %", "95 %"), ends, strict=True))
-        deviation, misfit = float(np.median(found.deviation[known])), misfit[known]
-        low, middle, high = map(format_length, ends)
-        text = (
-            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
-            f"median {middle}, standard deviation {format_length(deviation, digits=2)}"
-        )
-    left = float(np.median(misfit))
-    facts = {
-        "shape": list(found.depth.shape),
+    facts = found.to_dict() | {
         "focus_distances": [finite(one.focus_distance) for one in lenses],
         "f_numbers": [one.f_number for one in lenses],
         "focal_length": lenses[0].focal_length,
-        "candidates": len(found.candidates),
-        "exposures": list(found.exposures),
-        "known": found.known,
-        "depth": depth,
-        "deviation": deviation,
-        "misfit": left,
     }
+    text = "no depth found: the photos have no texture, or all of it is out of range"
+    if facts["depth"] is not None:
+        low, middle, high = map(format_length, facts["depth"].values())
+        text = (
+            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
+            f"median {middle}, standard deviation {format_length(facts['deviation'], digits=2)}"
+        )
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
     near, far = map(format_length, options["between"])

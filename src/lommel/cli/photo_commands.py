@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import signal
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -17,11 +17,10 @@ import numpy as np
 from click.core import ParameterSource
 from numpy.typing import NDArray
 
-from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli import dataset, depth_maps
 from lommel.cli.depth_maps import depth_facts, finite
-from lommel.cli.instruments import CAMERA, noise_of
+from lommel.cli.instruments import CAMERA, mask_of, noise_of
 from lommel.cli.options import (
     FILE,
     JSON,
@@ -58,6 +57,7 @@ from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
+    from lommel.imaging.photograph import Pixels
     from lommel.io.depth_maps import DepthKeywords
     from lommel.lensfiles.camera import Camera
 
@@ -334,6 +334,7 @@ _METHODS = ("richardson-lucy", "total-variation", "one-pass")
         Option("--saturation", type=float,
                help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
                "such as 0.95."),
+        Option("--mask", "masked", type=FILE, help="Image of the pixels to leave out, as unknown: not 0 there."),
     ),
     *under(
         "Restoration",
@@ -356,6 +357,7 @@ def restore(
     output: Path,
     focus: float | None,
     saturation: float | None,
+    masked: Path | None,
     method: str,
     steps: int | None,
     target: float,
@@ -384,6 +386,9 @@ def restore(
         noise = {name: given.pop(name) for name in ("white", "read", "offset")}
         job = Job.of(given, output)
         lens = job.focused(focus)
+        photo = job.picture.values
+        if masked is not None:
+            (photo,) = without([photo], masked)
         started("computing PSFs")
         start = time.perf_counter()
 
@@ -392,7 +397,7 @@ def restore(
             started(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
 
         found = restored(
-            job.picture.values,
+            photo,
             job.distance,
             lens,
             job.pitch,
@@ -405,18 +410,8 @@ def restore(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(found.light))
-    facts = {
-        "focus_distance": finite(lens.focus_distance),
-        "seconds": seconds,
-        "method": method,
-        "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
-        "steps": found.steps,
-        "stopped": found.stopped,
-        **plain({name: getattr(found, name) for name in ("status", "converged", "reliable", "findings")}),
-        "strength": found.strength,
-        "unknown": found.unknown,
-        "clipped": clipped,
-    }
+    facts = {"focus_distance": finite(lens.focus_distance), "seconds": seconds, "method": method}
+    facts |= found.to_dict() | {"clipped": clipped}
     lines = [f"discrepancy {found.before:.3g} of the photo, {found.discrepancy:.3g} of the result"]
     if found.strength is not None:
         lines.append(f"strength of the total variation {found.strength:.3g}")
@@ -425,6 +420,16 @@ def restore(
     if found.unknown:
         lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
     return job.report(lens, facts, lines, [output]) + Report({}, [], found.converged)
+
+
+def without(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
+    """Return photos with what a file says to leave out hidden."""
+    hidden = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
+    each = [hidden] * len(photos) if hidden.ndim == 2 else list(hidden)
+    return [
+        np.ma.masked_array(photo, np.broadcast_to(out.reshape(*out.shape, *[1] * (photo.ndim - 2)), photo.shape))
+        for photo, out in zip(photos, each, strict=True)
+    ]
 
 
 def _method(

@@ -17,6 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
+from lommel.base.plain import plain
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.estimation.round_lenses import pixel_of
@@ -88,6 +89,31 @@ class DefocusDepth:
         if self.known == 0.0:
             raise ValueError("no depth is known, and so there is no sharp image: the photographs have no texture")
         return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain data, as JSON has it, without images; it is judged then, if it was not before.
+
+        Returns
+        -------
+        dict
+            What the verdict has, its `deviation` as `scale_deviation`; the shape, the number of candidates, the
+            exposures, the fraction that is known, and there the percentiles of depth and the median of its standard
+            error, metres; None where these are not finite.
+        """
+        facts, inner = self.verdict.to_dict(), np.isfinite(self.deviation)
+        facts["scale_deviation"] = facts.pop("deviation")
+        ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
+        mine: dict[str, Any] = plain(
+            {
+                "shape": self.depth.shape,
+                "candidates": len(self.candidates),
+                "exposures": self.exposures,
+                "known": self.known,
+                "depth": ends and dict(zip(("5 %", "50 %", "95 %"), ends, strict=True)),
+                "deviation": float(np.median(self.deviation[inner])) if inner.any() else None,
+            }
+        )
+        return facts | mine
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the depth map to `path`: .tif, .npy or .pfm; ValueError for another suffix."""

@@ -8,15 +8,16 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
+from lommel.base.plain import fields_of, plain
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens
@@ -115,6 +116,20 @@ class Restoration:
     def status(self) -> str:
         """The code of the first error, "doubtful", or "converged"."""
         return self.findings.status
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain data, as JSON has it, without images.
+
+        Returns
+        -------
+        dict
+            Status, converged, reliable, and the attributes but for arrays; None where these are not finite.
+        """
+        verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
+        numbers = {name: each for name, each in fields_of(self).items() if not isinstance(each, np.ndarray)}
+        numbers.pop("light", None)  # None of tiles
+        found: dict[str, Any] = plain(verdict | numbers)
+        return found
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
@@ -225,8 +240,8 @@ def restore(
     Parameters
     ----------
     photo : array_like or memory map, shape (height, width) or (height, width, channels)
-        Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. A NaN
-        is an unknown pixel.
+        Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN,
+        and what the mask of a masked array hides, are unknown pixels.
     depth : array_like or memory map, shape (height, width), or None
         Distance of each point from the lens along the axis, metres; may be infinite. None for a FieldMap.
     lens : Lens or FieldMap
@@ -279,7 +294,7 @@ def restore(
     settings = Settings.of(restore, options, Keywords)
     way = _checked(method, progress)
     validation.instance("noise", noise, Noise)
-    given = validation.array("photo", photo)
+    given, hidden = validation.parted("photo", photo)
     over_field = isinstance(lens, FieldMap)
     if tile is not None:
         validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
@@ -293,7 +308,7 @@ def restore(
         output(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
     limit = full_light(given, encoding, saturation)
     if isinstance(lens, FieldMap):
-        light = recorded(given, encoding, limit)
+        light = recorded(given, encoding, limit, hidden)
         if depth is not None:
             raise ValueError(
                 "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
@@ -311,8 +326,8 @@ def restore(
                 distances = fill_missing(distances, "nearest")
             parts = TileBlur(given.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
             out = output(out, "photo", given.shape, given.dtype)
-            return _by_tiles(given, distances, parts, tile, noise, limit, way, out, progress)
-        light = recorded(given, encoding, limit)
+            return _by_tiles((given, hidden), distances, parts, tile, noise, limit, way, out, progress)
+        light = recorded(given, encoding, limit, hidden)
         distances = fill_missing(distances, settings.missing)
         require_scene("photo", given.shape, distances.shape)
         channels = settings.channels(given.shape, lens.wavelength)
@@ -326,18 +341,20 @@ def restore(
     return replace(found, values=values if out is None else out, clipped=clipped)
 
 
-def recorded(photo: Pixels, encoding: str, limit: float) -> Array:
+def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool_] | None = None) -> Array:
     """Return the light of a photograph, NaN where it is unknown; ValueError if all of it is unknown or saturated."""
     require_image("photo", photo.shape)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
+    if hidden is not None:
+        unknown |= hidden
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
     if limit < math.inf:  # else whoever asks knows of light beyond white
         tell_of_light(light)
     light[unknown] = np.nan
     if not np.any(light < limit):
         raise ValueError(
-            f"photo must have pixels that are neither NaN nor saturated, got none below {limit:g}; white is 1, "
-            "and saturation= says where else pixels are full"
+            f"photo must have pixels that are neither masked, NaN nor saturated, got none below {limit:g}; white is "
+            "1, and saturation= says where else pixels are full"
         )
     return light
 
@@ -373,7 +390,7 @@ def _over_the_field(
 
 
 def _by_tiles(
-    photo: Pixels,
+    given: tuple[Pixels, NDArray[np.bool_] | None],
     depth: Pixels,
     blur: TileBlur,
     side: int,
@@ -383,12 +400,14 @@ def _by_tiles(
     out: Pixels,
     progress: Callable[..., object] | None,
 ) -> Restoration:
-    """Return the photograph restored by tiles, its values in `out`."""
+    """Return a photograph, given with what is hidden of it, restored by tiles, its values in `out`."""
+    photo, hidden = given
 
     def observed(around: Window) -> Observed:
         """Return what was observed of a part."""
         try:
-            light = recorded(np.asarray(photo[around]), blur.encoding, limit)
+            unseen = None if hidden is None else hidden[around]
+            light = recorded(np.asarray(photo[around]), blur.encoding, limit, unseen)
         except ValueError as error:
             rows, columns = around
             raise ValueError(

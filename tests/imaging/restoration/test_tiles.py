@@ -62,6 +62,19 @@ def test_one_tile_is_the_whole():
         assert getattr(tile, name) == pytest.approx(getattr(whole, name)), name
 
 
+@pytest.mark.parametrize("side", [None, 64])
+def test_what_a_mask_hides_is_unknown_as_nan_is(side):
+    hidden = np.zeros(PHOTO.shape, dtype=bool)
+    hidden[40:43, 60:70] = True
+    given = GIVEN | {"method": RichardsonLucy(steps=3), "tile": side}
+    masked = restore(np.ma.masked_array(PHOTO, hidden), DEPTH, LENS, PIXEL, **given)
+    unknown = restore(np.where(hidden, np.float32(np.nan), PHOTO), DEPTH, LENS, PIXEL, **given)
+    np.testing.assert_array_equal(masked.values, unknown.values)
+    assert masked.unknown == pytest.approx(hidden.mean())
+    assert set(masked.to_dict()) >= {"status", "discrepancy", "findings"}
+    assert "values" not in masked.to_dict()
+
+
 def test_files_are_read_and_written_as_they_are(tmp_path):
     srgb = np.clip(np.rint(255 * PHOTO[..., None].repeat(3, axis=2)), 0, 255).astype(np.uint8)
     stored = {name: tmp_path / f"{name}.npy" for name in ("photo", "depth", "out")}

@@ -302,7 +302,7 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    judge = partial(judged, engine, images, valid, depth, deviation, misfit)
+    judge = partial(judged, engine, images, valid, deviation, misfit)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
 
 

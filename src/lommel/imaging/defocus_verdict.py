@@ -9,8 +9,9 @@ polynomials, for apertures of other sizes.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -24,17 +25,18 @@ from lommel.imaging.focal_tables import residual_filters
 _LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0
 _LIKELY, _SURE = 1.5, 2.5  # standard errors, by which a scale that is in doubt, and wrong, differs from 1
 _DEVIATION = 0.1  # scales of a larger standard error are not told
-_DEPTHS = 0.1  # of the range of 1 / distance, that depths are to spread over for a scale
 _LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
 # How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
 _OFF, _OFF_MISFIT = 0.0005, 0.1
 _OFF_SLOPE = 1.0  # its slope by the logarithm of the scale, by the latter
 _UNLIKE = 1.15  # misfit of cells over that of the best ones
-_STEP, _MOST = 0.04, 16  # of the logarithm of scales that are tried, and so many steps
+_STEP, _MOST, _COARSE = 0.04, 16, 2  # of the logarithm of scales that are tried, and so many steps
+_NEAR, _NEAR_MISFIT = 0.02, 0.5  # by which the misfit of scales that are looked at may be above the least
 _SIDE, _TILES = 256, 4  # pixels, of what is looked at
 _MARGIN = 16  # pixels, beside the blur
 _CELL = 8  # blocks a side, that are taken to be independent of others
 _LEAST_CELLS = 8
+_NEWTON = 5  # steps to the least of an energy
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -57,19 +59,28 @@ class DefocusVerdict(FitReport):
         Difference of the blurs over that of the lenses, as by apertures so much larger; NaN where it is not tested.
     deviation : float
         Standard error of the scale, 0.02 or more; inf where it is not tested.
+    others : tuple of float
+        Other scales that fit as well; all of them where the scale is not tested, as that of the lenses is among them.
     """
 
     misfit: float
     scale: float
     deviation: float
+    others: tuple[float, ...] = ()
 
     @classmethod
-    def of(cls, misfit: float, scale: float = math.nan, deviation: float = math.inf) -> Self:
+    def of(
+        cls,
+        misfit: float,
+        scale: float = math.nan,
+        deviation: float = math.inf,
+        others: tuple[float, ...] = (),
+    ) -> Self:
         """Return the verdict on a misfit and a scale.
 
         Parameters
         ----------
-        misfit, scale, deviation : float
+        misfit, scale, deviation, others
             As the attributes.
 
         Returns
@@ -118,10 +129,15 @@ class DefocusVerdict(FitReport):
         else:
             agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
         what = ["which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"]
-        off, of = abs(scale - 1.0) / deviation, f"{scale:.2f} +- {deviation:.2f}"
-        numbers = {"scale": scale, "error": deviation}
-        if math.isnan(scale):
-            what.insert(0, "the size of blur")
+        off = min(abs(each - 1.0) / deviation for each in (scale, *others))
+        of = f"{scale:.2f} +- {deviation:.2f}"
+        size = {"scale": scale, "error": deviation}
+        untested = math.isnan(scale) or (bool(others) and off <= _SURE)
+        if untested:
+            if not math.isnan(scale):
+                scale, deviation, others = math.nan, math.inf, (scale, *others)
+            alike = ", ".join(f"{each:.2f}" for each in others)
+            what.insert(0, "the size of blur" + (f" ({alike} of what the lenses state fit alike)" if others else ""))
         elif off > _SURE:
             findings.append(
                 Finding(
@@ -131,7 +147,7 @@ class DefocusVerdict(FitReport):
                         f"blurs differ by {of} of what the lenses state: f-number, focal length, pixel pitch or a "
                         "focus distance is wrong"
                     ),
-                    numbers,
+                    size,
                 )
             )
         elif off > _LIKELY:
@@ -140,14 +156,28 @@ class DefocusVerdict(FitReport):
                     "lens_scale",
                     "doubt",
                     (f"the size of blur is in doubt: blurs differ by {of} of what the lenses state"),
-                    numbers,
+                    size,
                 )
             )
         else:
             agree.append(f"blurs differ as the lenses state ({of} of it)")
-        findings.append(Finding("untested", "note", "not tested: " + ", ".join(what), {"what": what}))
+        findings.append(
+            Finding(
+                "untested",
+                "doubt" if untested else "note",
+                "not tested: " + ", ".join(what),
+                {"what": what},
+            )
+        )
         summary = "; ".join(agree) or "nothing that was tested agrees"
-        return cls(findings=Findings(findings), summary=summary, misfit=misfit, scale=scale, deviation=deviation)
+        return cls(
+            findings=Findings(findings),
+            summary=summary,
+            misfit=misfit,
+            scale=scale,
+            deviation=deviation,
+            others=others,
+        )
 
     @property
     def agrees(self) -> bool:
@@ -159,55 +189,84 @@ class DefocusVerdict(FitReport):
 
 
 def judged(
-    engine: FocalEngine, images: Values, valid: NDArray[np.bool_], depth: Values, deviation: Values, misfit: Values
+    engine: FocalEngine,
+    images: Values,
+    valid: NDArray[np.bool_],
+    deviation: Values,
+    misfit: Values,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of the first.
 
-    `valid` are the pixels that are known, `depth` and `deviation` what was found, the latter in any unit and infinite
-    where depth is not known, and `misfit` their misfits, all of shape (height, width).
+    `valid` are the pixels that are known, `deviation` the standard errors of depth, in any unit and infinite where it
+    is not known, and `misfit` their misfits, all of shape (height, width).
     """
     known = np.isfinite(deviation)
     if not known.any():
         return DefocusVerdict.of(math.nan)
     left = float(np.median(misfit[known]))
-    low, high = np.percentile(1.0 / depth[known], [5.0, 95.0])
-    if high - low < _DEPTHS * np.ptp(engine.task.vergence):  # one depth, which several scales may fit
-        return DefocusVerdict.of(left)
     weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
-    scale, error = _scale(engine, images, valid, weight)
-    told = error < max(_DEVIATION, abs(scale - 1.0) / _SURE)
-    return DefocusVerdict.of(left, scale, error) if told else DefocusVerdict.of(left)
+    found = _scales(engine, images, valid, weight)
+    if not found:
+        return DefocusVerdict.of(left)
+    best, *others = found
+    if best.error >= max(_DEVIATION, abs(best.scale - 1.0) / _SURE):
+        return DefocusVerdict.of(left)
+    return DefocusVerdict.of(left, best.scale, best.error, tuple(each.scale for each in others))
 
 
-def _scale(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> tuple[float, float]:
-    """Return the scale of the difference of blurs in the brightest channel, and its standard error; NaN and inf."""
+class _Fit(NamedTuple):
+    """A scale of the least misfit around it."""
+
+    scale: float
+    error: float
+    misfit: float
+    step: int  # next to it
+    below: float  # by how much the misfit is less than at that step
+
+
+def _scales(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> list[_Fit]:
+    """Return the scales of the difference of blurs in the brightest channel that fit alike, the best first."""
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))
-    tried: dict[int, Array] = {}
+    if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _LEAST_CELLS:
+        return []
 
+    @cache
+    def filters(k: int) -> _Filters:
+        return _Filters(engine, brightest, math.exp(_STEP * k))
+
+    @cache
     def misfits(k: int) -> Array:
-        if k not in tried:
-            filters = _Filters(engine, brightest, math.exp(_STEP * k))
-            tried[k] = np.stack([filters(tile) for tile in tiles])
-        return tried[k]
+        return np.stack([filters(k)(tile) for tile in tiles])
 
-    if not tiles:
-        return math.nan, math.inf
-    found = _settled(misfits, 0, {})
-    # Several scales may fit one depth: those afar are looked at only where none near that of the lenses does.
-    if found is None or found[2] > _GOOD_MISFIT:
-        means = {k: _mean(misfits(k)) for k in range(-_MOST + 4, _MOST, 4)}
-        found = _settled(misfits, min(means, key=lambda k: means[k]), means) or found
-    return (math.nan, math.inf) if found is None else found[:2]
+    # Several scales may fit: of one depth the two signs of the nearer defocus, of all depths those of other depths.
+    coarse = [_median(filters(k)(tiles[0])) for k in range(-_MOST, _MOST + 1, _COARSE)]
+    near = min(coarse) + _NEAR + _NEAR_MISFIT * abs(min(coarse) - 1.0)
+    found = list[_Fit]()
+    for place in range(1, len(coarse) - 1):
+        here = coarse[place]
+        if here <= min(coarse[place - 1], coarse[place + 1], near):
+            one = _settled(misfits, _COARSE * place - _MOST)
+            if one is not None and all(abs(one.scale - each.scale) > _STEP for each in found):
+                found.append(one)
+    found.sort(key=lambda one: one.misfit)
+    return [one for one in found if one is found[0] or _is_as_good(one, found[0], misfits)]
 
 
-def _settled(
-    misfits: Callable[[int], Array], k: int, means: Mapping[int, float]
-) -> tuple[float, float, float] | None:
-    """Return the scale of the least misfit from a step on, its standard error and the misfit; None if there is none.
+def _is_as_good(one: _Fit, best: _Fit, misfits: Callable[[int], Array]) -> bool:
+    """Return whether the misfit of one scale is that of the best, but for noise and what is off anyway."""
+    cells, shares = _cells(np.stack([misfits(one.step), misfits(best.step)]))
+    if len(shares) < _LEAST_CELLS:
+        return True
+    weights = _weights(cells, shares)
+    more = cells[0] - cells[1] - one.below + best.below
+    mean = float(more @ weights)
+    error = float(np.sqrt((weights**2) @ (more - mean) ** 2))
+    return mean <= max(_SURE * error, _OFF + _OFF_MISFIT * abs(best.misfit - 1.0))
 
-    `means` are mean misfits of other steps: one that is as small leaves the scale open.
-    """
+
+def _settled(misfits: Callable[[int], Array], k: int) -> _Fit | None:
+    """Return the scale of the least misfit from a step on; None if there is none."""
     seen = set[int]()
     around = np.arange(-2, 3)
     powers = np.vander(around, 4, increasing=True)
@@ -224,7 +283,7 @@ def _settled(
         cells, shares = _cells(np.stack([misfits(k + step) for step in around.tolist()]))
         weights = _weights(cells, shares)
         cubics = np.linalg.lstsq(powers, cells, rcond=None)[0]
-        _, slope, bend, skew = (cubics @ weights).tolist()
+        start, slope, bend, skew = (cubics @ weights).tolist()
         root = bend**2 - 3.0 * slope * skew
         if not (bend > 0.0 and root > 0.0):
             break
@@ -235,12 +294,10 @@ def _settled(
         least = float(np.array([place**n for n in range(4)]) @ cubics @ weights)
         slopes = weights * (cubics[1] + place * (2.0 * cubics[2] + 3.0 * place * cubics[3]))
         beyond = _STEP * _OFF_SLOPE * abs(least - 1.0)
-        as_small = _mean(misfits(k)) + _OFF + _OFF_MISFIT * abs(least - 1.0)
-        if any(mean <= as_small for other, mean in means.items() if abs(other - k) > 4):
-            break
         scale = math.exp(_STEP * (k + place))
         scatter = math.hypot(float(np.sqrt((slopes**2).sum())), beyond)
-        return scale, scale * math.hypot(_STEP * scatter / curvature, _LEAST_DEVIATION), least
+        error = scale * math.hypot(_STEP * scatter / curvature, _LEAST_DEVIATION)
+        return _Fit(scale, error, least, k, start - least)
     return None
 
 
@@ -251,10 +308,10 @@ def _weights(cells: Array, shares: Array) -> Array:
     return np.asarray(weights / weights.sum())
 
 
-def _mean(misfits: Array) -> float:
-    """Return the mean misfit where it is known; infinity where that is hardly anywhere."""
+def _median(misfits: Array) -> float:
+    """Return the median misfit where it is known; infinity where that is hardly anywhere."""
     known = np.isfinite(misfits)
-    return float(misfits[known].mean()) if known.mean() > 0.02 else math.inf
+    return float(np.median(misfits[known])) if known.mean() > 0.02 else math.inf
 
 
 def _cells(misfits: Array) -> tuple[Array, Array]:
@@ -323,7 +380,18 @@ class _Filters:
             noise[c] = (filters**2).mean(axis=(2, 3)).sum(axis=0) @ self._white
             energies[c] = self._engine.averaged(energy) / tile.variance - noise[c]
         best = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
-        inner = np.clip(best, 1, len(energies) - 2)
-        low, here, high = (np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in (-1, 0, 1))
-        least = here - (high - low) ** 2 / (8.0 * np.maximum(low - 2.0 * here + high, 1e-30))
-        return np.where(best == inner, 1.0 + (least + self._engine.of_least) / noise[inner], np.nan)
+        inner = np.clip(best, 2, len(energies) - 3)
+        near = np.stack([np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in range(-2, 3)])
+        return np.where(best == inner, 1.0 + (_least(near) + self._engine.of_least) / noise[inner], np.nan)
+
+
+def _least(near: Array) -> Array:
+    """Return the least, within one candidate, of the quartics through the energies of five; lowest is the third."""
+    # From one candidate to the next filters are nearly parabolas in the vergence, and energies squares of filters.
+    a = np.tensordot(np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True)), near, axes=1)
+    place = np.zeros(near.shape[1:])
+    for _ in range(_NEWTON):
+        slope = a[1] + place * (2.0 * a[2] + place * (3.0 * a[3] + place * 4.0 * a[4]))
+        bend = 2.0 * a[2] + place * (6.0 * a[3] + place * 12.0 * a[4])
+        place = np.clip(place - slope / np.maximum(bend, 1e-30), -1.0, 1.0)
+    return np.asarray(a[0] + place * (a[1] + place * (a[2] + place * (a[3] + place * a[4]))))

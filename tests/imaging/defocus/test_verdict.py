@@ -57,8 +57,39 @@ def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
 
 def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
     found = live(pair, lenses(foci=FOCI[::-1])).verdict()
-    assert abs(found.scale - 1.0) < 2.5 * found.deviation
-    assert found.findings.get("untested").numbers["what"][0].startswith("which image is focused nearer (exchanged")
+    assert found.converged
+    assert found.findings.get("lens_scale") is None
+    assert "which image is focused nearer (exchanged" in found.findings.get("untested").text
+
+
+def test_a_size_of_blur_that_frames_do_not_tell_is_in_doubt(pair):
+    one = live([each[:, :128] for each in pair], lenses()).verdict()  # a plane, on few pixels
+    assert one.converged
+    assert not one.reliable
+    assert one.findings.codes == ("untested",)
+    assert "the size of blur" in one.findings.get("untested").text
+
+
+@pytest.mark.parametrize(
+    ("scales", "code", "severity"),
+    [
+        ((1.02,), "untested", "note"),
+        ((1.04,), "lens_scale", "doubt"),
+        ((1.2,), "lens_scale", "error"),
+        ((0.77, 1.01), "untested", "doubt"),  # the stated lens fits, and so does another
+        ((1.01, 0.77), "untested", "doubt"),
+        ((0.8, 1.2), "lens_scale", "error"),  # neither is that of the lens
+    ],
+)
+def test_scales_that_fit_alike_leave_the_lens_in_doubt_unless_all_are_off(scales, code, severity):
+    found = lm.imaging.DefocusVerdict.of(1.0, scales[0], 0.022, scales[1:])
+    assert found.findings.get(code).severity == severity
+    open_ = code == "untested" and severity == "doubt"
+    assert found.others == (scales if open_ else scales[1:])
+    assert found.agrees == (severity == "note")
+    assert math.isnan(found.scale) == open_
+    again = lm.imaging.DefocusVerdict.of(1.0, found.scale, found.deviation, found.others)
+    assert again.findings.text == found.findings.text
 
 
 def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pair):

@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,10 @@ _MOST_LOST = 0.4  # of the stars, that may be rejected
 _MANY_LOST = 0.25  # beyond which the map is doubted
 _HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
 _QUIET = 0.9  # chi2 below which the noise cannot be as stated
+_NEGATED = 0.05  # radians rms of an even term, from which on a search is begun again with its other sign
+_OTHERS = 3  # such searches
+_GLANCE, _LOOK, _MORE = 2, 5, 12  # steps of such searches: of all, of the best, of those that end elsewhere
+_AS_WELL, _ELSEWHERE = 8.0, 3.0  # log-likelihood and standard errors by which two minima are told apart
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
@@ -74,6 +79,13 @@ class Found:
         return np.array(found.reshape(self.model.of.exposures, -1))
 
 
+class Rival(NamedTuple):
+    """Another minimum: log-likelihood below the best, and its distance in standard errors."""
+
+    cost: float
+    sigmas: float
+
+
 @dataclass
 class Outcome:
     """A fit of all stars, those that were rejected, what was tested, and the places and degree of the polynomials."""
@@ -85,6 +97,7 @@ class Outcome:
     places: Array
     degree: int
     shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
+    rival: Rival | None = None
 
     @property
     def findings(self) -> Findings:
@@ -104,6 +117,12 @@ class Outcome:
         if len(self.lost) > _MANY_LOST * count:
             text = f"many stars do not follow the map; {_CAUSES}"
             found.append(Finding("many_rejected", "error", text, {"rejected": len(self.lost), "of": count}))
+        if self.rival is not None:
+            text = (
+                f"another wavefront, {self.rival.sigmas:.0f} standard errors away, fits as well (lnL "
+                f"{-self.rival.cost:+.1f}): add exposures at other defoci, or give start"
+            )
+            found.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         if chi2 < _QUIET:  # chi2 of few electrons is below that of noise by chance more often
             found = [replace(each, severity="error") if each.code == "too_quiet" else each for each in found]
         else:
@@ -127,6 +146,7 @@ class Search:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
         self.first = stars
         self.shapes: dict[str, float] = {}
+        self.rival: Rival | None = None
         self.part = part
         #: The same behind a coarser blur, for stars by themselves.
         self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
@@ -259,8 +279,7 @@ class Search:
         square = np.median(squares[good], axis=0)
         degree = self._least_degree(len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
-        one_focus = np.ptp(stars.one.base * stars.one.even, axis=0).max() == 0.0
-        if one_focus and (stars.one.even * stars.one.directions).any():
+        if self.one_focus and (stars.one.even * stars.one.directions).any():
             even = (self._whole(chosen, waves) * stars.one.even) * np.sqrt(stars.one.mean_squares)
             tried = candidates(
                 self.places[chosen],
@@ -387,7 +406,7 @@ class Search:
             if not np.array_equal(every[~bad], found.model.chosen):
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
         found, _ = self.cleaned(wide or found, (0.85, 0.02))
-        found = self.regained(found)
+        found = self.regained(self.lowest(found))
         own, chosen = found.of_stars(), found.model.chosen
         # Windows are cut around light, which aberrations move; polynomials are those of where stars are.
         moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
@@ -398,6 +417,86 @@ class Search:
             own = found.of_stars()
         last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
         return last or found, np.setdiff1d(every, chosen)
+
+    @property
+    def one_focus(self) -> bool:
+        """Whether all exposures are in one focus, which leaves signs of even terms open."""
+        one = self.stars.one
+        return bool(np.ptp(one.base * one.even, axis=0).max() == 0.0)
+
+    def lowest(self, found: Found) -> Found:
+        """Return the best of a fit and those that begin at it with other signs of even terms.
+
+        Images of one focus have minima that differ in the signs of even parts, over the field and beside each other.
+        """
+        self.rival = None
+        if not self.one_focus or self.stars.cornered:
+            return found
+        for _ in range(2):
+            ends = self._negating(found)
+            best = min([found, *ends], key=lambda each: float(each.scores.deviance[0]))
+            if best.scores.deviance[0] > found.scores.deviance[0] - _BETTER:
+                break
+            found = self._on(best, _MORE) or best
+        for end in ends:
+            if self._rival(found, end) and (settled := self._on(end, _MORE)) is not None:
+                if settled.scores.deviance[0] < found.scores.deviance[0]:
+                    found, settled = settled, found
+                self.rival = self._rival(found, settled) or self.rival
+        return found
+
+    def _negating(self, found: Found) -> list[Found]:
+        """Return the ends of short searches from a fit with other signs of even parts, that of the best."""
+        one, polynomials, chosen = self.stars.one, found.polynomials(), found.model.chosen
+        waves = found.model.basis @ polynomials.T
+        size = np.sqrt((waves**2).mean(axis=0) * np.diag(self.metric))
+        even = np.flatnonzero((np.abs(one.directions) @ ~one.even == 0.0) & (size > _NEGATED))
+        even = even[np.argsort(-size[even], kind="stable")]
+        begun = []
+        if one.sign_ambiguous:
+            # The image of a star stays where all its even part is negated: a term of one sign all over the field is
+            # another way to join the same images.
+            other = self.negated(chosen, waves)
+            for j in even:
+                below = waves[:, j] < 0.0
+                if below.any() and not below.all():
+                    through = np.where(below[:, None], other, waves)
+                    begun.append(robust(found.model.basis, through, np.ones(len(chosen)), self.metric)[0])
+        for j in even[: len(even) - (len(even) < 3)]:  # of two, each is the twin of the other
+            begun.append(polynomials.copy())
+            begun[-1][j] *= -1.0
+        ends = [self._on(found, _GLANCE, each) for each in begun[:_OTHERS]]
+        near = [
+            each
+            for each in filter(None, ends)
+            if abs(each.scores.deviance[0] - found.scores.deviance[0]) > _BETTER or self._rival(found, each)
+        ]
+        nearest = sorted(near, key=lambda each: float(each.scores.deviance[0]))[:1]
+        return [self._on(each, _LOOK) or each for each in nearest]
+
+    def _on(self, found: Found, most: int, polynomials: Array | None = None) -> Found | None:
+        """Return a fit some steps on, perhaps from other polynomials."""
+        begun = found.polynomials() if polynomials is None else polynomials
+        return self.refined(found.model.chosen, begun, found.squares(), most, (0.87, 0.0), found.of_stars())
+
+    def _rival(self, best: Found, other: Found) -> Rival | None:
+        """Return how another fit differs from the best, None where it is the same, or worse."""
+        cost = float(other.scores.deviance[0] - best.scores.deviance[0])
+        one, k = self.stars.one, best.model.waves * best.model.basis.shape[1]
+        errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.waves, -1)
+        ends = [other.polynomials()]
+        if one.sign_ambiguous:
+            ends.append(self._twin(ends[0]))
+        sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
+        return Rival(cost, sigmas) if cost < _AS_WELL and sigmas > _ELSEWHERE else None
+
+    def _twin(self, polynomials: Array) -> Array:
+        """Return polynomials (k, m) of the field with the even part of all phases negated."""
+        one = self.stars.one
+        inverse = np.linalg.pinv(one.directions)
+        other = polynomials - 2.0 * ((one.directions * one.even) @ inverse).T @ polynomials
+        other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
+        return np.asarray(other)
 
     def best_shape(self, found: Found) -> Found:
         """Return the fit with the shape of blur that is most likely, and the fewest unknowns that are as likely."""
@@ -500,7 +599,7 @@ class Search:
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
         bright = self.stars.bright(chosen, psf, light, float(unknown))
-        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree, self.shapes)
+        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree, self.shapes, self.rival)
 
     def held_out(self, found: Found) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""

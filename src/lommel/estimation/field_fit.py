@@ -451,8 +451,8 @@ def fit_field(
     most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows of corners
     are divided by a polynomial of degree 4 at most through the white of all.
 
-    Of one focus the search begins again with other relative signs of even parts, and takes the most likely map; another
-    one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").
+    Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
+    another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").
 
     One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
     map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is

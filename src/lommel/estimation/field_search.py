@@ -147,6 +147,8 @@ class Search:
         self.first = stars
         self.shapes: dict[str, float] = {}
         self.rival: Rival | None = None
+        #: Stars that no wavefront fits: doubles, defects; they are not fitted by themselves a second time.
+        self.unlike = np.zeros(0, dtype=np.intp)
         self.part = part
         #: The same behind a coarser blur, for stars by themselves.
         self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
@@ -577,15 +579,17 @@ class Search:
             )
             self.taken += taken
             fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), stars.split(x)[0]
-        if not fits.all():
-            x, chi2, sure = self.singles(lost[~fits], (0.87, 0.0))
+        again = ~fits & ~np.isin(lost, self.unlike)
+        if again.any():
+            x, chi2, sure = self.singles(lost[again], (0.87, 0.0))
             other = stars.split(x)[0]
             if stars.one.sign_ambiguous:
-                turned, near = self.negated(lost[~fits], other), model[~fits]
+                turned, near = self.negated(lost[again], other), model[again]
                 apart = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, turned)]
                 other = np.where((apart[1] < apart[0])[:, None], turned, other)
-            waves[~fits] = other
-            fits[~fits] = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
+            alone = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
+            self.unlike = np.union1d(self.unlike, lost[again][~alone])
+            waves[again], fits[again] = other, alone
         return fits, waves
 
     @staticmethod

@@ -500,6 +500,7 @@ def _movies() -> list[Scenario]:
     wrong = ("astigmatism_reversed", "opposite_astigmatism", "misfit", "psf_doubtful", *OTHER)
     add("37a", "astigmatism of the other sign", partial(movie, sign=-1.0), "T", wrong)
     add("37b", "depth off by 1 um", partial(movie, shift=1e-6), "T", wrong)
+    add("37c", "the same, 60 e over 64 px", partial(movie, shift=1e-6, slope=0.94), "T", wrong)
     return made
 
 

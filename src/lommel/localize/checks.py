@@ -91,14 +91,15 @@ class Checks:
             self._tell("tilted_background", severity, text, slope=slope, error=error, sigmas=sigmas)
         return sigmas
 
-    def compare(self, spots: Spots) -> None:
-        """Compare the fits of the first molecules with those of other tables."""
+    def compare(self, spots: Spots, background: str) -> None:
+        """Compare the fits of the first molecules, on a flat or tilted background, with those of other tables."""
         kept = slice(_MOLECULES - self._tried)
         if not self._rivals or self._tried >= _MOLECULES or not len(spots):
             return
         self._tried += len(spots)
         made: dict[str, Any] = {name: self._options[name] for name in ("starts", "threads")}
         made |= {"noise": self._noise, "corners": spots.corners[kept], "saturation": math.inf}
+        made["background"] = background
         one = fit(self._table, spots.images[kept], **made)
         for name, table in self._rivals.items():
             other = fit(table, spots.images[kept], **made)

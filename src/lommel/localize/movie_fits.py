@@ -177,10 +177,10 @@ def localize_blocks(
             values, which, corners = counts.marked(), spots.frame - done, spots.corners
             begun = "flat" if kind == "auto" else kind
             found = _recentred(values, which, corners, table, partial(again, background=begun))
-            checks.compare(spots)
             if begun == "flat" and checks.tilt(spots, found) > TILTED and kind == "auto":
                 kind = "tilted"
                 found = _recentred(values, which, corners, table, partial(again, background=kind))
+            checks.compare(spots, "tilted" if kind == "tilted" else "flat")
             part = _localizations(spots, found, recording, widths, table)
             checks.count(part)
             yield replace(part, findings=checks.findings, summary=checks.summary)

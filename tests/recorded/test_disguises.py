@@ -404,7 +404,8 @@ def test_a_mask_of_beads_leaves_out_pixels(folder, call_lommel, caplog):
 def test_a_flat_top_of_a_movie_is_told(folder, call_lommel):
     np.save(folder / "clipped.npy", np.minimum(movie(), int(np.sort(movie().ravel())[-30])))
     result = call_lommel("localize", "clipped.npy", *options_of("localize"), "--json", folder=folder)
-    assert "pixels have exactly the largest value" in " ".join(json.loads(result.stdout)["notes"])
+    (told,) = (one for one in json.loads(result.stdout)["findings"] if one["code"] == "flat_top")
+    assert "pixels have exactly the largest value" in told["text"]
 
 
 @pytest.mark.parametrize("command", list(IMAGES))

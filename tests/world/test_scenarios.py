@@ -24,7 +24,7 @@ FAILS = {
     "15b": "wrong and called good: no blur along a line is tested",
     "16": "wrong and called good: no other shape of blur is tested",
     "18a": "a misfit, but not told by missing terms",
-    "18b": "a misfit, but not told by missing terms",
+    "18b": "wrong and called good: no further terms are tested",
     "19": "not good",
     "21": "not good: a background that slopes is not in the model",
     "43a": "not good: the size of blur is not tested",

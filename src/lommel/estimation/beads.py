@@ -39,7 +39,7 @@ from lommel.estimation.bead_search import (
     start_of,
 )
 from lommel.estimation.phase_retrieval import star_counts
-from lommel.estimation.star_images import label
+from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -59,7 +59,6 @@ if TYPE_CHECKING:
 
 _PLANES = 5  # at the least
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
-_UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _FIRST = 5  # Noll's index of the first term after defocus
 USUAL: Mapping[str, float] = {
@@ -699,13 +698,13 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
     """Return the findings of standard errors, of terms with a covariance, that do not hold."""
     found = []
     unsure = math.sqrt(float(np.trace(covariance)))
-    if unsure > _UNKNOWN:
+    if unsure > LINEAR:
         text = (
             f"too little light for so many unknowns: the wavefront is known to {unsure:.2g} radians rms alone, "
             "beyond which images are not linear, standard errors are too small, and other wavefronts fit as well; "
             "take brighter or more beads, or fewer terms"
         )
-        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": _UNKNOWN}))
+        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
     if error >= _OFF:
         text = (
             "aberrations are too strong for certified images"

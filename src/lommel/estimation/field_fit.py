@@ -24,7 +24,7 @@ from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
-from lommel.estimation.star_images import Unknowns, label
+from lommel.estimation.star_images import LINEAR, Unknowns, label
 from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -46,7 +46,6 @@ _AXES = "rows", "columns"
 _SEARCHES = 3  # with other random starts, until one holds
 _NAMED = 3  # rejected stars, of which the message says where they are
 _ALIKE = 2.0  # log-likelihood by which two shapes of blur are told apart
-_UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -764,13 +763,9 @@ def _answer(
     k, m = polynomials.shape
     twin = None
     if one.sign_ambiguous:
-        inverse = np.linalg.pinv(one.directions)
-        flip = (one.directions * one.even) @ inverse
-        other = polynomials - 2.0 * flip.T @ polynomials
-        other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
+        other, signs = search.twin(polynomials)
         if _swapped(search, found, polynomials, other):
             polynomials, other = other, polynomials
-            signs = np.eye(k) - 2.0 * flip.T
             turned = np.kron(signs, np.eye(m))
             covariance[: k * m, : k * m] = turned @ covariance[: k * m, : k * m] @ turned.T
             found.x[0, : k * m] = polynomials.ravel()
@@ -905,13 +900,13 @@ def _unsure(one: Any, found: Found, covariance: Array) -> list[Finding]:
     blocks = covariance.reshape(k, m, k, m)
     metric = (one.directions * one.mean_squares) @ one.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    if rms <= _UNKNOWN:
+    if rms <= LINEAR:
         return []
     text = (
         f"the wavefront is known to {rms:.2g} rad rms in the mean of the stars: images are not linear within its "
         "standard errors, and other wavefronts may fit as well"
     )
-    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": _UNKNOWN})]
+    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": LINEAR})]
 
 
 def _splines(degree: int, distortion: Distortion | None) -> bool:

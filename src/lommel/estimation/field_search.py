@@ -488,17 +488,18 @@ class Search:
         errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.waves, -1)
         ends = [other.polynomials()]
         if one.sign_ambiguous:
-            ends.append(self._twin(ends[0]))
+            ends.append(self.twin(ends[0])[0])
         sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
         return Rival(cost, sigmas) if cost < _AS_WELL and sigmas > _ELSEWHERE else None
 
-    def _twin(self, polynomials: Array) -> Array:
-        """Return polynomials (k, m) of the field with the even part of all phases negated."""
+    def twin(self, polynomials: Array) -> tuple[Array, Array]:
+        """Return polynomials (k, m) with the even part of all phases negated, and the matrix (k, k) that does it."""
         one = self.stars.one
         inverse = np.linalg.pinv(one.directions)
-        other = polynomials - 2.0 * ((one.directions * one.even) @ inverse).T @ polynomials
+        flip = 2.0 * ((one.directions * one.even) @ inverse).T
+        other = polynomials - flip @ polynomials
         other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
-        return np.asarray(other)
+        return other, np.eye(len(flip)) - flip
 
     def best_shape(self, found: Found) -> Found:
         """Return the fit with the shape of blur that is most likely, and the fewest unknowns that are as likely."""

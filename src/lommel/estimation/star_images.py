@@ -29,6 +29,8 @@ from lommel.psf import Plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
+LINEAR = 0.22
+"""Radians rms, standard error of all terms together, up to which images are linear in them."""
 _NODES = 256  # degree of a rule whose nodes fill the aperture
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 

@@ -157,8 +157,29 @@ class Findings(tuple[Finding, ...]):
         return next((each for each in self if each.code == code), None)
 
 
+class Judged:
+    """A result with `findings`, from which its verdict follows."""
+
+    findings: Findings
+
+    @property
+    def converged(self) -> bool:
+        """Whether no finding is an error: the model explains what was recorded."""
+        return self.findings.converged
+
+    @property
+    def reliable(self) -> bool:
+        """Whether no finding is an error or a doubt: what is stated, standard errors too, holds."""
+        return self.findings.reliable
+
+    @property
+    def status(self) -> str:
+        """The code of the first error, "doubtful", or "converged"."""
+        return self.findings.status
+
+
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class FitReport:
+class FitReport(Judged):
     """What every fit reports: findings, the verdict that follows from them, and plain data.
 
     Attributes
@@ -171,21 +192,6 @@ class FitReport:
 
     findings: Findings
     summary: str
-
-    @property
-    def converged(self) -> bool:
-        """Whether no finding is an error: the search settled at a model that explains the images."""
-        return self.findings.converged
-
-    @property
-    def reliable(self) -> bool:
-        """Whether no finding is an error or a doubt: what is stated, standard errors too, holds."""
-        return self.findings.reliable
-
-    @property
-    def status(self) -> str:
-        """The code of the first error, "doubtful", or "converged"."""
-        return self.findings.status
 
     @property
     def message(self) -> str:

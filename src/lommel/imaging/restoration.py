@@ -19,7 +19,7 @@ from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
 from lommel.base.plain import fields_of, plain
 from lommel.field.maps import FieldMap
-from lommel.fit.findings import Finding, Findings
+from lommel.fit.findings import Finding, Findings, Judged
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Method, Observed, RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.field_blur import FieldBlur
@@ -49,7 +49,7 @@ _QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the 
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Restoration:
+class Restoration(Judged):
     """Result of :func:`lommel.imaging.restore`; converts to an array of its values.
 
     Attributes
@@ -101,21 +101,6 @@ class Restoration:
     background: float | Array = 0.0
     photograph: float = 0.0
     findings: Findings = field(default_factory=Findings)
-
-    @property
-    def converged(self) -> bool:
-        """Whether no finding is an error: depth, lens and noise, or the PSF, fit what was recorded."""
-        return self.findings.converged
-
-    @property
-    def reliable(self) -> bool:
-        """Whether no finding is an error or a doubt."""
-        return self.findings.reliable
-
-    @property
-    def status(self) -> str:
-        """The code of the first error, "doubtful", or "converged"."""
-        return self.findings.status
 
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain data, as JSON has it, without images.

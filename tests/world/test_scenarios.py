@@ -19,14 +19,7 @@ from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 # What fails today, and why.
 FAILS = {
     "5": "not good: too dim for standard errors to hold",
-    "14": "wrong and called good: no other shape of blur is tested",
-    "15a": "wrong and called good: no blur along a line is tested",
-    "15b": "wrong and called good: no blur along a line is tested",
-    "16": "wrong and called good: no other shape of blur is tested",
-    "18a": "a misfit, but not told by missing terms",
-    "18b": "wrong and called good: no further terms are tested",
     "19": "not good",
-    "21": "not good: a background that slopes is not in the model",
     "43a": "not good: the size of blur is not tested",
     "43b": "not good: the size of blur is not tested",
     "43c": "not good: the size of blur is not tested",

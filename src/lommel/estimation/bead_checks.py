@@ -13,11 +13,10 @@ from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack
 from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb, lowest, start_of
-from lommel.estimation.star_images import label
+from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import RIVAL, Candidate, ScoreTest, log_bayes_factor, other_explanation, score_tests, seen
-from lommel.methods.derivative_names import Term
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -25,7 +24,6 @@ _REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has t
 _FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
 _HELD = 3  # beads, from which on one is left out for a test
 _STEPS = 20  # of a search that begins at the answer
-_ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
 _TERM = 0.1  # radians rms: the size that a missing term may have
 _AMPLITUDE = "apodization_2"  # of the terms of the amplitude that are not estimated
 # Sizes that wrong constants, and what else may be missing, have: relative ones of pixel and diameter, depth in
@@ -82,19 +80,10 @@ def possible(setup: Setup, name: str, value: float) -> bool:
     return True
 
 
-def next_terms(solved: Sequence[Term], fixed: Sequence[Term]) -> tuple[Term, ...]:
-    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these."""
-    if not solved:
-        return ()
-    last = max(n for n, _ in solved) + _ORDERS
-    every = ((n, m) for n in range(2, last + 1) for m in range(-n, n + 1, 2))
-    return tuple(term for term in every if term != (2, 0) and term not in solved and term not in fixed)
-
-
 def missing_tests(joint: BeadModel, found: Climbed) -> tuple[ScoreTest, ...]:
     """Return score tests of what the model may lack: further terms, other constants, drift, background, gain."""
     setup, images = found.state.setup, joint.images
-    more_terms = next_terms(images.solved, tuple(images.fixed))
+    more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
     wide = BeadModel(images.with_terms(more_terms), joint.stacks, joint.priors, joint.depths, drift=joint.drifts)
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
     blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
@@ -206,7 +195,7 @@ def _refit_with_free(joint: BeadModel, found: Climbed, name: str, stated: Setup)
     elif name in CONSTANTS:
         priors[name] = Prior(stated.value(name), math.inf)
     else:
-        terms = [term for term in next_terms(images.solved, tuple(images.fixed)) if label(term) == name]
+        terms = [term for term in next_terms(images.solved, ((2, 0), *images.fixed)) if label(term) == name]
         if not terms and name != "drift":
             return None
         images = images.with_terms(terms)

@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.field_checks import Marginal, missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings
+from lommel.fit.score_tests import ScoreTest
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import SHIFTS, term_of
 
@@ -97,6 +99,9 @@ class Outcome:
     places: Array
     degree: int
     shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
+    slopes: list[Finding]  # of backgrounds
+    tests: tuple[ScoreTest, ...]  # of what the model lacks
+    marginal: Marginal
     rival: Rival | None = None
 
     @property
@@ -127,7 +132,7 @@ class Outcome:
             found = [replace(each, severity="error") if each.code == "too_quiet" else each for each in found]
         else:
             found = [each for each in found if each.code != "too_quiet"]
-        return Findings(found)
+        return Findings([*found, *self.slopes])
 
     @property
     def cost(self) -> float:
@@ -599,12 +604,26 @@ class Search:
 
     def outcome(self, found: Found) -> Outcome:
         """Return the fit of all stars from that of some, with what tests it."""
+        places = self.places
         found, lost = self.whole(found)
+        if slopes := slope_findings(found.model, found.x):
+            self.places = places
+            found, lost = self.whole(self._on_slopes(found))
+        tests, marginal = missing_tests(found.model, found.x, self.places, self.degree)
         chosen, light = found.model.chosen, found.of_stars()[:, 2:]
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
-        bright = self.stars.bright(chosen, psf, light, float(unknown))
-        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree, self.shapes, self.rival)
+        bright, held_out = self.stars.bright(chosen, psf, light, float(unknown)), self.held_out(found)
+        tested = self.shapes, slopes, tests, marginal, self.rival
+        return Outcome(found, lost, held_out, bright, self.places, self.degree, *tested)
+
+    def _on_slopes(self, found: Found) -> Found:
+        """Return a fit with the slope of each background unknown."""
+        self.first, self.stars = self.first.on_slopes(), found.model.of.on_slopes()
+        model = WholeField(self.stars, found.model.chosen, self.basis(found.model.chosen))
+        own = np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
+        x = model.row(found.polynomials(), found.squares(), own[:, :2], own[:, 2:])
+        return replace(found, model=model, x=x)
 
     def held_out(self, found: Found) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""

@@ -85,8 +85,12 @@ class FieldStars:
         self.known = defocus
         self.pupil, self.threads, self.integrate = pupil, threads, integrate
         self.target = target
-        self.own = _OWN + (0 if target is None else target.angles)
-        self.cornered = self.own > _OWN
+        self.angles = 0 if target is None else target.angles
+        self.own = _OWN + self.angles
+        self.cornered = self.angles > 0
+        self.sloped = False
+        #: Terms of the wavefront that are not estimated, of which images have derivatives.
+        self.further: tuple[Term, ...] = ()
         plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
         first = pupil if pupil.shape == () else pupil[0]
         own = float(first.wavelength or 1.0)
@@ -137,7 +141,7 @@ class FieldStars:
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self.lights)
-        self._kept: dict[tuple[float | None, tuple[int, int]], SampledPupil] = {}
+        self._kept: dict[tuple[float | None, tuple[int, int], tuple[Term, ...]], SampledPupil] = {}
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
 
@@ -149,6 +153,20 @@ class FieldStars:
         found.tested += (self.widths - shape.unknown) * self.exposures
         found.widths = shape.unknown
         found._readers = [None] * len(self.lights)
+        return found
+
+    def on_slopes(self) -> FieldStars:
+        """Return the same stars on backgrounds that slope by row and column, electrons per pixel."""
+        found = copy(self)
+        found.sloped, found.own = True, self.own + 2
+        found.size += 2 * self.exposures
+        found.tested -= 2 * self.exposures
+        return found
+
+    def with_further(self, terms: tuple[Term, ...]) -> FieldStars:
+        """Return the same stars, of which images have derivatives by further terms."""
+        found = copy(self)
+        found.further = terms
         return found
 
     def images(
@@ -166,26 +184,36 @@ class FieldStars:
 
         `waves` is (r, k), `squares` (r, e, b), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
         list is (r * e, height, width). `slopes` may be "own", by tilts and angles, those by the wavefront being 0, or
-        "none": values alone.
+        "none": values alone; or "others": by the further terms, and of points by `OTHER_BLURS`, for squares that are
+        the same for all rows.
         """
-        readers = [self._readout(k, squares) for k in range(len(self.lights))]
+        readers = [self._readout(k, squares, always=slopes == "others") for k in range(len(self.lights))]
         lattice = max(math.prod(self.shape if one is None else one.shape) for one in readers)
         each = self.exposures * lattice * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
         parts = [
-            self._block(readers, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast, slopes=slopes)
+            self._block(
+                readers,
+                stars[s],
+                waves[s],
+                squares[s],
+                tilts[s],
+                rest[s, 2 : 2 + self.angles],
+                fast=fast,
+                slopes=slopes,
+            )
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, k: int, squares: Array) -> StarReadout | TargetReadout | None:
+    def _readout(self, k: int, squares: Array, *, always: bool) -> StarReadout | TargetReadout | None:
         """Return what reads pixels from samples for blur of these squares; None where samples are the pixels."""
         reader, pixel, shape = self._readers[k], self.lights[k].pixel, self.shapes[k]
         if self.target is not None:
             if reader is None:
                 self._readers[k] = TargetReadout(self.shape, pixel, self.target, shape, integrate=self.integrate)
             return self._readers[k]
-        if not (self.widths or self.integrate or shape.fixed.any()):
+        if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
         # The wide Gaussians of seeing reach farther: they leave out light far beyond the window alone.
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
@@ -244,12 +272,12 @@ class FieldStars:
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
-        by = {"all": self._slopes, "own": self._slopes[-2:], "none": ()}[slopes]
+        by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
         if pupil.circular or pupil.mask is not None:
             _, made, rates = asked.images(pupil, by)
             samples = [made.values, *(slope.values for slope in rates)]
         else:
-            columns = [self.one.terms.index(name) for name in by]
+            columns = [(*self.one.terms, *self.further).index(name) for name in by]
             sampled = self._sampled(light.pupil, plan.grid(light.pupil))
             samples = list(sampled.images(edge.reshape(-1, edge.shape[-1]), columns, values=fast))
             if not fast:  # slopes are no nearer to the true ones: of steps, and of standard errors, they hardly show
@@ -262,8 +290,11 @@ class FieldStars:
                 turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
                 widths = squares.reshape(len(flat[0]), -1)
                 found = reader.read(flat, widths, turned, slopes=slopes == "all", threads=self.threads)
+                found = found[: len(flat)] if slopes == "others" else found
             else:
                 found = reader.read(flat, squares, slopes=slopes == "all")
+                if slopes == "others":
+                    found += reader.other_blurs(flat[0], squares[0]).values()
         if slopes == "own":
             nothing = np.zeros_like(found[0])
             held = [nothing] * (len(self._slopes) - 2)
@@ -272,48 +303,87 @@ class FieldStars:
 
     def _sampled(self, pupil: Pupil, grid: Grid) -> SampledPupil:
         """Return the samples of an aperture that is not round, for images on a lattice."""
-        key = pupil.wavelength, grid.shape
+        key = pupil.wavelength, grid.shape, self.further
         if key not in self._kept:
-            self._kept[key] = SampledPupil(pupil, grid, self.one.terms)
+            self._kept[key] = SampledPupil(pupil, grid, (*self.one.terms, *self.further))
         return self._kept[key]
 
     def likelihood(
-        self, stars: NDArray[np.intp], images: Sequence[Array], light: Array
+        self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, others: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
         """Return deviance, expectation and variance of chi2 (3, r), slopes and information (r, p, p + 1).
 
-        Of all parameters of single stars; `light` is (r, 2, e), or more than that.
+        Of all parameters of single stars, with the q `others` (r * e, height, width), derivatives of electrons by
+        what all exposures share, between those that stars share and those of their own. `light` is that of `images`.
         """
-        r, e, k, b = len(stars), self.exposures, len(self.one.directions), self.widths
-        own = np.ascontiguousarray(np.moveaxis(light[:, :2], 1, 0).reshape(1, 2, r * e))
-        whole = r == self.count and bool((stars == np.arange(r)).all())
-        star = (self.star if whole else self.star[:, stars]).reshape(4, r * e, self.pixels)
-        numbers, products = star_likelihood(images, own, star, self.threads)
+        r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
+        star, own = self.observed(stars, light)
+        own = np.ascontiguousarray(np.moveaxis(own, 1, 0).reshape(1, 2, r * e))
+        images = [*images, *(self.slants(r) if self.sloped else ()), *others]
+        numbers, products = star_likelihood(images, own, star.reshape(4, r * e, self.pixels), self.threads)
         d = products.shape[-1]
         edge = len(self.one.unknowns.edge)
-        # From derivatives of PSFs by edge terms, tilts, blur; the PSF, 1 and the residual last.
-        chain = np.zeros((r, e, self.size + 1, d))
+        # From derivatives of PSFs by edge terms, tilts, blur, angles, of electrons by slopes and others; the PSF, 1
+        # and the residual last.
+        chain = np.zeros((r, e, self.size + q + 1, d))
         flux = light[:, 0]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * (self.ratio * flux)[:, :, None, None]
+        chain[:, :, k + e * b + np.arange(q), d - 3 - q + np.arange(q)] = 1.0
         for i in range(e):
-            at = k + e * b + np.arange(self.own) * e + i
+            at = k + e * b + q + np.arange(self.own) * e + i
             for j in range(b):
                 chain[:, i, k + i * b + j, edge + 2 + j] = flux[:, i]
             chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = self.ratio[i] * flux[:, i]
             chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
             for j in range(_OWN, self.own):
-                chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i]
+                chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i] if j < _OWN + self.angles else 1.0
         chain[:, :, -1, -1] = 1.0
         found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
         return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
 
+    def observed(self, stars: NDArray[np.intp], light: Array) -> tuple[Array, Array]:
+        """Return counts and variances (4, r, e, pixels) less slopes of the background, and flux and background there.
+
+        Counts plus the variance of reading are Poisson's around their expectation: what the background adds may be
+        taken from the counts and given to the variance.
+        """
+        whole = len(stars) == self.count and bool((stars == np.arange(self.count)).all())
+        star, own = self.star if whole else self.star[:, stars], light[:, :2]
+        if not self.sloped:
+            return star, own
+        star, own = star.copy(), own.copy()
+        lowest = self._lowest(light)
+        added = self._slope(light) + lowest[:, :, None]
+        star[0] -= added
+        star[1:3] += added
+        own[:, 1] -= lowest
+        return star, own
+
+    def _lowest(self, light: Array) -> Array:
+        """Return by how much backgrounds are lower than in the middle, at least at one corner (r, e)."""
+        return np.asarray(np.tensordot(np.abs(light[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
+
+    def _slope(self, light: Array) -> Array:
+        """Return what slopes of light (r, own - 2, e) add to backgrounds, (r, e, pixels)."""
+        y, x = self.slants(1)
+        return np.asarray(light[:, -2, :, None] * y[0].ravel() + light[:, -1, :, None] * x[0].ravel())
+
+    def slants(self, images: int) -> list[Array]:
+        """Return rows and columns of pixels from the middle, for so many stars (r * e, height, width)."""
+        made = np.meshgrid(*(np.arange(side) - side // 2 for side in self.shape), indexing="ij")
+        return [np.broadcast_to(one.astype(np.float64), (images * self.exposures, *self.shape)) for one in made]
+
+    def expected(self, psf: Array, light: Array) -> Array:
+        """Return the electrons of each pixel (r, e, pixels), for PSFs and light (r, own - 2, e)."""
+        found = light[:, 0, :, None] * psf.reshape(len(light), self.exposures, -1) + light[:, 1, :, None]
+        return found + self._slope(light) if self.sloped else found
+
     def quality(self, stars: NDArray[np.intp], values: Array, light: Array, unknown: float) -> Quality:
         """Return chi2 of single stars, each with so many parameters of its own, from images alone."""
         r, e = len(stars), self.exposures
-        own = np.ascontiguousarray(np.moveaxis(light[:, :2], 1, 0).reshape(1, 2, r * e))
-        numbers, products = star_likelihood(
-            [values], own, self.star[:, stars].reshape(4, r * e, self.pixels), self.threads
-        )
+        star, own = self.observed(stars, light)
+        own = np.ascontiguousarray(np.moveaxis(own, 1, 0).reshape(1, 2, r * e))
+        numbers, products = star_likelihood([values], own, star.reshape(4, r * e, self.pixels), self.threads)
         _, total, spread = numbers.reshape(3, r, e).sum(axis=-1)
         square = products[0, :, -1, -1].reshape(r, e).sum(axis=-1)
         share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
@@ -326,9 +396,9 @@ class FieldStars:
         Wrong wavefronts show there, and hardly in the chi2 of whole windows, most of which is background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
-        counted, _, read, valid = self.star[:, stars]
-        star = light[:, 0, :, None] * psf
-        model = star + light[:, 1, :, None]
+        (counted, _, read, valid), own = self.observed(stars, light)
+        star = own[:, 0, :, None] * psf
+        model = star + own[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
         lit = (valid > 0.0) & (star * star > variance)
         tested = float(lit.sum()) - unknown
@@ -348,11 +418,15 @@ class FieldStars:
         chi2 = square / expected
         return Scores(deviance, found[:, :, -1], found[:, :, :-1], chi2, np.sqrt(spread * share) / expected)
 
-    def light(self, stars: NDArray[np.intp], values: Array) -> Array:
-        """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs."""
+    def light(self, stars: NDArray[np.intp], values: Array, before: Array) -> Array:
+        """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs.
+
+        And slopes of the background, if there are, from the light `before`.
+        """
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
-        counted, _, read, valid = self.star[:, stars]
-        return np.stack(flux_background(psf, counted, read, valid), axis=1)
+        (counted, _, read, valid), _ = self.observed(stars, before)
+        flux, level = flux_background(psf, counted, read, valid)
+        return np.stack([flux, level + self._lowest(before) if self.sloped else level], axis=1)
 
     def centroids(self) -> Array:
         """Return tilts (n, 2, e) that put each star at the centroid of its light, and corners where lines cross."""
@@ -401,11 +475,13 @@ class FieldStars:
         for j, largest in enumerate(self.one.largest_tilts):
             np.clip(tilts[:, j], -largest, largest, out=tilts[:, j])
         np.maximum(rest[:, 0], 0.1 * before[:, 0], out=rest[:, 0])
-        np.clip(rest[:, 2:], before[:, 2:] - _TURNED, before[:, 2:] + _TURNED, out=rest[:, 2:])
+        if self.cornered:
+            np.clip(rest[:, 2:], before[:, 2:] - _TURNED, before[:, 2:] + _TURNED, out=rest[:, 2:])
 
     def first(self, rows: NDArray[np.intp]) -> Array:
         """Return light and angles (r, own - 2, e) to begin with."""
         found = np.ones((len(rows), self.own - 2, self.exposures))
+        found[:, 2:] = 0.0
         if self.cornered:
             found[:, 2:] = self._crossings[rows][:, 2:]
         return found
@@ -461,7 +537,8 @@ class SingleStars:
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
         found = x.copy()
-        self.of.split(found)[3][:, :2] = self.of.light(self.rows, values)
+        light = self.of.split(found)[3]
+        light[:, :2] = self.of.light(self.rows, values, light)
         return found
 
     def within(self, x: Array, before: Array) -> Array:
@@ -497,6 +574,12 @@ class Blocks:
     waves: int
     squares: Array
 
+    @classmethod
+    def of_stars(cls, local: Array, basis: Array, waves: int, shared: int, squares: Array) -> Blocks:
+        """Return that of information of single stars (n, p, p), of whose parameters so many are shared."""
+        made = cls(np.empty((0, 0)), local[:, shared:, shared:], local[:, :shared, shared:], basis, waves, squares)
+        return replace(made, shared=made.outward(local[:, :shared, :shared]))
+
     def outward(self, local: Array) -> Array:
         """Return the sum over stars of matrices (n, c, c) of waves and squares, as of shared parameters (s, s)."""
         k, m = self.waves, self.basis.shape[1]
@@ -530,6 +613,10 @@ class Blocks:
             diagonal += np.where(diagonal > 0.0, damping * diagonal, 1.0)
         inverse = np.linalg.inv(own)
         return shared - self.outward(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2)), np.asarray(inverse)
+
+    def eliminated(self, slope: Array, first: Array) -> Array:
+        """Return the slope by shared parameters (s,) with those of stars eliminated, whose step alone is `first`."""
+        return np.asarray(slope - self.gathered((self.mixed @ first[:, :, None])[:, :, 0]))
 
 
 class WholeField:
@@ -586,8 +673,7 @@ class WholeField:
         c = self.waves + self.of.exposures * self.of.widths
         info, slope = found[:, :, :-1], found[:, :, -1]
         squares = x[0, self.waves * self.basis.shape[1] : self.shared].copy()
-        blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves, squares)
-        blocks = replace(blocks, shared=blocks.outward(info[:, :c, :c]))
+        blocks = Blocks.of_stars(info, self.basis, self.waves, c, squares)
         whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
         share = self.tested / self.pixels
         expected = max(total.sum() * share, 1.0)
@@ -609,7 +695,7 @@ class WholeField:
         if self.held:
             shared = np.zeros(self.shared)
         else:
-            right = slope[: self.shared] - blocks.gathered((blocks.mixed @ first[:, :, None])[:, :, 0])
+            right = blocks.eliminated(slope[: self.shared], first)
             scale = 1.0 / np.sqrt(np.diag(matrix))
             matrix, right = matrix * np.outer(scale, scale), scale * right
             shared = scale * np.linalg.solve(matrix, right)
@@ -629,7 +715,8 @@ class WholeField:
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
         found = x.copy()
-        self.parts(found)[3][:, :2] = self.of.light(self.chosen, values)
+        light = self.parts(found)[3]
+        light[:, :2] = self.of.light(self.chosen, values, light)
         return found
 
     def within(self, x: Array, before: Array) -> Array:

@@ -53,14 +53,14 @@ class SampledPupil:
         self._across = np.ascontiguousarray(across_wave.T)
 
     def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
-        """Return images of wavefronts (r, terms), if wanted, and their derivatives by some terms, each (r, h, w)."""
+        """Return images (r, h, w) of wavefronts (r, first terms), if wanted, and derivatives by some terms."""
         height, width = len(self._down), self._across.shape[1]
         found = np.empty((values + len(by), len(edge), height, width), np.float32)
-        factors = self._terms[list(by)]
+        factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
         if not len(found):
             return []
         for k, one in enumerate(edge.astype(np.float32)):
-            pupil = self._light * np.exp(1j * np.tensordot(one, self._terms, 1))
+            pupil = self._light * np.exp(1j * np.tensordot(one, terms, 1))
             parts = np.concatenate([pupil[None], factors * pupil])
             rows = (parts.reshape(-1, parts.shape[-1]) @ self._across).reshape(len(parts), -1, width)
             fields = self._down @ rows

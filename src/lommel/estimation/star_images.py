@@ -32,6 +32,7 @@ OF_PUPIL = ("f_number", "wavelength", "obscuration")
 LINEAR = 0.22
 """Radians rms, standard error of all terms together, up to which images are linear in them."""
 _NODES = 256  # degree of a rule whose nodes fill the aperture
+_ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -104,6 +105,15 @@ def _inverse(directions: Array) -> Array:
     if (directions != 0.0).sum(axis=0).max(initial=0) <= 1:
         return np.asarray(directions.T / np.maximum((directions**2).sum(axis=1), 1e-300))
     return np.asarray(np.linalg.pinv(directions))
+
+
+def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
+    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these and others."""
+    if not solved:
+        return ()
+    last = max(n for n, _ in solved) + _ORDERS
+    every = ((n, m) for n in range(2, last + 1) for m in range(-n, n + 1, 2))
+    return tuple(term for term in every if term not in solved and term not in others)
 
 
 def label(name: Name) -> str:

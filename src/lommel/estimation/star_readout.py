@@ -27,6 +27,10 @@ _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
 _WIDTHS = 4.5  # standard deviations of blur beyond them
 _EDGE = 1.0 / STEP - 1.0
 _ALONE = 2**18  # multiplications up to which BLAS uses one thread
+_WIDER = (3.0, 15.0)  # times the middle variance of a blur, by which Gaussians are wider that it may lack
+_LEAST = 0.05  # pixels^2 of that variance
+OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
+"""Blurs of which images have derivatives, beside that of their shape."""
 _FALL = 2.2  # of the error function, in half the width of the fall of T
 
 
@@ -66,12 +70,22 @@ class StarReadout:
         """Return matrices of rows and columns (r, pixels, samples) for variances (r,), and slopes by these."""
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
         faded = self._weights * np.exp(np.multiply.outer(variances, rate))
-        made: tuple[list[Array], list[Array]] = ([], [])
-        for weights, place in zip((faded, faded * rate), made, strict=True):
-            for (cos, sin), (along, across) in self._sides:
-                one = _products(cos * weights[:, None], along) + _products(sin * weights[:, None], across)
-                place.append(one.astype(np.float32))
-        return made
+        return self._even(faded), self._even(faded * rate)
+
+    def _even(self, faded: Array) -> list[Array]:
+        """Return matrices of rows and columns of weights (r, f)."""
+        return [
+            np.asarray(_products(cos * faded[:, None], along) + _products(sin * faded[:, None], across), np.float32)
+            for (cos, sin), (along, across) in self._sides
+        ]
+
+    def _odd(self, faded: Array) -> list[Array]:
+        """Return derivatives by the place of a pixel of matrices of rows and columns of weights (r, f)."""
+        faded = 2.0 * math.pi * self.pixel * self._f * faded
+        return [
+            np.asarray(_products(cos * faded[:, None], across) - _products(sin * faded[:, None], along), np.float32)
+            for (cos, sin), (along, across) in self._sides
+        ]
 
     def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
         """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e, b).
@@ -102,6 +116,37 @@ class StarReadout:
                     for place, rate in zip(found[-more:], rates, strict=True):
                         place[each] += np.float32(rate) * slope
         return found
+
+    def other_blurs(self, samples: Values, squares: Array) -> dict[str, Values]:
+        """Return derivatives (r * e, height, width) of images of samples by blurs that the shape does not have.
+
+        Of squared blurs (e, b): by the variance of a Gaussian besides, pixels^2; by half of what that along rows
+        exceeds that along columns, and by what both have in common, pixels^2; by the shares of wider Gaussians.
+        """
+        apart, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
+        size = tuple(len(cos) for (cos, _), _ in self._sides)
+        found = {name: np.empty((len(samples), *size), np.float32) for name in OTHER_BLURS}
+        for k, variances in enumerate(self.blur.variances(squares)):
+            middle = math.exp(float(self.blur.weights @ np.log(variances + _LEAST)))
+            faded = self._weights * np.exp(np.multiply.outer(variances, rate))
+            plain, slope, odd = self._even(faded), self._even(faded * rate), self._odd(faded)
+            image, along, across, oblique = (
+                self._mixed(samples[k::apart], rows, columns)
+                for rows, columns in (plain, (slope[0], plain[1]), (plain[0], slope[1]), odd)
+            )
+            made = [along + across, along - across, oblique]
+            for times in _WIDER:
+                wide = self._weights * np.exp(np.multiply.outer(variances + times * middle, rate))
+                made.append(self._mixed(samples[k::apart], *self._even(wide)) - image)
+            for place, each in zip(found.values(), made, strict=True):
+                place[k::apart] = each
+        return found
+
+    def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
+        """Return images behind the mixture of Gaussians of matrices of rows and columns (c, pixels, samples)."""
+        each = zip(self.blur.weights, rows, columns, strict=True)
+        parts = [np.float32(weight) * _down(_products(samples, across), down) for weight, down, across in each]
+        return np.asarray(sum(parts))
 
 
 def _products(images: Values, matrix: Array) -> Values:

@@ -1,0 +1,148 @@
+"""Checks of field fits, on stars that are made by other means than the fit."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.blur.mixtures import Shape
+from lommel.estimation.star_readout import OTHER_BLURS, StarReadout
+from tests.world.camera import Camera
+from tests.world.optics import Telescope
+from tests.world.scenarios import through
+
+PLACES = [(60 + 110 * (k // 4), 60 + 110 * (k % 4)) for k in range(12)]
+WAVES = ((4, 0.4), (8, 0.5))
+
+
+def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, place=0.0):
+    """Return mean electrons of 12 stars; the slope of their sky differs from star to star."""
+    transfer, draw = through(Telescope(600e-9, 8.0, 0.3).transfer(waves), blur), np.random.default_rng(8)
+    rows = np.arange(21)[:, None] - 10.0
+    made = [
+        flux * transfer.image(21, 4.5e-6, *(10 + draw.uniform(-0.5, 0.5, 2))) + 50.0 + slope * np.sin(k) * rows
+        for k in range(12)
+    ]
+    return np.array(made)
+
+
+def fitted(mean, seed=0, **more):
+    windows = Camera(gain=0.0, read=3.0).record(mean, seed)
+    pupil = lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0)
+    options = {"degree": 0, "terms": ["noll 4", "noll 8"], "blur": True, "tol": 1e-4, "threads": 1} | more
+    return lm.fit_field(windows, PLACES, pupil, sensor=(400, 500), pixel=4.5e-6, noise=lm.Noise(read=3.0), **options)
+
+
+def seen(fit):
+    found = fit.findings.get("other_explanation")
+    return [] if found is None else list(found.numbers)
+
+
+def test_nothing_is_seen_where_nothing_is_missing():
+    fit = fitted(images())
+    assert fit.converged
+    assert not seen(fit)
+    assert fit.findings.get("tilted_background") is None
+
+
+@pytest.mark.parametrize(
+    ("more", "name", "size"),
+    [
+        ({"waves": (*WAVES, (5, 0.1))}, "noll 5 astigmatism 45", 0.1),
+        ({"waves": (*WAVES, (10, 0.06))}, "noll 10 trefoil x", 0.06),
+        ({"blur": (("gaussian", 0.6), ("tracking", 1.2, 0.0))}, "blur in one direction", None),
+    ],
+)
+def test_what_is_missing_is_named_first(more, name, size):
+    fit = fitted(images(**more))
+    assert seen(fit)[0] == name
+    assert not fit.reliable
+    if size is not None:
+        one = fit.findings.get("other_explanation").numbers[name]
+        assert abs(abs(one["size"][0]) - size) < 4 * one["errors"][0]
+        # The sign is that of the map that is given, not of its twin.
+        if name == "noll 5 astigmatism 45":
+            assert (one["size"][0] > 0.0) == (fit.coefficients[0, 0] > 0.0)
+
+
+def test_another_shape_of_blur_is_told_where_the_blur_is_stated():
+    fit = fitted(images(), blur=lm.Jitter(0.45 * 4.5e-6))
+    assert {"blur by a Gaussian besides", "wings"} & set(seen(fit))
+
+
+def test_a_field_that_is_not_even_is_told():
+    steps = [(4, 0.4), (8, 0.5)]
+    each = [
+        images(waves=((4, 0.4), (8, 0.5 + 0.12 * (column - 225.0) / 250.0)))[k]
+        for k, (_, column) in enumerate(PLACES)
+    ]
+    fit = fitted(np.array(each), terms=["noll 4", "noll 8"])
+    assert seen(fit)[0] == "noll 8 coma x of degree 1"
+    assert steps[1][1] == pytest.approx(fit.coefficients[1, 0], abs=0.02)
+
+
+def test_backgrounds_that_slope_are_estimated():
+    mean = images(slope=0.8)
+    fit = fitted(mean)
+    assert fit.findings.get("tilted_background").severity == "note"
+    found, error = fit.at(0.0, 0.0)
+    assert np.abs((np.abs(found) - [0.4, 0.5]) / error).max() < 4.0
+    # The model has the slopes, of up to 8 electrons at the rim: what is left is noise of 1.
+    rim = fit.model[:, 0, :, :3].mean(axis=2) - mean[:, :, :3].mean(axis=2)
+    assert np.abs(rim).max() < 4.0
+    assert np.abs(fit.stars.background[:, 0] - 50.0).max() < 1.5
+
+
+def test_stated_blurs_are_not_marginalized():
+    known, free = (fitted(images(), blur=blur) for blur in (lm.Jitter(0.6 * 4.5e-6), True))
+    errors = [np.sqrt(np.diag(one.covariance)) for one in (known, free)]
+    assert (errors[0] < errors[1]).all()
+    assert not seen(known)
+
+
+def test_sentences_name_sizes_with_errors_and_units():
+    fit = fitted(images(waves=(*WAVES, (10, 0.06))))
+    text = fit.findings.get("other_explanation").text
+    assert re.match(r"the data favour noll 10 trefoil x = -?0\.0\d+ \+- 0\.00\d+ rad \(\d+ sigma\)", text)
+
+
+def test_derivatives_by_other_blurs_are_those_of_blurred_images():
+    pixel, variance = 1.3, 0.5
+    reader = StarReadout((15, 13), pixel, 2.0, Shape.gaussian(), integrate=False)
+    y, x = (0.45 * (np.arange(side) - side // 2) for side in reader.shape)
+    # A sum of Gaussians, which blur makes wider: off the axis and without symmetry.
+    spots = [(1.0, 0.4, -0.7, 0.9, 1.4), (0.5, -1.5, 1.1, 1.2, 0.8)]
+
+    def image(down, across, extra=(0.0, 0.0), oblique=0.0):
+        total = 0.0
+        for light, row, column, wide, high in spots:
+            v = np.array(
+                [
+                    [high**2 + (variance + extra[0]) * pixel**2, oblique * pixel**2],
+                    [oblique * pixel**2, wide**2 + (variance + extra[1]) * pixel**2],
+                ]
+            )
+            inverse = np.linalg.inv(v)
+            a, b = down - row, across - column
+            form = inverse[0, 0] * a * a + 2 * inverse[0, 1] * a * b + inverse[1, 1] * b * b
+            total = total + light * np.exp(-0.5 * form) / np.sqrt(np.linalg.det(v))
+        return total
+
+    sharp = image(y[:, None], x[None], extra=(-variance, -variance))[None].astype(np.float32)
+    down, across = (pixel * (np.arange(side) - side // 2) for side in (15, 13))
+    at, step = (down[:, None], across[None]), 0.02
+    found = reader.other_blurs(sharp, np.array([[variance]]))
+    assert tuple(found) == OTHER_BLURS
+    scale = pixel**2 / 0.45**2  # samples are fractions of light per sample, images per pixel
+    wanted = {
+        "Gaussian": (image(*at, (step, step)) - image(*at, (-step, -step))) / (2 * step),
+        "along rows": (image(*at, (step, -step)) - image(*at, (-step, step))) / (2 * step),
+        "oblique": (image(*at, oblique=step) - image(*at, oblique=-step)) / (2 * step),
+        "wings": image(*at, 2 * [3.0 * (variance + 0.05)]) - image(*at),
+        "halo": image(*at, 2 * [15.0 * (variance + 0.05)]) - image(*at),
+    }
+    for name, true in wanted.items():
+        assert np.abs(found[name][0] / scale - true).max() < 2e-3 * np.abs(true).max(), name

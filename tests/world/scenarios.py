@@ -151,16 +151,24 @@ def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callab
 
 
 # One star, pixels of half a lambda N.
-def star(seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0) -> Trial:
-    """Retrieve six terms from images of a star at known defoci, each seed with another wavefront."""
+def star(
+    seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0, missing: Waves = (), slope: float = 0.0,
+    sigma: float = 0.0, longer: float = 1.0,
+) -> Trial:  # fmt: skip
+    """Retrieve six terms from images of a star at known defoci, each seed with another wavefront.
+
+    With seeing that is estimated; and, not stated: further terms, a sky that slopes, blur, defoci that are longer.
+    """
     draw, names = np.random.default_rng(seed), (4, 5, 6, 7, 8, 11)
     waves = tuple(zip(names, (draw.normal(size=6) * 0.25).tolist(), strict=True))
     telescope, mean = Telescope(), []
     for known in defocus:
-        transfer = telescope.transfer(waves, defocus=2 * known)
+        transfer = telescope.transfer((*waves, *missing), defocus=2 * known * longer)
         if fwhm:
             transfer = transfer.times(air.kolmogorov(transfer.radius, fwhm))
-        mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + 10.0)
+        transfer = transfer.times(air.gaussian(transfer.radius, sigma))
+        sky = 10.0 + slope * np.arange(33.0)
+        mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + sky)
     images = STARS.record(np.array(mean), seed)
     found, seconds = timed(
         lm.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
@@ -457,6 +465,13 @@ def _retrievals() -> list[Scenario]:
     add("22", "one focus", partial(star, defocus=(0.0,)), "T", ("sign_open",))
     add("23", "two foci", partial(star, defocus=(0.0, 3.0)))
     add("24", "two foci, seeing of a third of lambda N", partial(star, defocus=(0.0, 3.0), fwhm=0.32))
+    told = {"Noll 22 of 0.08 rad missing": {"missing": as_waves({22: 0.08})}}
+    told["Noll 12 of 0.06 rad missing"] = {"missing": as_waves({12: 0.06})}
+    told["sky that slopes by 0.6 e a pixel"] = {"slope": 0.6}
+    told["blur of 0.15 lambda N not stated"] = {"sigma": 0.15}
+    told["defoci longer by 5 %"] = {"longer": 1.05}
+    for row, (name, more) in zip(("24b", "24c", "24d", "24e", "24f"), told.items(), strict=True):
+        add(row, f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
     return made
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -10,35 +9,26 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.base.units import with_error
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
+from lommel.estimation.star_checks import (
+    BLURS,
+    GRADIENT,
+    Lacking,
+    candidates_of,
+    lacking_blurs,
+    lacking_gain,
+    lacking_slopes,
+    lacking_terms,
+)
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
+from lommel.fit.score_tests import Candidate, ScoreTest, score_tests, sigmas_of
 from lommel.fit.scoring import covariance
-from lommel.special import zernike
 
-_TERM = 0.1  # radians rms: the size that a missing term may have
-_DEGREE = 0.05  # the same of each polynomial of a higher degree
-_WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a wider one
-_SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
+_DEGREE = 0.05  # radians rms: the size that polynomials of a higher degree may have
 _SURE = 5.0  # standard deviations by which backgrounds of windows slope
-_GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
-_GRADIENT, _GAIN = "background gradient", "non-linear gain"
-_BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
-_WORDS = {
-    _GAUSSIAN: ("variance of a Gaussian blur besides", " pixels^2"),
-    _ELLIPSE: (
-        "blur that is not the same in all directions, as of tracking or wind: (rows - columns) / 2, covariance",
-        " pixels^2",
-    ),
-    _WINGS: ("another shape of blur: share of light that is blurred twice as far", ""),
-    _HALO: ("another shape of blur: share of light that is blurred four times as far", ""),
-    _GRADIENT: ("slope of the background by row, column", " electrons per pixel"),
-    _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
-}
 
 
 class Marginal(NamedTuple):
@@ -55,7 +45,8 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     gain that is not linear. Blurs and slopes that are too small to be seen move coefficients: they are marginalized.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
-    columns, images = _columns(model, x)
+    lacking = _lacking(model, x)
+    images = [image for one in lacking for image in one.images]
     values, slopes = model.images(x)
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[3], images)[1]
     widths = stars.exposures * stars.widths
@@ -73,22 +64,15 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
         for j, name in enumerate(stars.one.unknowns.terms)
     ]
     free, prior = list(estimated), [0.0] * len(estimated)
-    for name, count, scale in columns:
-        candidates.append(Candidate(name, tuple(range(at, at + count)), scale))
-        if name == _GRADIENT or (name in _BLURS and stars.widths):  # a blur that is stated is as it is
-            free += range(at, at + count)
-            prior += [1.0 / scale**2] * count
-        at += count
+    for one in candidates_of(lacking, at):
+        candidates.append(one)
+        if one.name == GRADIENT or (one.name in BLURS and stars.widths):  # a blur that is stated is as it is
+            free += one.columns
+            prior += [1.0 / one.scale**2] * len(one.columns)
     wide = covariance(matrix[np.ix_(free, free)] + np.diag(prior))[: k * m]
     known = np.isfinite(np.diag(wide))
     shift = np.where(known, np.where(known[:, None], wide, 0.0) @ right[free], 0.0)
     return score_tests(matrix, right, estimated, candidates), Marginal(shift, wide[:, : k * m])
-
-
-def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding of what the stars favour."""
-    likely = seen(tests)
-    return [other_explanation(likely, [_in_words(test) for test in likely])] if likely else []
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
@@ -97,50 +81,21 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
     return tuple(replace(test, size=-test.size) if test.name in even else test for test in tests)
 
 
-def _in_words(test: ScoreTest) -> str:
-    """Return what a test found: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
-    what, unit = _WORDS.get(test.name, (test.name, " rad"))
-    if test.name not in _WORDS and len(test.size) > 1:
-        return f"{what} ({abs(test.sigmas):.2g} sigma)"
-    each = zip(test.size, test.errors, strict=True)
-    shown = ", ".join(" +- ".join(with_error(size, error)) for size, error in each)
-    return f"{what} = {shown}{unit} ({abs(test.sigmas):.2g} sigma)"
-
-
-def _columns(model: WholeField, x: Array) -> tuple[list[tuple[str, int, float]], list[Array]]:
-    """Return names, numbers of columns and sizes of candidates, and derivatives of electrons by each column."""
-    stars, r, e = model.of, len(model.chosen), model.of.exposures
+def _lacking(model: WholeField, x: Array) -> list[Lacking]:
+    """Return what stars of a field may lack, but for polynomials of a higher degree."""
+    stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())
-    parts = model.parts(x)
-    light = parts[3]
     made = stars.with_further(terms).images(model.chosen, *parts, fast=True, slopes="others")
-    values, by_term, blurred = made[0], made[1 : 1 + len(terms)], made[1 + len(terms) :]
-    flux = light[:, 0].reshape(-1, 1, 1)
-    columns, images = [], []
-
-    def add(name: str, scale: float, *each: Array) -> None:
-        """Add a candidate, of every exposure by itself."""
-        alone = [one * (np.arange(r * e) % e == i)[:, None, None] for i in range(e) for one in each]
-        columns.append((name, len(alone), scale))
-        images.extend(alone)
-
-    for term, image in zip(terms, by_term, strict=True):
-        ratio = np.tile(stars.ratio, r)[:, None, None]
-        columns.append((label(term), 1, _TERM))
-        images.append(image * (flux * ratio * zernike.rms_factor(*term)))
-    blurs = {name: flux * image for name, image in zip(OTHER_BLURS if blurred else (), blurred, strict=True)}
-    if blurs:
-        if "Gaussian" not in stars.shapes[0].names:
-            add(_GAUSSIAN, _WIDTH, blurs["Gaussian"])
-        add(_ELLIPSE, _WIDTH, blurs["along rows"], blurs["oblique"])
-        add(_WINGS, _SHARE, blurs["wings"])
-        add(_HALO, _SHARE, blurs["halo"])
+    flux = parts[3][:, 0].reshape(-1, 1, 1)
+    phase = flux * np.tile(stars.ratio, r)[:, None, None]
+    found = [*lacking_terms(terms, [phase * image for image in made[1 : 1 + len(terms)]])]
+    if blurred := made[1 + len(terms) :]:
+        blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
+        found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.shapes[0].names)
     if not stars.sloped and not stars.cornered:
-        add(_GRADIENT, _SLOPE, *stars.slants(r))
-    mean = stars.expected(values, light).reshape(values.shape)
-    columns.append((_GAIN, 1, _NONLINEAR))
-    images.append(-(mean**2) / 1e4)
-    return columns, images
+        found.append(lacking_slopes(r * e, stars.shape, e))
+    found.append(lacking_gain(stars.expected(made[0], parts[3]).reshape(made[0].shape)))
+    return found
 
 
 def slope_findings(model: WholeField, x: Array) -> list[Finding]:
@@ -150,7 +105,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
         return []
     values, slopes = model.images(x)
     r, e = len(chosen), stars.exposures
-    others = [one * (np.arange(r * e) % e == i)[:, None, None] for i in range(e) for one in stars.slants(r)]
+    others = lacking_slopes(r * e, stars.shape, e).images
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[3], others)[1]
     first = model.waves + e * stars.widths
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)
@@ -158,7 +113,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     carried = np.linalg.solve(own, np.concatenate([mixed, local[:, rest, -1:]], axis=2))
     left = local[:, at[:, None], np.append(at, -1)] - mixed.swapaxes(1, 2) @ carried
     size = np.linalg.solve(left[:, :, :-1], left[:, :, -1:])[:, :, 0]
-    sigmas = (float((size * left[:, :, -1]).sum()) - size.size) / math.sqrt(2.0 * size.size)
+    sigmas = sigmas_of(float((size * left[:, :, -1]).sum()), size.size)
     if sigmas < _SURE:
         return []
     steepest = float(np.abs(size).max())

@@ -20,11 +20,12 @@ from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
-from lommel.estimation.field_checks import missing_findings, negated
+from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
+from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, Unknowns, label
 from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap

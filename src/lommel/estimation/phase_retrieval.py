@@ -17,6 +17,7 @@ from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
+from lommel.estimation.star_checks import missing_findings, star_tests
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
@@ -330,6 +331,10 @@ def retrieve(
     ambiguity (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072); without it the
     answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
 
+    What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
+    to two radial orders, blur, backgrounds that slope, a gain that is not linear, another f-number, other defoci.
+    What the images favour beyond chance is named, and the answer is in doubt ("other_explanation").
+
     Examples
     --------
     >>> import lommel as lm
@@ -542,8 +547,9 @@ def _retrieval(
         "(blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    found += [*dark, *_sign_findings(model, x)]
-    if "misfit" in Findings(found).codes:
+    lacking = missing_findings(star_tests(model, x))
+    found += [*dark, *_sign_findings(model, x), *lacking]
+    if "misfit" in Findings(found).codes and not lacking:
         read = model.read.reshape(residual.shape)
         found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
     if not settled:

@@ -182,7 +182,7 @@ class StarImages:
         star = counted, variance, np.maximum(variance, _LEAST), valid
         self.star = np.stack([part.reshape(count, -1).astype(np.float64) for part in star])
         self.counted, _, self.read, self.valid = self.star
-        self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
+        self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
@@ -286,8 +286,13 @@ class StarImages:
         """Return a view of the parameters of single images: tilts, flux, background; shape (s, these, n)."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
-    def images(self, x: Array, *, fast: bool = False) -> tuple[Pixels, list[Slope]]:
-        """Return the PSFs of images, shape (s * n, height, width), and their derivatives; `fast` within `loosest`."""
+    def images(
+        self, x: Array, *, fast: bool = False, by: tuple[Name, ...] | None = None
+    ) -> tuple[Pixels, list[Slope]]:
+        """Return the PSFs of images, shape (s * n, height, width), and their derivatives; `fast` within `loosest`.
+
+        These are by the parameters, or by other names.
+        """
         pupil, plan = self.pupils(x), self.plan
         tol = self.loosest if fast else plan.tol
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
@@ -298,7 +303,7 @@ class StarImages:
             question = self._questions[tol, pupil.shape] = asked_about(
                 pupil, light, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
-        _, made, slopes = question.images(pupil, self.derivatives)
+        _, made, slopes = question.images(pupil, self.derivatives if by is None else by)
         return made.values, slopes
 
     def mean(self, x: Array, psf: Array) -> Array:
@@ -316,23 +321,38 @@ class StarImages:
 
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
         """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
-        light = np.ascontiguousarray(self.per_image(x)[:, -2:])
-        images = [values, *[slope.values for slope in slopes]]
-        numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
-        deviance, total, spread = numbers.sum(axis=-1)
+        numbers, found = self.products(x, values, slopes)
+        deviance, total, spread = numbers
         # Where nothing is expected (images below 0, read without noise) any square is a misfit. Each fitted parameter
         # takes the share of a mean pixel.
         expected = np.maximum(total * (self.tested / (self.tested + self.size)), 1.0)
+        chi2 = found[:, -1, -1] / expected
+        width = np.sqrt(spread * (self.tested / (self.tested + self.size))) / expected
+        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, width)
+
+    def products(
+        self, x: Array, values: Pixels, slopes: Sequence[Slope], others: Sequence[Array] = ()
+    ) -> tuple[Array, Array]:
+        """Return deviance, expectation and variance of chi2 (3, s), and products (s, p + q + 1, p + q + 1).
+
+        Of derivatives by the p parameters, of q `others` (s * n, height, width), derivatives of electrons, and of the
+        residual, over standard deviations.
+        """
+        light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(others)
+        images = [values, *[slope.values for slope in slopes], *others]
+        numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
         # Derivatives of images by parameters, over those of PSFs, flux and background; the residual stays.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
         factors[..., :-3] = light[:, 0, :, None, None]
         if self.unknowns.pupil:
             factors[..., : self._phases] *= self.ratio(self.optics_of(x))
         chain = self._chain * factors
-        found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
-        chi2 = found[:, -1, -1] / expected
-        width = np.sqrt(spread * (self.tested / (self.tested + self.size))) / expected
-        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, width)
+        if q:
+            chain = np.insert(chain, [chain.shape[-1] - 3] * q, 0.0, axis=-1)
+            chain = np.insert(chain, [self.size] * q, 0.0, axis=-2)
+            at = np.arange(q)
+            chain[..., self.size + at, chain.shape[-1] - 3 - q + at] = 1.0
+        return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps (s, p) and the gain in deviance that their slopes promise."""

@@ -80,19 +80,25 @@ def score_tests(
     columns that the fit estimates.
     """
     found = []
+    free = [one for one in candidates if not {*one.columns} & {*unknowns}]
+    together = [j for one in free for j in one.columns]
+    squares, slopes = _eliminated(information, slope, unknowns, together)
+    first = 0
     for one in candidates:
-        at = list(one.columns)
-        others = [j for j in unknowns if j not in one.columns]
-        own, pull = information[np.ix_(at, at)], slope[at]
+        at, scale = list(one.columns), np.diag(information)[list(one.columns)]
+        if one in free:  # what is not estimated is beside the same unknowns
+            own = slice(first, first + len(at))
+            square, pull = squares[own, own], slopes[own]
+            first += len(at)
+        else:
+            square, pull = _eliminated(information, slope, [j for j in unknowns if j not in at], at)
         if one.known:  # what the prior says is not what the data say
-            own = own - np.eye(len(at)) / one.known**2
+            square = square - np.eye(len(at)) / one.known**2
             pull = pull + one.offset / one.known**2
-        carried = _solved(information[np.ix_(others, others)], information[np.ix_(others, at)])
-        square = own - information[np.ix_(at, others)] @ carried
-        if (np.diag(square) <= _BLIND * np.diag(information)[at]).any():
+        if (np.diag(square) <= _BLIND * scale).any():
             continue
         covariance = np.asarray(np.linalg.inv(square))
-        size = covariance @ (pull - carried.T @ slope[others]) + one.offset
+        size = covariance @ pull + one.offset
         near = covariance + np.eye(len(at)) * one.known**2
         sigmas = _sigmas(size, float(size @ np.linalg.solve(near, size)))
         evidence = log_bayes_factor(size, covariance, one.known, one.scale)
@@ -100,10 +106,22 @@ def score_tests(
     return tuple(sorted(found, key=lambda test: -test.log_bayes))
 
 
+def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:
+    """Return information and slope of columns with unknowns eliminated."""
+    rest = list(unknowns)
+    mixed = information[np.ix_(rest, at)]
+    carried = _solved(information[np.ix_(rest, rest)], mixed)
+    return information[np.ix_(at, at)] - mixed.T @ carried, slope[list(at)] - carried.T @ slope[rest]
+
+
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
     """Return ln of the Bayes factor of a size (q,) of N(0, scale^2) against N(0, known^2)."""
+    widths = (known, 1.0), (max(scale, known), -1.0)
+    if len(size) == 1:
+        square, variance = float(size[0]) ** 2, float(covariance[0, 0])
+        return 0.5 * sum(sign * (square / (variance + w * w) + math.log(variance + w * w)) for w, sign in widths)
     found = 0.0
-    for width, sign in ((known, 1.0), (max(scale, known), -1.0)):
+    for width, sign in widths:
         each = covariance + np.eye(len(size)) * width**2
         found += 0.5 * sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
     return found
@@ -138,8 +156,10 @@ def _solved(square: Array, right: Array) -> Array:
 
 def _sigmas(size: Array, square: float) -> float:
     """Return a distance in standard deviations, with the sign of one column."""
-    if len(size) == 1:
-        return math.copysign(math.sqrt(square), size[0])
-    # In logarithms: chances of many standard deviations are below the smallest number.
-    chance = special.gammaincc(0.5 * len(size), 0.5 * square)
+    return math.copysign(math.sqrt(square), size[0]) if len(size) == 1 else sigmas_of(square, len(size))
+
+
+def sigmas_of(square: float, count: int) -> float:
+    """Return by how many standard deviations one normal number is as rarely off as a sum of so many squares."""
+    chance = special.gammaincc(0.5 * count, 0.5 * square)
     return float(-special.ndtri(0.5 * chance)) if chance > 1e-300 else math.sqrt(square)

@@ -1,0 +1,84 @@
+"""Score tests of the images of one star, which are made by other means than the fit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from tests.world import air
+from tests.world.camera import Camera
+from tests.world.optics import Telescope
+
+WAVES = ((4, 0.3), (5, -0.2), (8, 0.25))
+TERMS = ["noll 4", "noll 5", "noll 8"]
+
+
+def recorded(waves=WAVES, *, sigma=0.0, slope=0.0, longer=1.0, squeezed=1.0, lost=0.0, seed=0):
+    """Return images of a star at two foci; what is not in the model is said by the arguments."""
+    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, 0.2), np.random.default_rng(3), []
+    for known in (0.0, 3.0):
+        transfer = telescope.transfer(waves, defocus=2 * known * longer)
+        transfer = transfer.times(air.gaussian(transfer.radius, sigma * 2.4e-6))
+        image = 5e4 * transfer.image(29, 2.4e-6, *(14 + draw.uniform(-0.3, 0.3, 2))) + 20.0 + slope * np.arange(29.0)
+        mean.append(image - lost * image**2 / 1e4)
+    return Camera(gain=0.0, read=3.0).record(np.array(mean), seed)
+
+
+def found(images, **more):
+    pupil = lm.Pupil(obscuration=0.2, wavelength=600e-9, f_number=8.0)
+    options = {"defocus": [0.0, 3.0], "terms": TERMS, "tol": 1e-4, "threads": 1, "starts": 2} | more
+    return lm.retrieve(images, pupil, pixel=2.4e-6, noise=lm.Noise(read=3.0), **options)
+
+
+def seen(fit):
+    told = fit.findings.get("other_explanation")
+    return {} if told is None else told.numbers
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_nothing_is_seen_where_nothing_is_missing(seed):
+    fit = found(recorded(seed=seed))
+    assert fit.reliable
+    assert not seen(fit)
+
+
+@pytest.mark.parametrize(
+    ("world", "name", "size"),
+    [
+        ({"waves": (*WAVES, (6, 0.06))}, "noll 6 astigmatism 0", 0.06),
+        ({"waves": (*WAVES, (11, 0.05))}, "noll 11 spherical", 0.05),
+        ({"sigma": 0.3}, "blur by a Gaussian besides", 0.09),
+        ({"slope": 0.3}, "background gradient", None),
+        ({"longer": 1.05}, "defocus", 0.05),
+        ({"squeezed": 1.02}, "f_number", 0.16),
+        ({"lost": 0.3}, "non-linear gain", 0.3),
+    ],
+)
+def test_what_is_missing_is_named_first_with_its_size(world, name, size):
+    fit = found(recorded(**world))
+    assert next(iter(seen(fit))) == name
+    assert not fit.reliable
+    if size is not None:
+        one = seen(fit)[name]
+        assert abs(one["size"][0] - size) < 3 * one["errors"][0] + 0.15 * size  # one step of scoring
+
+
+def test_what_is_estimated_is_no_candidate():
+    fit = found(recorded(squeezed=1.02), also=("center", "f_number"))
+    assert not seen(fit)
+    assert fit.coefficients["f_number"] == pytest.approx(8.16, abs=4 * fit.deviation["f_number"])
+
+
+def test_one_focus_has_no_defoci_that_could_be_longer():
+    fit = found(recorded()[:1], defocus=0.0)
+    assert "defocus" not in seen(fit)
+
+
+def test_slopes_of_the_background_are_those_of_each_image():
+    fit = found(recorded(slope=0.3))
+    one = seen(fit)["background gradient"]
+    assert len(one["size"]) == 4
+    # Rows and columns of the first image, then of the second.
+    assert np.abs(np.asarray(one["size"])[[0, 2]]).max() < 4 * np.asarray(one["errors"]).max()
+    np.testing.assert_allclose(np.asarray(one["size"])[[1, 3]], 0.3, atol=5 * np.asarray(one["errors"]).max())

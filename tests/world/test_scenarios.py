@@ -18,7 +18,6 @@ from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 
 # What fails today, and why.
 FAILS = {
-    "5": "not good: too dim for standard errors to hold",
     "19": "not good",
     "43a": "not good: the size of blur is not tested",
     "43b": "not good: the size of blur is not tested",
@@ -28,7 +27,7 @@ FAILS = {
 
 
 def _marks(row):
-    return [pytest.mark.xfail(strict=False, reason=FAILS[row])] if row in FAILS else []
+    return [pytest.mark.xfail(strict=True, reason=FAILS[row])] if row in FAILS else []
 
 
 @pytest.mark.parametrize(

@@ -29,9 +29,9 @@ def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, place=0.
     return np.array(made)
 
 
-def fitted(mean, seed=0, **more):
+def fitted(mean, seed=0, pupil=None, **more):
     windows = Camera(gain=0.0, read=3.0).record(mean, seed)
-    pupil = lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0)
+    pupil = pupil or lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0)
     options = {"degree": 0, "terms": ["noll 4", "noll 8"], "blur": True, "tol": 1e-4, "threads": 1} | more
     return lm.fit_field(windows, PLACES, pupil, sensor=(400, 500), pixel=4.5e-6, noise=lm.Noise(read=3.0), **options)
 
@@ -66,6 +66,11 @@ def test_what_is_missing_is_named_first(more, name, size):
         # The sign is that of the map that is given, not of its twin.
         if name == "noll 5 astigmatism 45":
             assert (one["size"][0] > 0.0) == (fit.coefficients[0, 0] > 0.0)
+
+
+def test_a_wrong_obscuration_is_told():
+    pupil = lm.Pupil(obscuration=0.34, wavelength=600e-9, f_number=8.0)
+    assert seen(fitted(images(), pupil=pupil))[0] == "obscuration"
 
 
 def test_another_shape_of_blur_is_told_where_the_blur_is_stated():

@@ -14,9 +14,9 @@ WAVES = ((4, 0.3), (5, -0.2), (8, 0.25))
 TERMS = ["noll 4", "noll 5", "noll 8"]
 
 
-def recorded(waves=WAVES, *, sigma=0.0, slope=0.0, longer=1.0, squeezed=1.0, lost=0.0, seed=0):
+def recorded(waves=WAVES, *, sigma=0.0, slope=0.0, longer=1.0, squeezed=1.0, blocked=0.2, lost=0.0, seed=0):
     """Return images of a star at two foci; what is not in the model is said by the arguments."""
-    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, 0.2), np.random.default_rng(3), []
+    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, blocked), np.random.default_rng(3), []
     for known in (0.0, 3.0):
         transfer = telescope.transfer(waves, defocus=2 * known * longer)
         transfer = transfer.times(air.gaussian(transfer.radius, sigma * 2.4e-6))
@@ -52,6 +52,7 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
         ({"slope": 0.3}, "background gradient", None),
         ({"longer": 1.05}, "defocus", 0.05),
         ({"squeezed": 1.02}, "f_number", 0.16),
+        ({"blocked": 0.23}, "obscuration", 0.03),
         ({"lost": 0.3}, "non-linear gain", 0.3),
     ],
 )

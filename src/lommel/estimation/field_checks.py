@@ -17,6 +17,8 @@ from lommel.estimation.star_checks import (
     Lacking,
     candidates_of,
     lacking_blurs,
+    lacking_constant,
+    lacking_constants,
     lacking_gain,
     lacking_slopes,
     lacking_terms,
@@ -85,11 +87,16 @@ def _lacking(model: WholeField, x: Array) -> list[Lacking]:
     """Return what stars of a field may lack, but for polynomials of a higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())
-    made = stars.with_further(terms).images(model.chosen, *parts, fast=True, slopes="others")
+    constants = lacking_constants(stars.one.pupil, stars.known, ())
+    every = *terms, *constants
+    made = stars.with_further(every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[3][:, 0].reshape(-1, 1, 1)
     phase = flux * np.tile(stars.ratio, r)[:, None, None]
     found = [*lacking_terms(terms, [phase * image for image in made[1 : 1 + len(terms)]])]
-    if blurred := made[1 + len(terms) :]:
+    for name, slope in zip(constants, made[1 + len(terms) : 1 + len(every)], strict=True):
+        factor = flux if isinstance(name, str) else phase
+        found.append(lacking_constant(name, stars.one.pupil, factor * slope, np.tile(stars.known, r)))
+    if blurred := made[1 + len(every) :]:
         blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
         found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.shapes[0].names)
     if not stars.sloped and not stars.cornered:

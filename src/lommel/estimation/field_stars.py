@@ -21,7 +21,7 @@ from lommel.estimation.star_images import StarImages, Unknowns, carrying
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background
-from lommel.methods.derivative_names import SHIFTS, Term
+from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import asked_about, output_type
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -89,8 +89,8 @@ class FieldStars:
         self.own = _OWN + self.angles
         self.cornered = self.angles > 0
         self.sloped = False
-        #: Terms of the wavefront that are not estimated, of which images have derivatives.
-        self.further: tuple[Term, ...] = ()
+        #: Terms and constants that are not estimated, by which images have derivatives.
+        self.further: tuple[Name, ...] = ()
         plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
         first = pupil if pupil.shape == () else pupil[0]
         own = float(first.wavelength or 1.0)
@@ -141,7 +141,7 @@ class FieldStars:
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self.lights)
-        self._kept: dict[tuple[float | None, tuple[int, int], tuple[Term, ...]], SampledPupil] = {}
+        self._kept: dict[tuple[float | None, tuple[int, int], tuple[Name, ...]], SampledPupil] = {}
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
 
@@ -163,10 +163,10 @@ class FieldStars:
         found.tested -= 2 * self.exposures
         return found
 
-    def with_further(self, terms: tuple[Term, ...]) -> FieldStars:
-        """Return the same stars, of which images have derivatives by further terms."""
+    def with_further(self, names: tuple[Name, ...]) -> FieldStars:
+        """Return the same stars, of which images have derivatives by further terms, and by constants."""
         found = copy(self)
-        found.further = terms
+        found.further = names
         return found
 
     def images(
@@ -305,7 +305,7 @@ class FieldStars:
         """Return the samples of an aperture that is not round, for images on a lattice."""
         key = pupil.wavelength, grid.shape, self.further
         if key not in self._kept:
-            self._kept[key] = SampledPupil(pupil, grid, (*self.one.terms, *self.further))
+            self._kept[key] = SampledPupil(pupil, grid, cast("list[Term]", [*self.one.terms, *self.further]))
         return self._kept[key]
 
     def likelihood(

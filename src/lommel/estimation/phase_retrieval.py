@@ -332,7 +332,8 @@ def retrieve(
     answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders, blur, backgrounds that slope, a gain that is not linear, another f-number, other defoci.
+    to two radial orders, blur, backgrounds that slope, a gain that is not linear, another f-number or obscuration,
+    other defoci.
     What the images favour beyond chance is named, and the answer is in doubt ("other_explanation").
 
     Examples

@@ -15,20 +15,21 @@ from lommel.estimation.star_images import StarImages, label, next_terms
 from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
-from lommel.methods.derivative_names import Term
+from lommel.methods.derivative_names import Name, Term
 from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
 from lommel.special import zernike
 
 _TERM = 0.1  # radians rms: the size that a missing term may have
 _WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a wider one
 _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
-_CONSTANT = 0.02, 0.05  # relative: of the f-number, and of known defoci
+_CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
 _SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
 GRADIENT = "background gradient"
-_GAIN, _F_NUMBER, _DEFOCI = "non-linear gain", "f_number", "defocus"
+_GAIN = "non-linear gain"
 _WORDS = {
     _GAUSSIAN: ("variance of a Gaussian blur besides", " pixels^2"),
     _ELLIPSE: (
@@ -39,8 +40,9 @@ _WORDS = {
     _HALO: ("another shape of blur: share of light that is blurred four times as far", ""),
     GRADIENT: ("backgrounds that slope", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
-    _F_NUMBER: ("an f-number larger than stated by", ""),
-    _DEFOCI: ("known defoci larger than stated by a share of", ""),
+    "f_number": ("an f-number larger than stated by", ""),
+    "obscuration": ("an obscuration larger than stated by", ""),
+    "defocus": ("known defoci larger than stated by a share of", ""),
 }
 
 
@@ -56,6 +58,25 @@ def lacking_terms(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[La
     """Yield Zernike terms, of derivatives of electrons by their radians at the edge."""
     for term, image in zip(terms, slopes, strict=True):
         yield Lacking(label(term), _TERM, (image * zernike.rms_factor(*term),))
+
+
+def lacking_constants(pupil: Pupil | ObjectivePupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
+    """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci where these differ."""
+    found: list[Name] = []
+    if isinstance(pupil, Pupil) and pupil.circular and pupil.mask is None:
+        if pupil.wavelength is not None and not {"f_number", "wavelength"} & {*estimated}:
+            found.append("f_number")
+        if pupil.obscuration and "obscuration" not in estimated:
+            found.append("obscuration")
+    return (*found, *([(2, 0)] if np.ptp(known) > 0.0 else []))
+
+
+def lacking_constant(name: Name, pupil: Pupil | ObjectivePupil, slope: Array, known: Array) -> Lacking:
+    """Return such a constant, of derivatives of electrons by it, or by the defocus of images with `known` ones."""
+    if name == (2, 0):
+        return Lacking("defocus", _CONSTANTS["defocus"], (slope * known[:, None, None],))
+    size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
+    return Lacking(str(name), size, (slope,))
 
 
 def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[Lacking]:
@@ -116,17 +137,13 @@ def star_tests(model: StarImages, x: Array) -> tuple[ScoreTest, ...]:
     flux = light[-2][:, None, None]
     known = model.base[:, 0] - model.fixed[0]
     terms = next_terms(unknowns.edge, [(2, 0)] if isinstance(pupil, ObjectivePupil) else [])
-    f_number = pupil.wavelength is not None and not {"f_number", "wavelength"} & {*unknowns.pupil}
-    optics = (_F_NUMBER,) if f_number and not isinstance(pupil, ObjectivePupil) else ()
-    defoci = ((2, 0),) if np.ptp(known) > 0.0 else ()
+    constants = lacking_constants(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
-    _, further = model.images(x, fast=True, by=(*terms, *optics, *defoci))
+    _, further = model.images(x, fast=True, by=(*terms, *constants))
     by = [flux * slope.values for slope in further]
     lacking = [*lacking_terms(terms, by[: len(terms)])]
-    if optics:
-        lacking.append(Lacking(_F_NUMBER, _CONSTANT[0] * float(pupil.f_number or 1.0), (by[len(terms)],)))
-    if defoci:
-        lacking.append(Lacking(_DEFOCI, _CONSTANT[1], (by[-1] * known[:, None, None],)))
+    for name, slope in zip(constants, by[len(terms) :], strict=True):
+        lacking.append(lacking_constant(name, pupil, slope, known))
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = _reader(grid.shape, model.pixel / scale, grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)

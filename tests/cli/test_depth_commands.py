@@ -49,7 +49,8 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     assert lines[5].startswith(
         "not tested: the size of blur, which image is focused nearer (exchanged, all agrees as well)"
     )
-    assert lines[6:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
+    assert "0.01 dioptre of all foci by 23 mm" in " ".join(lines)
+    assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
     depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
     assert np.nanmedian(depth) == pytest.approx(1.5, abs=2e-3)
     assert 5e-4 < np.median(deviation) < 1e-2
@@ -70,6 +71,16 @@ def test_json_has_all_facts(folder, call_lommel):
     assert found["focus_distances"] == pytest.approx([1.35, 1.8])
     assert found["exposures"][0] == 1.0
     assert found["misfit"] == pytest.approx(1.0, abs=0.2)
+
+
+def test_errors_of_the_lens_are_part_of_the_deviation(folder, call_lommel):
+    arguments = "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json"
+    plain, more = (
+        json.loads(call_lommel(*arguments, *options, folder=folder).stdout)
+        for options in ([], ["--f-number-error", 0.05, "--focus-error", 0.01])
+    )
+    assert more["deviation"] > 0.01 * 1.5**2 / 2**0.5 > plain["deviation"]
+    assert plain["changes"][1] == pytest.approx(-0.01 * 1.5**2, rel=0.05)
 
 
 def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):

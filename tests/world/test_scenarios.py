@@ -19,10 +19,6 @@ from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 # What fails today, and why.
 FAILS = {
     "19": "not good",
-    "43a": "not good: the size of blur is not tested",
-    "43b": "not good: the size of blur is not tested",
-    "43c": "not good: the size of blur is not tested",
-    "48": "not good: the size of blur is not tested",
 }
 
 

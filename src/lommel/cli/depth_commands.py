@@ -73,6 +73,12 @@ def lens_options(which: str) -> list[Option]:
         SQUARE_PIXEL,
         Option("--encoding", type=click.Choice(["srgb", "linear"]),
                help="Encoding of the photos' values; by default integers are sRGB and floats are linear."),
+        documented(depth_from_defocus, "f_number_error", type=float,
+                   help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard "
+                   "deviation of depth. 0 if they are as stated."),
+        documented(depth_from_defocus, "focus_error", type=float,
+                   help="Standard error of each focus distance, dioptres (1/m): part of the standard deviation of "
+                   "depth."),
         documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
                    help="registered: points are at the same pixels in all photos; lens: the photos differ in "
                    "magnification, as those of a thin lens at each focus distance, and are resampled to the scale of "

@@ -331,7 +331,7 @@ class Tally:
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
-        verdict = DefocusVerdict.of(misfit, last.scale, last.deviation, last.others)
+        verdict = DefocusVerdict.of(misfit, last.scale, last.deviation, last.others, last.changes)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason told at the first"]

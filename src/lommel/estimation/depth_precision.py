@@ -242,7 +242,7 @@ def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _
         return math.inf
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
     total, most = (
-        model.at(4).information(slope[None], known_texture=surface.known),
+        model.at(slice(4, 5)).information(slope[None], known_texture=surface.known),
         model.texture * (slope * slope).sum(0),
     )
     if float(total[0]) <= _ROUNDING * float(most @ model.band.share):

@@ -174,10 +174,9 @@ class FocalModel:
                     folded[:, -1] += strength * pixel_alone**2
         return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white, folded)
 
-    def at(self, index: int) -> Self:
-        """Return the model of one vergence alone."""
-        one = slice(index, index + 1)
-        parts = {name: getattr(self, name)[one] for name in ("vergence", "transfer", "noise", "folded")}
+    def at(self, places: slice) -> Self:
+        """Return the model of some of the vergences."""
+        parts = {name: getattr(self, name)[places] for name in ("vergence", "transfer", "noise", "folded")}
         return replace(self, **parts)
 
     def uncertain(self, deviation: Array) -> Self:

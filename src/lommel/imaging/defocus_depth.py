@@ -149,6 +149,8 @@ def depth_from_defocus(
     exposures: Sequence[float] | None = None,
     magnification: str = "registered",
     saturation: float | None = None,
+    f_number_error: float = 0.0,
+    focus_error: float = 0.0,
     transfer: Transfer = transfer_curve,
     progress: Callable[[int, int], object] | None = None,
 ) -> DefocusDepth:
@@ -188,6 +190,11 @@ def depth_from_defocus(
         thin lens at its sensor distance, and is resampled to the scale of the first, about the centre.
     saturation : float, optional
         Stored value at which pixels saturate; saturated pixels are ignored.
+    f_number_error : float, default 0.0
+        Relative standard error of the f-numbers, which are all off alike, below 0.5: of a lens that is not measured
+        0.05, say. Those of the pixel pitch count as much, of the focal length twice. 0 if lenses are as stated.
+    focus_error : float, default 0.0
+        Standard error of each focus distance by itself, dioptres (1 / m).
     transfer : callable, optional
         ``transfer(lens, vergence, spectrum, pixel)``, for other PSFs than those of the lenses: a function of the
         frequency, cycles per pixel, to the transfer function of the optics, without that of the pixel, of shape
@@ -213,10 +220,11 @@ def depth_from_defocus(
     scene that is continuous: of the optics and the pixel, without aliases, which are noise. The filters are those of
     :class:`lommel.imaging.LiveDepth`, between whose blocks energies are interpolated. The deviation follows from the
     curvature of the energy at its minimum, the noise and the size of the window, and grows with the misfit, with the
-    slope of the depth map and next to its edges; compare :func:`lommel.depth_precision`. Depth is NaN where its
-    deviation exceeds a sixth of the range in 1 / distance, where another candidate costs hardly more, where the best
-    candidate is the first or the last, and where half of a window or more is within the blur of the border or of
-    unknown pixels.
+    slope of the depth map and next to its edges; compare :func:`lommel.depth_precision`. It has a part of errors that
+    are stated of lenses, which shift whole surfaces; without these it holds for lenses exactly as stated. Depth
+    is NaN where its deviation exceeds a sixth of the range in 1 / distance, where another candidate costs hardly
+    more, where the best candidate is the first or the last, and where half of a window or more is within the blur of
+    the border or of unknown pixels.
 
     Examples
     --------
@@ -248,6 +256,8 @@ def depth_from_defocus(
     ends, vergence = ranged(between, lenses, pitch, candidates, _MOST)
     if saturation is not None:
         validation.real("saturation", saturation, above=0.0)
+    validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
+    validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
     shape = "(height, width) or (height, width, channels)"
     counts = []
     for k, one in enumerate(given):
@@ -288,9 +298,24 @@ def depth_from_defocus(
     engine = FocalEngine(task, FocalLight(mean, read, exposed, CONTRAST))
     position, deviation, misfit = _search(engine, images, valid, progress)
     step = float(vergence[1] - vergence[0])
+    found, errors = vergence[0] + step * position.astype(np.float64), step * deviation
+    stated = f_number_error
+    if f_number_error or focus_error:
+        foci = [1.0 / lens.focus_distance for lens in lenses]
+        inner = np.isfinite(errors)
+        of_f_number, *of_foci = engine.by_lenses(found[inner])
+        # Frames of one focus share its error.
+        shared = [np.sum([by for by, each in zip(of_foci, foci, strict=True) if each == one], 0) for one in set(foci)]
+        errors[inner] = np.sqrt(
+            errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
+        )
+        lost = inner & (errors > engine.known)
+        found[lost], errors[lost], deviation[lost] = math.nan, math.inf, math.inf
+        if len(shared) > 1:
+            stated = math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
     with np.errstate(invalid="ignore", divide="ignore"):
-        depth, distances = 1.0 / (vergence[0] + step * position.astype(np.float64)), 1.0 / vergence
-        sigma = np.where(np.isfinite(deviation), deviation * step * depth**2, np.inf)
+        depth, distances = 1.0 / found, 1.0 / vergence
+        sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
 
     def sharpen(filled: Array) -> Values:
         place = np.asarray((1.0 / filled - vergence[0]) / step, dtype=np.float32)
@@ -302,7 +327,7 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    judge = partial(judged, engine, images, valid, deviation, misfit)
+    judge = partial(judged, engine, images, valid, deviation, misfit, found, stated)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
 
 

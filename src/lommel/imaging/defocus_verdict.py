@@ -11,13 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.base.units import format_length
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
@@ -32,6 +33,7 @@ _OFF_SLOPE = 1.0  # its slope by the logarithm of the scale, by the latter
 _UNLIKE = 1.15  # misfit of cells over that of the best ones
 _STEP, _MOST, _COARSE = 0.04, 16, 2  # of the logarithm of scales that are tried, and so many steps
 _NEAR, _NEAR_MISFIT = 0.02, 0.5  # by which the misfit of scales that are looked at may be above the least
+_WALL = 2.5  # misfit over the least, beyond which larger scales are not looked at
 _SIDE, _TILES = 256, 4  # pixels, of what is looked at
 _MARGIN = 16  # pixels, beside the blur
 _CELL = 8  # blocks a side, that are taken to be independent of others
@@ -61,12 +63,16 @@ class DefocusVerdict(FitReport):
         Standard error of the scale, 0.02 or more; inf where it is not tested.
     others : tuple of float
         Other scales that fit as well; all of them where the scale is not tested, as that of the lenses is among them.
+    changes : (float, float)
+        Median changes of depth, metres, by f-numbers that are 1 % larger and by 0.01 dioptre of all foci; NaN where
+        nothing is known.
     """
 
     misfit: float
     scale: float
     deviation: float
     others: tuple[float, ...] = ()
+    changes: tuple[float, float] = (math.nan, math.nan)
 
     @classmethod
     def of(
@@ -75,13 +81,18 @@ class DefocusVerdict(FitReport):
         scale: float = math.nan,
         deviation: float = math.inf,
         others: tuple[float, ...] = (),
+        changes: tuple[float, float] = (math.nan, math.nan),
+        *,
+        stated: float = 0.0,
     ) -> Self:
         """Return the verdict on a misfit and a scale.
 
         Parameters
         ----------
-        misfit, scale, deviation, others
+        misfit, scale, deviation, others, changes
             As the attributes.
+        stated : float
+            Standard error of the scale by those that are stated of the lenses.
 
         Returns
         -------
@@ -129,7 +140,7 @@ class DefocusVerdict(FitReport):
         else:
             agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
         what = ["which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"]
-        off = min(abs(each - 1.0) / deviation for each in (scale, *others))
+        off = min(abs(each - 1.0) / math.hypot(deviation, stated) for each in (scale, *others))
         of = f"{scale:.2f} +- {deviation:.2f}"
         size = {"scale": scale, "error": deviation}
         untested = math.isnan(scale) or (bool(others) and off <= _SURE)
@@ -161,14 +172,13 @@ class DefocusVerdict(FitReport):
             )
         else:
             agree.append(f"blurs differ as the lenses state ({of} of it)")
-        findings.append(
-            Finding(
-                "untested",
-                "doubt" if untested else "note",
-                "not tested: " + ", ".join(what),
-                {"what": what},
-            )
-        )
+        costs: dict[str, object] = {"what": what}
+        text = "not tested: " + ", ".join(what)
+        if all(map(math.isfinite, changes)):
+            costs |= {"by_f_number": changes[0], "by_foci": changes[1]}
+            each = [format_length(abs(change), digits=2) for change in changes]
+            text += f"; 1 % of the f-number changes depth by {each[0]}, 0.01 dioptre of all foci by {each[1]}"
+        findings.append(Finding("untested", "note", text, costs))
         summary = "; ".join(agree) or "nothing that was tested agrees"
         return cls(
             findings=Findings(findings),
@@ -177,6 +187,7 @@ class DefocusVerdict(FitReport):
             scale=scale,
             deviation=deviation,
             others=others,
+            changes=changes,
         )
 
     @property
@@ -194,24 +205,30 @@ def judged(
     valid: NDArray[np.bool_],
     deviation: Values,
     misfit: Values,
+    vergence: Array,
+    stated: float = 0.0,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of the first.
 
     `valid` are the pixels that are known, `deviation` the standard errors of depth, in any unit and infinite where it
-    is not known, and `misfit` their misfits, all of shape (height, width).
+    is not known, `misfit` their misfits and `vergence` what was found, 1 / m, all of shape (height, width); `stated`
+    is the standard error of the scale by those of the lenses.
     """
     known = np.isfinite(deviation)
     if not known.any():
         return DefocusVerdict.of(math.nan)
     left = float(np.median(misfit[known]))
+    at = vergence[known].astype(np.float64)
+    by_f_number, *by_foci = np.median(-engine.by_lenses(at) / at**2, axis=1).tolist()
+    of = partial(DefocusVerdict.of, left, changes=(0.01 * by_f_number, 0.01 * sum(by_foci)), stated=stated)
     weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
     found = _scales(engine, images, valid, weight)
     if not found:
-        return DefocusVerdict.of(left)
+        return of()
     best, *others = found
     if best.error >= max(_DEVIATION, abs(best.scale - 1.0) / _SURE):
-        return DefocusVerdict.of(left)
-    return DefocusVerdict.of(left, best.scale, best.error, tuple(each.scale for each in others))
+        return of()
+    return of(best.scale, best.error, tuple(each.scale for each in others))
 
 
 class _Fit(NamedTuple):
@@ -240,7 +257,11 @@ def _scales(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weigh
         return np.stack([filters(k)(tile) for tile in tiles])
 
     # Several scales may fit: of one depth the two signs of the nearer defocus, of all depths those of other depths.
-    coarse = [_median(filters(k)(tiles[0])) for k in range(-_MOST, _MOST + 1, _COARSE)]
+    coarse = list[float]()
+    for k in range(-_MOST, _MOST + 1, _COARSE):
+        # Blurs that differ by more than images show fit the worse the more they do: there nothing is to be found.
+        beyond = bool(coarse) and coarse[-1] > _WALL * min(coarse)
+        coarse.append(math.inf if beyond else _median(filters(k)(tiles[0])))
     near = min(coarse) + _NEAR + _NEAR_MISFIT * abs(min(coarse) - 1.0)
     found = list[_Fit]()
     for place in range(1, len(coarse) - 1):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -12,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
-from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables
+from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables, shifts
 from lommel.optics.lens import Lens
 
 BLOCK = 4
@@ -29,6 +31,8 @@ _EDGE = 0.3  # or pixels that the edge of the blur moves by, where that is more
 _MOST_RANK = 48
 _KNOWN = 0.17  # of the range of vergence: depths of a larger standard error are not known
 _MARGIN = 0.02  # of the range, by which the vergence of what is known may lie beyond it
+_CHANGE = 0.01  # of f-numbers, and of candidates, for derivatives
+_SOME = 15  # candidates, between which that is interpolated
 _FOCI = 5  # that images of other foci have their basis from
 _MOST_WEIGHTS = 30
 
@@ -151,6 +155,38 @@ class FocalEngine:
         found = [np.abs(one.bias / one.deviation)[inner].max() for one in self.channels]
         return float(max(found)) * math.sqrt(self._pixels) / self.binning
 
+    def by_lenses(self, vergence: Array) -> Array:
+        """Return how vergences that are found, of any shape, change with those stated: (1 + frames, *that shape).
+
+        First with the logarithm of all f-numbers, 1 / m, then with the vergence in focus of each frame.
+        """
+        at, changes = self._by_lenses
+        return np.stack([np.interp(vergence, at, each) for each in changes])
+
+    @cached_property
+    def _by_lenses(self) -> tuple[Array, Array]:
+        """That of some candidates, (1 + frames, candidates), after the vergence of these."""
+        step, every = self.channels[0].step, self.task.vergence
+        at = every[np.linspace(1, len(every) - 2, _SOME).round().astype(int)]
+        threes = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
+        model = threes.model(self.light, 0, self.binning)
+        closed = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
+        other = self.task._replace(vergence=at).model(self.light, 0, self.binning, closed)
+        found = [step / _CHANGE * shifts(model, other)]
+        slope, own = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
+        for frame in range(len(closed)):
+            # The transfer function is that of the difference of the vergence from that in focus, but for 1 - f u.
+            transfer = own.transfer.copy()
+            transfer[:, frame] -= _CHANGE * slope[:, frame]
+            found.append(shifts(model, replace(own, transfer=transfer)) / _CHANGE)
+        return at, np.array(found)
+
+    @property
+    def known(self) -> float:
+        """The largest standard error of vergences that are known, 1 / m."""
+        near, far = self.task.between
+        return _KNOWN * (1.0 / near - 1.0 / far)
+
     @property
     def of_least(self) -> float:
         """How far the least of an energy is below that of the true depth, on average."""
@@ -234,7 +270,7 @@ class FocalEngine:
             tables.step,
             self._low - margin,
             self._high + margin,
-            _KNOWN * (self._high - self._low),
+            self.known / tables.step,
         )
 
     def _stream(

@@ -230,6 +230,20 @@ def residual_filters(model: FocalModel) -> Array:
     return filters
 
 
+def shifts(model: FocalModel, other: FocalModel) -> Array:
+    """Return by how many candidates depth is off, to first order, if data have one model and filters are of another.
+
+    `model` is of threes: the candidate before, that itself, and the one after; `other` is of those in the middle. The
+    energy's derivative by the vergence vanishes where ``<e' (e + de)> = 0``: the shift is ``-<e' de> / <e' e'>``, e'
+    being the derivative of the residual and de what the other filters leave of the scene, in the mean over a texture
+    as designed for.
+    """
+    h, share, filters = model.transfer[1::3], model.texture * model.band.share, residual_filters(model)
+    slopes = 0.5 * np.einsum("cpif,cif->cpf", filters[2::3] - filters[::3], h)
+    left = np.einsum("cpif,cif->cpf", residual_filters(other), h)
+    return np.asarray(-((slopes * left) @ share).sum(axis=1) / ((slopes**2) @ share).sum(axis=1))
+
+
 class _Fit:
     """Least squares of filters by Chebyshev polynomials, in the metric of the data."""
 

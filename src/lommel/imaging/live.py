@@ -350,12 +350,12 @@ class LiveDepth:
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
         images = np.where(valid, light, 0.0)[None]
-        deviation, misfit = (
+        deviation, misfit, vergence = (
             np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
-            for each in (self._deviation / self._depth**2, self._misfit)
+            for each in (self._deviation / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         deviation = np.where(np.isnan(deviation), np.inf, deviation)
-        return judged(level.engine, images, valid, deviation, misfit)
+        return judged(level.engine, images, valid, deviation, misfit, vergence)
 
     def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, which must not have changed since.

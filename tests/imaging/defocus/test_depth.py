@@ -48,6 +48,64 @@ def test_a_plane_is_found_as_well_as_can_be_with_the_deviation_told(distance):
     assert np.median(found.deviation[known]) == pytest.approx(bound, rel=0.3)
 
 
+@pytest.fixture(scope="module")
+def near_focus():
+    """A plane at 2.4 m by 50 mm f/1.8 at 2.3 m and 3.6 m, and what depth of it is asked for."""
+    from scenes import ThinLens, lommel_lens, plane, record
+    from scenes import texture as points
+
+    thin = [ThinLens(50e-3, 1.8, focus, 540e-9, 50.2e-6) for focus in (2.3, 3.6)]
+    counts = record(plane(points("soft", 96, 7), thin, 2.4, 5000.0), seed=1)
+    images = [(one.astype(float) - 100.0) / 1e4 for one in counts]
+    more = {"encoding": "linear", "noise": lm.Noise(white=1e4, read=3.0), "between": (2.05, 5.0)}
+
+    def found(lenses=(), **changed):
+        return lm.imaging.depth_from_defocus(images, lenses or given, 50.2e-6, **more, **changed)
+
+    given = [lommel_lens(one) for one in thin]
+    return found, given
+
+
+def test_errors_stated_of_lenses_are_what_lenses_that_are_wrong_do(near_focus):
+    found, given = near_focus
+    plain = found()
+
+    def added(**errors):
+        more = found(**errors)
+        known = np.isfinite(plain.deviation) & np.isfinite(more.deviation)
+        assert np.array_equal(more.depth[known], plain.depth[known])
+        by = np.sqrt(more.deviation[known] ** 2 - plain.deviation[known] ** 2) / plain.depth[known] ** 2
+        return float(np.median(by))
+
+    def moved(lenses):
+        return float(np.nanmedian(1.0 / found(lenses).depth - 1.0 / plain.depth))
+
+    wider = [one.stopped(1.8 * 1.02) for one in given]
+    assert added(f_number_error=0.02) == pytest.approx(abs(moved(wider)), rel=0.1)
+    apart = [[one.focused(1.0 / (1.0 / one.focus_distance + 0.003 * (k == n))) for n, one in enumerate(given)]
+             for k in range(2)]  # fmt: skip
+    assert added(focus_error=0.003) == pytest.approx(np.hypot(*map(moved, apart)), rel=0.1)
+
+
+def test_depth_that_errors_of_lenses_leave_unknown_is_not_known(near_focus):
+    found, given = near_focus
+    assert found(focus_error=0.2).known == 0.0
+    same = [given[0], given[0].stopped(4.0)]
+    both = found(same, focus_error=0.003), found(same)
+    known = np.isfinite(both[0].deviation)
+    u = [1.0 / one.depth[known] for one in both]
+    by = np.sqrt((both[0].deviation[known] * u[0] ** 2) ** 2 - (both[1].deviation[known] * u[1] ** 2) ** 2)
+    assert np.median(by) == pytest.approx(0.003, rel=0.02)  # of one focus, whose error is that of all depths
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("f_number_error", 0.5), ("f_number_error", -0.1), ("focus_error", -1.0)]
+)
+def test_errors_of_lenses_are_checked(near_focus, name, value):
+    with pytest.raises(ValueError, match=name):
+        near_focus[0](**{name: value})
+
+
 def test_where_a_photograph_is_nearly_sharp_on_large_pixels_there_is_no_bias():
     from scenes import ThinLens, lommel_lens, plane, record
     from scenes import texture as points

@@ -62,12 +62,17 @@ def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
     assert "which image is focused nearer (exchanged" in found.findings.get("untested").text
 
 
-def test_a_size_of_blur_that_frames_do_not_tell_is_in_doubt(pair):
+def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair):
     one = live([each[:, :128] for each in pair], lenses()).verdict()  # a plane, on few pixels
-    assert one.converged
-    assert not one.reliable
+    assert one.reliable
     assert one.findings.codes == ("untested",)
-    assert "the size of blur" in one.findings.get("untested").text
+    told = one.findings.get("untested")
+    assert told.numbers["what"][0].startswith("the size of blur")
+    # A shift of all foci shifts depth: by 0.01 z^2.
+    assert one.changes[1] == pytest.approx(-0.01 * 1.4**2, rel=0.02)
+    assert (told.numbers["by_f_number"], told.numbers["by_foci"]) == one.changes
+    assert "1 % of the f-number changes depth by " in told.text
+    assert "0.01 dioptre of all foci by 20 mm" in told.text
 
 
 @pytest.mark.parametrize(
@@ -76,20 +81,27 @@ def test_a_size_of_blur_that_frames_do_not_tell_is_in_doubt(pair):
         ((1.02,), "untested", "note"),
         ((1.04,), "lens_scale", "doubt"),
         ((1.2,), "lens_scale", "error"),
-        ((0.77, 1.01), "untested", "doubt"),  # the stated lens fits, and so does another
-        ((1.01, 0.77), "untested", "doubt"),
+        ((0.77, 1.01), "untested", "note"),  # the stated lens fits, and so does another
+        ((1.01, 0.77), "untested", "note"),
         ((0.8, 1.2), "lens_scale", "error"),  # neither is that of the lens
     ],
 )
-def test_scales_that_fit_alike_leave_the_lens_in_doubt_unless_all_are_off(scales, code, severity):
+def test_scales_that_fit_are_held_against_that_of_the_lens(scales, code, severity):
     found = lm.imaging.DefocusVerdict.of(1.0, scales[0], 0.022, scales[1:])
     assert found.findings.get(code).severity == severity
-    open_ = code == "untested" and severity == "doubt"
+    open_ = code == "untested" and len(scales) > 1
     assert found.others == (scales if open_ else scales[1:])
     assert found.agrees == (severity == "note")
     assert math.isnan(found.scale) == open_
+    assert ("the size of blur (" in found.message) == open_
     again = lm.imaging.DefocusVerdict.of(1.0, found.scale, found.deviation, found.others)
     assert again.findings.text == found.findings.text
+
+
+def test_errors_that_are_stated_of_lenses_allow_other_scales():
+    found = [lm.imaging.DefocusVerdict.of(1.0, 1.2, 0.022, stated=each) for each in (0.05, 0.1, 0.15)]
+    severities = [each.findings.get("lens_scale") and each.findings.get("lens_scale").severity for each in found]
+    assert severities == ["error", "doubt", None]
 
 
 def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pair):

@@ -378,14 +378,33 @@ def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integr
     pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"))
     exact = lm.psf(pupil, 15, pixel, integrate=integrate, blur=lm.Jitter(sigma * pixel)).values
     reader = StarReadout((15, 15), pixel, sigma, Shape.gaussian(), integrate=integrate)
-    samples = lm.psf(pupil, reader.shape, STEP, integrate=False).values
-    (down, across), (down_slope, across_slope) = reader.matrices(np.array([sigma**2]))
-    np.testing.assert_allclose(down[0] @ samples @ across[0].T, exact, atol=1e-5 * exact.max())
+    samples = np.asarray(lm.psf(pupil, reader.shape, STEP, integrate=False).values)
+    read, slope = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), slopes=True)
+    np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
     step = 0.02
-    one, other = (reader.matrices(np.array([sigma**2 + s * step]))[0] for s in (1, -1))
-    change = (one[0][0] @ samples @ one[1][0].T - other[0][0] @ samples @ other[1][0].T) / (2.0 * step)
-    slope = down_slope[0] @ samples @ across[0].T + down[0] @ samples @ across_slope[0].T
+    one, other = (
+        reader.read([samples[None]], np.full((1, 1, 1), sigma**2 + s * step), slopes=False)[0] for s in (1, -1)
+    )
+    change = (one - other) / (2.0 * step)
     np.testing.assert_allclose(slope, change, atol=5e-3 * np.abs(change).max())
+
+
+@pytest.mark.parametrize("blurs", ["alike", "by exposure", "each"])
+def test_images_that_are_read_together_are_those_read_one_by_one(blurs):
+    draw, shape = np.random.default_rng(4), Shape.turbulent(terms=3)
+    reader = StarReadout((6, 9), 1.3, 0.8, shape, integrate=True)
+    samples = [draw.normal(size=(14, *reader.shape)) for _ in range(2)]
+    squares = draw.uniform(0.05, 0.2, (7, 2, 2))
+    if blurs != "each":
+        squares[:] = squares[0]
+    if blurs == "alike":
+        squares[:, 1] = squares[:, 0]
+    found = reader.read(samples, squares, slopes=True)
+    assert [each.shape for each in found] == [(14, 6, 9)] * 4
+    for k in range(14):
+        alone = reader.read([each[k : k + 1] for each in samples], squares[k // 2, k % 2][None, None], slopes=True)
+        for whole, one in zip(found, alone, strict=True):
+            np.testing.assert_allclose(whole[k], one[0], atol=1e-5 * np.abs(one).max())
 
 
 def test_robust_polynomials_ignore_a_few_wild_stars():

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lommel.base.arrays import Array, Values
+from lommel.estimation.star_readout import products
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -47,29 +48,64 @@ class SampledPupil:
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._light = (light * (4.0 * scale / (math.pi * side**2))).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
-        self._down, across_wave = (
-            np.exp(-1j * np.multiply.outer(step * part, at)).astype(np.complex64) for part in (grid.y, grid.x)
-        )
-        self._across = np.ascontiguousarray(across_wave.T)
+        half = at[side // 2 :]
+        #: Cosines and sines of rows and columns at and beyond the axis, (places, cells).
+        self._down, self._across = (_waves(step * places, half) for places in (grid.y, grid.x))
+        self._shape = grid.shape
 
     def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
         """Return images (r, h, w) of wavefronts (r, first terms), if wanted, and derivatives by some terms."""
-        height, width = len(self._down), self._across.shape[1]
-        found = np.empty((values + len(by), len(edge), height, width), np.float32)
+        found = np.empty((values + len(by), len(edge), *self._shape), np.float32)
         factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
         if not len(found):
             return []
+        height, width = self._shape
+        y, x = height // 2, width // 2
+        down, up = (slice(y, None), slice(0, height - y)), (slice(y, None, -1), slice(0, y + 1))
+        right, left = (slice(x, None), slice(0, width - x)), (slice(x, None, -1), slice(0, x + 1))
         for k, one in enumerate(edge.astype(np.float32)):
-            pupil = self._light * np.exp(1j * np.tensordot(one, terms, 1))
-            parts = np.concatenate([pupil[None], factors * pupil])
-            rows = (parts.reshape(-1, parts.shape[-1]) @ self._across).reshape(len(parts), -1, width)
-            fields = self._down @ rows
-            field = fields[0]
-            if values:
-                found[0, k] = field.real**2 + field.imag**2
-            # U' = i G, and I' = 2 Re(conj(U) U').
-            found[int(values) :, k] = 2.0 * (field.imag * fields[1:].real - field.real * fields[1:].imag)
+            phase = np.tensordot(one, terms, 1)
+            planes = self._light * np.cos(phase), self._light * np.sin(phase)
+            pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
+            (cc, sc), (cs, ss) = self._parts(np.concatenate([pupil, factors[:, None] * pupil]))
+            alike, unlike = (cc - ss, sc + cs), (cc + ss, cs - sc)
+            # The field is even less i odd; times -1 where both are before the axis, or both are not.
+            for rows, columns, (even, odd), sign in (
+                (down, right, alike, 1.0), (up, left, alike, -1.0),
+                (up, right, unlike, 1.0), (down, left, unlike, -1.0),
+            ):  # fmt: skip
+                real, imaginary = even[:, 0] + sign * odd[:, 1], even[:, 1] - sign * odd[:, 0]
+                here = found[:, k, rows[0], columns[0]]
+                if values:
+                    here[0] = (real[0] ** 2 + imaginary[0] ** 2)[rows[1], columns[1]]
+                # U' = i G, and I' = 2 Re(conj(U) U').
+                slopes = (2.0 * imaginary[0]) * real[1:]
+                slopes -= (2.0 * real[0]) * imaginary[1:]
+                here[int(values) :] = slopes[:, rows[1], columns[1]]
         return list(found)
+
+    def _parts(self, planes: Values) -> list[list[Values]]:
+        """Return cosine and sine transforms (n, 2, h, w) along columns and rows of pupils of real parts (n, 2, y, x).
+
+        Of sums and differences of cells on both sides of the axis: matrices are real, and half as large.
+        """
+        parts = [products(half, wave) for half, wave in zip(_halves(planes), self._across, strict=True)]
+        turned = [_halves(part.swapaxes(-1, -2)) for part in parts]
+        return [[products(wave, half) for wave, half in zip(self._down, halves, strict=True)] for halves in turned]
+
+
+def _waves(places: Array, at: Array) -> list[Values]:
+    """Return cosines and sines (places, cells) of the places from the axis on, of windows whose middle is there."""
+    beyond = np.linspace(0.0, -places[0], len(places) // 2 + 1)
+    angle = np.multiply.outer(beyond, at)
+    return [np.cos(angle).astype(np.float32), np.sin(angle).astype(np.float32)]
+
+
+def _halves(planes: Values) -> tuple[Values, Values]:
+    """Return sums and differences of the cells beyond the axis and those before it, along the last axis."""
+    middle = planes.shape[-1] // 2
+    beyond, before = planes[..., middle:], planes[..., middle - 1 :: -1]
+    return beyond + before, beyond - before
 
 
 def _sums(parts: Array) -> Array:

@@ -13,7 +13,8 @@ Blur of another shape is a mixture of Gaussians: a sum of such images.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import product
 
 import numpy as np
 from scipy import special
@@ -24,9 +25,10 @@ from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
 _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
-_WIDTHS = 4.5  # standard deviations of blur beyond them
+_WIDTHS = 3.7  # standard deviations of blur beyond them
 _EDGE = 1.0 / STEP - 1.0
 _ALONE = 2**18  # multiplications up to which BLAS uses one thread
+_TOGETHER = 6  # images, whose samples stay in the cache of a processor
 _WIDER = (3.0, 15.0)  # times the middle variance of a blur, by which Gaussians are wider that it may lack
 _LEAST = 0.05  # pixels^2 of that variance
 OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
@@ -47,8 +49,12 @@ class StarReadout:
     ) -> None:
         self.blur = shape
         self.pixel, self.widest = pixel, widest
-        margin = _MARGIN + pixel * (0.5 * integrate + _WIDTHS * widest)
-        halves = [math.ceil(((side // 2) * pixel + margin) / STEP) for side in window]
+        # Hardly any light is half a window beyond its rim, from where wider blur would bring it.
+        blurred = [min(_WIDTHS * widest, 0.5 * side) for side in window]
+        halves = [
+            math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + more)) / STEP)
+            for side, more in zip(window, blurred, strict=True)
+        ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = STEP * max(halves)
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * _EDGE * (2.0 * length)) + 30)
@@ -57,35 +63,30 @@ class StarReadout:
         taper = 0.5 * special.erfc(_FALL * (self._f - middle) / (_EDGE - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._weights = 2.0 * pixel * _EDGE * weights * taper * area
+        self._window = window
+        #: Of rows and columns, cosines and sines at pixels and samples from the axis on, (places, frequencies).
         self._sides = [
-            (self._waves(pixel, side - side // 2 - 1, side // 2), self._waves(STEP, half, half))
+            list(zip(self._waves(pixel, side // 2), self._waves(STEP, half), strict=True))
             for side, half in zip(window, halves, strict=True)
         ]
 
-    def _waves(self, pitch: float, last: int, before: int) -> tuple[Array, Array]:
-        angle = np.multiply.outer(pitch * np.arange(-before, last + 1.0), 2.0 * math.pi * self._f)
+    def _waves(self, pitch: float, last: int) -> tuple[Array, Array]:
+        angle = np.multiply.outer(pitch * np.arange(last + 1.0), 2.0 * math.pi * self._f)
         return np.cos(angle), np.sin(angle)
 
-    def matrices(self, variances: Array) -> tuple[list[Array], list[Array]]:
-        """Return matrices of rows and columns (r, pixels, samples) for variances (r,), and slopes by these."""
+    def _matrices(self, variances: Array, *, slopes: bool) -> Iterator[list[list[Values]]]:
+        """Yield matrices of rows and columns (r, pixels, samples) for variances (r,), and `slopes` by these.
+
+        For both sides, that of the even and of the odd parts of images: k is even, and sums over both sides of the
+        axis are those over one, of half as many samples.
+        """
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
         faded = self._weights * np.exp(np.multiply.outer(variances, rate))
-        return self._even(faded), self._even(faded * rate)
-
-    def _even(self, faded: Array) -> list[Array]:
-        """Return matrices of rows and columns of weights (r, f)."""
-        return [
-            np.asarray(_products(cos * faded[:, None], along) + _products(sin * faded[:, None], across), np.float32)
-            for (cos, sin), (along, across) in self._sides
-        ]
-
-    def _odd(self, faded: Array) -> list[Array]:
-        """Return derivatives by the place of a pixel of matrices of rows and columns of weights (r, f)."""
-        faded = 2.0 * math.pi * self.pixel * self._f * faded
-        return [
-            np.asarray(_products(cos * faded[:, None], across) - _products(sin * faded[:, None], along), np.float32)
-            for (cos, sin), (along, across) in self._sides
-        ]
+        for weights in (faded, faded * rate) if slopes else (faded,):
+            yield [
+                [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in side]
+                for side in self._sides
+            ]
 
     def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
         """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e, b).
@@ -94,28 +95,33 @@ class StarReadout:
         """
         one = bool((squares == squares[:1]).all())
         variances = self.blur.variances(squares[:1] if one else squares).reshape(-1, len(self.blur.weights))
-        size = tuple(len(cos) for (cos, _), _ in self._sides)
+        apart, count = len(variances), len(samples[0])  # images that many apart have the same blur
         more = self.blur.unknown if slopes else 0
-        found: list[Values] = [np.zeros((len(samples[0]), *size), np.float32) for _ in range(len(samples) + more)]
-        for weight, rates, variance in zip(self.blur.weights, self.blur.rates, variances.T, strict=True):
-            (down, across), (down_slope, across_slope) = self.matrices(variance)
-            down, down_slope = np.float32(weight) * down, np.float32(weight) * down_slope
-            if (apart := len(down)) == len(samples[0]):  # each image has a blur of its own
-                parts = [(slice(None), (down, across), (down_slope, across_slope))]
-            else:  # images that many apart have the same
-                parts = [
-                    (slice(k, None, apart), (down[k], across[k]), (down_slope[k], across_slope[k]))
-                    for k in range(apart)
-                ]
-            for each, (rows, columns), (by_rows, by_columns) in parts:
-                halves = [_products(one[each], columns) for one in samples]
-                for place, half in zip(found, halves, strict=False):
-                    place[each] += _down(half, rows)
-                if more:
-                    slope = _down(halves[0], by_rows) + _down(_products(samples[0][each], by_columns), rows)
-                    for place, rate in zip(found[-more:], rates, strict=True):
-                        place[each] += np.float32(rate) * slope
-        return found
+        made = [list(self._matrices(variance, slopes=more > 0)) for variance in variances.T]
+        found = np.empty((len(samples) + more, count, *self._window), np.float32)
+        step = _TOGETHER if apart == count else apart * max(1, _TOGETHER // apart)
+        for at in (slice(first, first + step) for first in range(0, count, step)):
+            own = at if apart == count else slice(None)
+            mine = [[[[each[own] for each in side] for side in sides] for sides in one] for one in made]
+            here = np.stack([each[at] for each in samples]).astype(np.float32, copy=False)
+            found[:, at] = self._read(here, mine, more)
+        return list(found)
+
+    def _read(self, samples: Values, made: list[list[list[list[Values]]]], more: int) -> Values:
+        """Return images and so many slopes of samples (n, r, h, w), with the matrices of each Gaussian."""
+        parts = _folded(samples.reshape(len(samples), -1, len(made[0][0][0][0]), *self.shape))
+        size = len(samples) + more, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
+        found = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
+        for weight, rates, ((down, across), *changes) in zip(self.blur.weights, self.blur.rates, made, strict=True):
+            for y, x in product(range(2), range(2)):
+                part, place = parts[y][x], found[y][x]
+                half = np.float32(weight) * products(part, across[x])
+                place[: len(samples)] += _down(half, down[y])
+                for by_rows, by_columns in changes:
+                    slope = _down(half[0], by_rows[y])
+                    slope += np.float32(weight) * _down(products(part[0], by_columns[x]), down[y])
+                    place[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * slope
+        return _unfolded(found, self._window).reshape(len(found[0][0]), -1, *self._window)
 
     def other_blurs(self, samples: Values, squares: Array) -> dict[str, Values]:
         """Return derivatives (r * e, height, width) of images of samples by blurs that the shape does not have.
@@ -123,13 +129,30 @@ class StarReadout:
         Of squared blurs (e, b): by the variance of a Gaussian besides, pixels^2; by half of what that along rows
         exceeds that along columns, and by what both have in common, pixels^2; by the shares of wider Gaussians.
         """
+        sides = [
+            [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
+            for side in zip(((self.pixel, n) for n in self._window), ((STEP, n) for n in self.shape), strict=True)
+        ]
         apart, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
-        size = tuple(len(cos) for (cos, _), _ in self._sides)
-        found = {name: np.empty((len(samples), *size), np.float32) for name in OTHER_BLURS}
+
+        def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
+            """Return k of rows and columns (c, pixels, samples), or its slope by the place of a pixel."""
+            one, other, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
+            return [
+                np.asarray(
+                    products(np.cos(x) * weights[:, None], one(y))
+                    + sign * products(np.sin(x) * weights[:, None], other(y)),
+                    np.float32,
+                )
+                for x, y in sides
+            ]
+
+        found = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
         for k, variances in enumerate(self.blur.variances(squares)):
             middle = math.exp(float(self.blur.weights @ np.log(variances + _LEAST)))
             faded = self._weights * np.exp(np.multiply.outer(variances, rate))
-            plain, slope, odd = self._even(faded), self._even(faded * rate), self._odd(faded)
+            plain, slope = kernels(faded), kernels(faded * rate)
+            odd = kernels(2.0 * math.pi * self.pixel * self._f * faded, odd=True)
             image, along, across, oblique = (
                 self._mixed(samples[k::apart], rows, columns)
                 for rows, columns in (plain, (slope[0], plain[1]), (plain[0], slope[1]), odd)
@@ -137,7 +160,7 @@ class StarReadout:
             made = [along + across, along - across, oblique]
             for times in _WIDER:
                 wide = self._weights * np.exp(np.multiply.outer(variances + times * middle, rate))
-                made.append(self._mixed(samples[k::apart], *self._even(wide)) - image)
+                made.append(self._mixed(samples[k::apart], *kernels(wide)) - image)
             for place, each in zip(found.values(), made, strict=True):
                 place[k::apart] = each
         return found
@@ -145,20 +168,49 @@ class StarReadout:
     def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
         """Return images behind the mixture of Gaussians of matrices of rows and columns (c, pixels, samples)."""
         each = zip(self.blur.weights, rows, columns, strict=True)
-        parts = [np.float32(weight) * _down(_products(samples, across), down) for weight, down, across in each]
+        parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in each]
         return np.asarray(sum(parts))
 
 
-def _products(images: Values, matrix: Array) -> Values:
-    """Return products (r, h, m) of the rows of images (r, h, n) with a matrix (m, n), or one for each (r, m, n)."""
+def _folded(images: Values) -> list[list[Values]]:
+    """Return the parts of images that are even and odd along columns, and each along rows, from the axis on."""
+    found = [images]
+    for _ in range(2):
+        found = [part for each in found for part in _halves(each.swapaxes(-1, -2))]
+    return [found[:2], found[2:]]
+
+
+def _halves(images: Values) -> tuple[Values, Values]:
+    """Return sums and differences of both sides of the axis along the last one; the axis itself counts once."""
+    middle = images.shape[-1] // 2
+    beyond, before = images[..., middle:], images[..., middle::-1]
+    even = beyond + before
+    even[..., 0] *= 0.5
+    return even, beyond - before
+
+
+def _unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
+    """Return images (..., height, width) of which the parts are that are even and odd."""
+    (even, right), (down, both) = parts
+    found = np.empty((*even.shape[:-2], *window), np.float32)
+    (y, x), (height, width) = (side // 2 for side in window), window
+    for sign, rows, below in ((1.0, slice(y, None), height - y), (-1.0, slice(y, None, -1), y + 1)):
+        one, other = even + sign * down, right + sign * both
+        found[..., rows, x:] = (one + other)[..., :below, : width - x]
+        found[..., rows, x::-1] = (one - other)[..., :below, : x + 1]
+    return found
+
+
+def products(images: Values, matrix: Array) -> Values:
+    """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n), or some (..., m, n)."""
     # Of larger products that are still small, threads of BLAS wait for each other far longer than they take.
     turned, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
     many = max(1, _ALONE // max(turned.shape[-2] * turned.shape[-1], 1))
     if many >= rows:
         return np.asarray(images @ turned)
-    return np.concatenate([images[:, k : k + many] @ turned for k in range(0, rows, many)], axis=1)
+    return np.concatenate([images[..., k : k + many, :] @ turned for k in range(0, rows, many)], axis=-2)
 
 
 def _down(images: Values, matrix: Array) -> Values:
-    """Return the same along the columns of images (r, n, width)."""
-    return _products(images.swapaxes(1, 2), matrix).swapaxes(1, 2)
+    """Return the same along the columns of images (..., n, width)."""
+    return products(images.swapaxes(-1, -2), matrix).swapaxes(-1, -2)

@@ -16,19 +16,10 @@ from tests.world import __main__ as table
 from tests.world.scenarios import SCENARIOS
 from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 
-# What fails today, and why.
-FAILS = {
-    "19": "not good",
-}
-
-
-def _marks(row):
-    return [pytest.mark.xfail(strict=True, reason=FAILS[row])] if row in FAILS else []
-
 
 @pytest.mark.parametrize(
     "scenario",
-    [pytest.param(one, id=one.row, marks=_marks(one.row)) for one in SCENARIOS],
+    [pytest.param(one, id=one.row) for one in SCENARIOS],
 )
 def test_a_result_is_right_or_told(scenario):
     run = attempt(scenario, 0)

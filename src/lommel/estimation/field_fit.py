@@ -19,6 +19,7 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.chart_light import relative_light
+from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
@@ -362,7 +363,8 @@ def fit_field(
     ----------
     windows : array_like, shape (n, height, width) or (n, e, height, width)
         Images of n stars in e exposures, as of :func:`lommel.find_spots`, proportional to light but for the offset of
-        `noise`. NaN, infinite and masked values are left out, and in images of integers the largest value.
+        `noise`. NaN, infinite and masked values are left out, and in images of integers the largest value; of stars,
+        pixels that cosmic rays have struck, too.
     places : array_like, shape (n, 2)
         Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
     pupil : Pupil
@@ -448,7 +450,9 @@ def fit_field(
     then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
     each star eliminated. Blur by turbulence is a mixture of Gaussians within 3e-4 of its transfer function; shapes
     are compared by likelihood, and the one with fewer unknowns is taken where another width gains less than lnL 2.
-    Stars with a chi2 above the median by five standard deviations are left out. Blur is computed from samples at
+    Stars with a chi2 above the median by five standard deviations are left out. Pixels that are sharper than light of
+    a star may be, or than the star where the map tells it, are not: they are left out alone, as struck by cosmic rays
+    (van Dokkum 2001, doi:10.1086/323894). Blur is computed from samples at
     most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows of corners
     are divided by a polynomial of degree 4 at most through the white of all.
 
@@ -530,9 +534,12 @@ def fit_field(
         lit = relative_light(electrons, valid, across, down)
         electrons, read = electrons / lit, read / lit**2
     behind = _shape(blur, given, pitch, min(height, width), target)
+    area = bool(plan.grid(given).integrate)
+    if target is None:
+        valid = valid & ~struck(electrons, read, valid, sharpness(given, pitch, integrate=area))
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
-        blur=behind, integrate=plan.grid(given).integrate, tol=plan.tol,
+        blur=behind, integrate=area, tol=plan.tol,
         threads=plan.threads, target=target, wavelengths=colours,
     )  # fmt: skip
     if stars.tested < 1:
@@ -831,6 +838,11 @@ def _answer(
         told += _unsure(one, found, fitted[: k * m, : k * m])
     noise, lit = camera
     told += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
+    used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
+    if (rays := counts.known & ~used_pixels).any():
+        pixels, windows = int(rays.sum()), int(rays.any(axis=(1, 2, 3)).sum())
+        text = f"{pixels} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
+        told.append(Finding("left_out", "note", text, {"pixels": pixels, "windows": windows}))
     pad = tuple(one.terms)
 
     estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
@@ -852,7 +864,7 @@ def _answer(
         degree=degree,
         distortion=distortion,
         stars=FittedStars(places, centers, noise.excess * own[:, 2], noise.excess * own[:, 3], each.chi2, used),
-        images=np.where(counts.known, noise.electrons(counts.filled()), np.nan),
+        images=np.where(used_pixels, noise.electrons(counts.filled()), np.nan),
         model=model.reshape(counts.values.shape) * lit * noise.excess,
         _sensor=chip,
         _terms=kept,

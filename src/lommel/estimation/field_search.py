@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.cosmic_rays import struck_beside
 from lommel.estimation.field_checks import Marginal, missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
@@ -27,9 +28,11 @@ from lommel.methods.derivative_names import SHIFTS, term_of
 
 _SINGLES = 60  # stars that are fitted by themselves
 _STARTS = 5  # of each
+_FEWER = 3  # starts of the last stars, where most are sure
 _STEPS = 14  # of each start
 _SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
 _BLUR = 0.5  # pixels, at first
+_WIDEST = 0.15  # sides of a window: the widest blur of stars by themselves
 _ROUGH = 3  # terms of blur of stars by themselves
 _TRIED = 6  # steps with another shape of blur
 _TOLD = 5.0  # log-likelihood by which seeing is better than a Gaussian, from which on its outer scale is looked for
@@ -40,9 +43,11 @@ _FEW, _SCANNED = 20, 2  # stars by which such shifts are compared, and how many 
 _GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
 _ALIKE = 0.02  # of what chi2 exceeds 1 by: two starts of a star that end so near have found one minimum
 _SURELY = 0.75  # of the stars, whose chi2 is sure where that of a candidate is compared with it
+_FOLLOWS = 1.5  # times the median chi2 of stars by themselves, up to which one may follow the field
 _ENOUGH = 1.1  # times what chi2 of the stars by themselves exceeds 1 by
 _OUTLIER = 5.0  # standard deviations of chi2 beyond the median
 _ROUNDS = 4  # of rejection
+_LEFT = 0.9  # of the pixels of a star without those that rays have struck
 _MOST_LOST = 0.4  # of the stars, that may be rejected
 _MANY_LOST = 0.25  # beyond which the map is doubted
 _HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
@@ -158,7 +163,7 @@ class Search:
         #: The same behind a coarser blur, for stars by themselves.
         self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
         self.squares = np.full((stars.exposures, stars.widths), _BLUR**2 / max(stars.widths, 1))
-        self.widest = (0.25 * min(stars.shape)) ** 2
+        self.widest = (_WIDEST * min(stars.shape)) ** 2
         self.taken = 0
         self.latest: WholeField | None = None
         directions = stars.one.directions
@@ -206,6 +211,8 @@ class Search:
                 alike = np.abs(scores.chi2 - before) < _ALIKE * np.maximum(chi2[open_] - 1.0, 0.0)
                 sure[open_[fits | alike]] = True
                 open_ = open_[~(fits | alike)]
+            if turn + 1 >= _FEWER and sure.mean() >= _SURELY:  # a few others by far are two stars each, or defects
+                open_ = open_[chi2[open_] <= _FOLLOWS * np.median(chi2)]
             if open_.size == 0:
                 break
         return best, chi2, sure
@@ -279,10 +286,15 @@ class Search:
         # Polynomials do not fit better than stars by themselves do: nothing is to be sought below.
         floor = _ENOUGH * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _SURELY else 0.0
         enough = max(_GOOD, 1.0 + floor)
+        # Stars that do not fit by themselves would lead polynomials astray; those that these fit come back later.
+        alike = usable & (chi2 <= _FOLLOWS * np.median(chi2[usable]))
+        self.unlike = chosen[usable & ~alike]
+        if alike.sum() >= max(_SURELY * usable.sum(), 4):
+            usable = alike
         chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
         waves, squares, _, _ = stars.split(x)
-        good = chi2 <= np.median(chi2) * 1.5
+        good = chi2 <= _FOLLOWS * np.median(chi2)
         square = np.median(squares[good], axis=0)
         degree = self._least_degree(len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
@@ -544,16 +556,19 @@ class Search:
         """Return the fit with stars that it has rejected, if it is the polynomials that were wrong there."""
         # A star that fits by itself is no double: polynomials that miss it were led astray, or are far from the rest.
         every = np.arange(self.stars.count)
-        for _ in range(_ROUNDS):
+        for turn in range(_ROUNDS):
             chosen = found.model.chosen
             lost = np.setdiff1d(every, chosen)
             if not lost.size or self.stars.cornered:  # a corner alone leaves its wavefront open
                 break
+            if turn == 0 and self.stars.target is None:
+                self._without_rays(lost, found)
             fits, waves = self._by_themselves(lost, found)
             here = found.model.basis @ found.polynomials().T
             again = self._through(found, here, lost[fits], waves[fits]) if fits.any() else None
-            if again is None and not fits.all():
-                again = self._through(found, here, lost, self.basis(lost) @ found.polynomials().T)
+            more = lost[fits | ~np.isin(lost, self.unlike)]
+            if again is None and more.size:
+                again = self._through(found, here, more, self.basis(more) @ found.polynomials().T)
             if again is None:
                 break
             found = again
@@ -571,6 +586,28 @@ class Search:
         most = max(1.0 + _ENOUGH * (float(found.scores.chi2[0]) - 1.0), self._limit(again))
         better = len(again.model.chosen) > len(found.model.chosen) and again.scores.chi2[0] <= most
         return again if better else None
+
+    def _without_rays(self, lost: NDArray[np.intp], found: Found) -> None:
+        """Leave out pixels that rays have struck of stars that follow the field but for these."""
+        stars, squares = self.stars, found.squares()
+        before = stars.star[:, lost].copy()
+        held = WholeField(stars, lost, self.basis(lost), held=True)
+        for _ in range(_ROUNDS):
+            own = self.placed(lost, found.polynomials(), squares)
+            x = held.row(found.polynomials(), squares, own[:, :2], own[:, 2:])
+            psf = stars.images(lost, *held.parts(x), fast=True, slopes="none")[0]
+            each = stars.quality(lost, psf, own[:, 2:], float(stars.own * stars.exposures))
+            fits = each.chi2 < goodness_of_fit.most(each.spread, SURE)
+            counted, read, _, valid = stars.star[:, lost].reshape(4, len(psf), *stars.shape)
+            flux, level = own[:, 2:4].swapaxes(0, 1).reshape(2, -1, 1, 1)
+            rays = struck_beside(counted, flux * psf + level, psf, read, valid > 0.0)
+            rays &= np.repeat(~fits, stars.exposures)[:, None, None]
+            if not rays.any():
+                break
+            stars.leave_out(lost, rays)
+        kept = stars.star[3, lost].sum(axis=(1, 2)) >= _LEFT * before[3].sum(axis=(1, 2))
+        stars.star[:, lost[~(fits & kept)]] = before[:, ~(fits & kept)]
+        self.unlike = np.setdiff1d(self.unlike, lost[fits & kept])
 
     def _by_themselves(self, lost: NDArray[np.intp], found: Found) -> tuple[NDArray[np.bool_], Array]:
         """Return which stars fit from wavefronts of a field on, or from random ones, and the wavefronts (r, k)."""

@@ -31,7 +31,7 @@ from lommel.psf import Plan
 _AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
 _SHARP = 0.02  # pixels^2: a blur that small may be none
-_ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
+_ROOM = 0.5  # pixels by which blur may widen before samples are chosen anew
 _BRIGHT = 50.0  # pixels more than parameters, for a chi2
 _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
@@ -168,6 +168,12 @@ class FieldStars:
         found = copy(self)
         found.further = names
         return found
+
+    def leave_out(self, stars: NDArray[np.intp], pixels: NDArray[np.bool_]) -> None:
+        """Leave out pixels (r * e, height, width) of rows of stars, here and in all that share these images."""
+        kept = ~pixels.reshape(len(stars), self.exposures, self.pixels)
+        self.star[0, stars] *= kept
+        self.star[3, stars] *= kept
 
     def images(
         self,

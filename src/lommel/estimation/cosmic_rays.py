@@ -1,0 +1,126 @@
+"""Pixels of stars that cosmic rays have struck, or that are hot: tracks that are sharper than light through a pupil.
+
+Without a model of the star a pixel is struck that exceeds its neighbours by more than a point of light without
+aberration does, as in "Laplacian" searches (van Dokkum 2001, doi:10.1086/323894): tracks are lines, and most
+neighbours of their pixels are dark. Within a star it takes a model of its image.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import norm
+
+from lommel.base.arrays import Array
+from lommel.optics.pupil import Pupil
+from lommel.psf import psf
+
+Mask: TypeAlias = NDArray[np.bool_]
+
+_SURE, _BESIDE = 6.0, 3.0  # standard deviations: of a pixel by itself, and of one beside a pixel that is struck
+_SHARPER = 2.0  # times what a point of light without aberration exceeds its neighbours by; half of that beside
+_LEAST = 8.0  # times: between pixels far smaller than lambda*N, there are dark lines of any width
+_NEIGHBOUR = 0.25  # standard deviation of the middle of neighbours, over twice that of a pixel: faint points are rare
+_SPAN, _SHIFTS, _LIT = 7, 4, 0.05  # pixels of such an image, places of the axis in one, and what is bright there
+_DARK = 0.02  # of the pixels of a window, which are darker than its sky or hardly brighter
+_LONGEST = 8  # passes, in which tracks grow
+_MOST = 0.06  # of the pixels of a window: more are no rays
+_AROUND = [place for place in product((-1, 0, 1), (-1, 0, 1)) if any(place)]
+_SIDES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+
+
+def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
+    """Return how much brighter a pixel is than the middle one of its neighbours, at most, at a point in focus."""
+    side = _SPAN * _SHIFTS
+    fine = np.asarray(psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate).values, float)
+    found = 1.0
+    for row, column in product(range(_SHIFTS), range(_SHIFTS)):  # where the axis is in a pixel
+        if integrate:
+            part = fine[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
+            image = part.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
+        else:
+            image = fine[row::_SHIFTS, column::_SHIFTS]
+        near = _middle(image[None], np.ones((1, *image.shape), dtype=bool))[0]
+        lit = image > _LIT * image.max()
+        found = max(found, float((image / np.maximum(near, 1e-6 * image.max()))[lit].max()))
+    return found
+
+
+def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
+    """Return which pixels of images (..., height, width) are struck, and the rims of tracks.
+
+    `variance` is that of the noise beside Poisson's, `sharpest` as of :func:`sharpness`. Where more pixels are found
+    than rays would strike, it is the star that is sharp, and none is left out.
+    """
+    height, width = electrons.shape[-2:]
+    known = valid.reshape(-1, height, width)
+    light = np.where(known, electrons.reshape(known.shape), np.nan)
+    read = variance.reshape(known.shape)
+    # The sky is no brighter than the darkest pixels beside their noise: light of a star may fill a window.
+    dark = np.nan_to_num(_quantile(light.reshape(len(light), -1), _DARK))[:, None, None]
+    noisy = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
+    level = dark - norm.ppf(_DARK) * np.sqrt(noisy)
+    sharpness_of = np.full(level.shape, sharpest)
+    return _tracks(light - level, read + np.maximum(level, 0.0), known, sharpness_of).reshape(valid.shape)
+
+
+def struck_beside(electrons: Array, model: Array, psf: Array, variance: Array, valid: Mask) -> Mask:
+    """Return which pixels of images (n, height, width) are struck beside a model of them, and the rims of tracks.
+
+    `psf` is the star in it: another one beside it is no sharper, and is not left out.
+    """
+    near = _middle(psf, np.ones(psf.shape, dtype=bool))
+    top = psf.max(axis=(1, 2), keepdims=True)
+    sharpest = np.where(psf > _LIT * top, psf / np.maximum(near, 1e-3 * top), 1.0).max(axis=(1, 2), keepdims=True)
+    return _tracks(electrons - model, variance + np.maximum(model, 0.0), valid, sharpest)
+
+
+def _tracks(excess: Array, noisy: Array, known: Mask, sharpest: Array) -> Mask:
+    """Return which pixels exceed the middle one of their neighbours by far more than `sharpest` times, and rims."""
+    found = np.zeros(known.shape, dtype=bool)
+    steepest = np.maximum(_SHARPER * sharpest, _LEAST)
+    for _ in range(_LONGEST):
+        near = np.maximum(_middle(excess, known & ~found), 0.0)
+        beside = _grown(found, _AROUND)
+        most = np.where(beside, 0.5, 1.0) * steepest
+        spread = noisy + most * near + (_NEIGHBOUR * most) ** 2 * (noisy + near)
+        over = excess - most * near
+        # Bernstein's bound of Poisson's tail.
+        off = over / np.sqrt(np.maximum(spread + np.maximum(over, 0.0) / 3.0, 1e-3))
+        more = known & ~found & (off > np.where(beside, _BESIDE, _SURE))
+        if not more.any():
+            break
+        found |= more
+    few = found.sum(axis=(1, 2)) <= _MOST * known.sum(axis=(1, 2))
+    found &= few[:, None, None]
+    return known & (found | _grown(found, _SIDES))
+
+
+def _quantile(values: Array, share: float) -> Array:
+    """Return the value below which a share is of those of each row that are known, NaN where none is."""
+    ordered = np.sort(values, axis=-1)  # NaN last
+    count = np.isfinite(ordered).sum(axis=-1)
+    at = (share * np.maximum(count - 1, 0)).astype(int)
+    return np.asarray(np.take_along_axis(ordered, at[:, None], axis=-1)[:, 0])
+
+
+def _shifted(images: NDArray[Any], places: list[tuple[int, int]], outside: float) -> NDArray[Any]:
+    """Return the neighbours at some places of all pixels, stacked along a new first axis."""
+    _, height, width = images.shape
+    padded = np.pad(images, ((0, 0), (1, 1), (1, 1)), constant_values=outside)
+    return np.stack([padded[:, 1 + y : 1 + y + height, 1 + x : 1 + x + width] for y, x in places])
+
+
+def _middle(images: Array, known: Mask) -> Array:
+    """Return of the neighbours of each pixel that are known the one in the middle, of an even number the brighter."""
+    near = np.sort(_shifted(np.where(known, images, -np.inf), _AROUND, -np.inf), axis=0)[::-1]
+    count = np.isfinite(near).sum(axis=0)
+    found = np.take_along_axis(near, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
+    return np.where(count > 0, found, 0.0)
+
+
+def _grown(found: Mask, places: list[tuple[int, int]]) -> Mask:
+    return np.asarray(_shifted(found, places, False).any(axis=0))

@@ -536,7 +536,8 @@ def fit_field(
     behind = _shape(blur, given, pitch, min(height, width), target)
     area = bool(plan.grid(given).integrate)
     if target is None:
-        valid = valid & ~struck(electrons, read, valid, sharpness(given, pitch, integrate=area))
+        bluest = given if colours is None else given.in_light(float(colours.min()))
+        valid = valid & ~struck(electrons, read, valid, sharpness(bluest, pitch, integrate=area))
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
         blur=behind, integrate=area, tol=plan.tol,

@@ -592,19 +592,21 @@ class Search:
         stars, squares = self.stars, found.squares()
         before = stars.star[:, lost].copy()
         held = WholeField(stars, lost, self.basis(lost), held=True)
-        for _ in range(_ROUNDS):
-            own = self.placed(lost, found.polynomials(), squares)
-            x = held.row(found.polynomials(), squares, own[:, :2], own[:, 2:])
-            psf = stars.images(lost, *held.parts(x), fast=True, slopes="none")[0]
-            each = stars.quality(lost, psf, own[:, 2:], float(stars.own * stars.exposures))
-            fits = each.chi2 < goodness_of_fit.most(each.spread, SURE)
-            counted, read, _, valid = stars.star[:, lost].reshape(4, len(psf), *stars.shape)
-            flux, level = own[:, 2:4].swapaxes(0, 1).reshape(2, -1, 1, 1)
-            rays = struck_beside(counted, flux * psf + level, psf, read, valid > 0.0)
-            rays &= np.repeat(~fits, stars.exposures)[:, None, None]
-            if not rays.any():
-                break
-            stars.leave_out(lost, rays)
+        fits = np.zeros(len(lost), dtype=bool)
+        with suppress(Declined, ToleranceError):
+            for _ in range(_ROUNDS):
+                own = self.placed(lost, found.polynomials(), squares)
+                x = held.row(found.polynomials(), squares, own[:, :2], own[:, 2:])
+                psf = stars.images(lost, *held.parts(x), fast=True, slopes="none")[0]
+                each = stars.quality(lost, psf, own[:, 2:], float(stars.own * stars.exposures))
+                fits = each.chi2 < goodness_of_fit.most(each.spread, SURE)
+                counted, read, _, valid = stars.star[:, lost].reshape(4, len(psf), *stars.shape)
+                flux, level = own[:, 2:4].swapaxes(0, 1).reshape(2, -1, 1, 1)
+                rays = struck_beside(counted, flux * psf + level, psf, read, valid > 0.0)
+                rays &= np.repeat(~fits, stars.exposures)[:, None, None]
+                if not rays.any():
+                    break
+                stars.leave_out(lost, rays)
         kept = stars.star[3, lost].sum(axis=(1, 2)) >= _LEFT * before[3].sum(axis=(1, 2))
         stars.star[:, lost[~(fits & kept)]] = before[:, ~(fits & kept)]
         self.unlike = np.setdiff1d(self.unlike, lost[fits & kept])

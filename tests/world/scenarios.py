@@ -449,7 +449,13 @@ def _fields() -> list[Scenario]:
     ellipse = ("ellipse", "elongated", *BLUR)
     add("15b", 'tracking 1.5 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[1]), flux=5e4), "T", ellipse)
     add("16", '400 phase screens, 1"', partial(field, blur=(("screens", 1.0),), flux=2e4), "RT")
-    add("17", 'f/4, 30 stars, degree 2, Kolmogorov 2"', partial(astrograph, fwhm=2.0), "RT", ("another_minimum",))
+    add(
+        "17",
+        'f/4, 30 stars, degree 2, Kolmogorov 2"',
+        partial(astrograph, fwhm=2.0),
+        "RT",
+        ("another_minimum", "too_dim"),
+    )
     for name, j in (("18a", 15), ("18b", 22)):
         waves = _with(COMA, **{f"_{j}": 0.1})
         run = partial(field, blur=GAUSS, flux=5e4, waves=waves, terms=11)

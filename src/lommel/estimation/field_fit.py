@@ -836,7 +836,7 @@ def _answer(
     elif not found.settled and Findings(told).converged:
         told.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(told).converged:
-        told += _unsure(one, found, fitted[: k * m, : k * m])
+        told += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)
     noise, lit = camera
     told += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
@@ -919,20 +919,22 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
     return [Finding("blur_shape", "note", text, numbers)]
 
 
-def _unsure(one: Any, found: Found, covariance: Array) -> list[Finding]:
+def _unsure(one: Any, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
     """Return the finding of standard errors in which images are not linear."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
     metric = (one.directions * one.mean_squares) @ one.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    if rms <= LINEAR:
+    # In one focus minima of other signs are near, for each way in which a wavefront can vary over the field.
+    limit = LINEAR / math.sqrt(m) if one_focus else LINEAR
+    if rms <= limit:
         return []
     text = (
         f"the wavefront is known to {rms:.2g} rad rms in the mean of the stars: images are not linear within its "
         "standard errors, and other wavefronts may fit as well"
     )
-    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": LINEAR})]
+    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
 
 
 def _splines(degree: int, distortion: Distortion | None) -> bool:

@@ -127,7 +127,7 @@ def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
 
 
 def test_a_search_checks_and_chooses_once_rather_than_at_every_step(monkeypatch):
-    monkeypatch.setattr(phase_retrieval, "star_tests", lambda *_: ())  # once, after it
+    monkeypatch.setattr(phase_retrieval, "star_findings", lambda *_: [])  # once, after it
     package = str(Path(lm.__file__).parent)
     true, _ = random_wavefront(0, 0.5)
     measured, profile = stars(true), cProfile.Profile()

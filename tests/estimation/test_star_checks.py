@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.core.answers import Declined
+from lommel.estimation import star_checks
 from tests.world import air
 from tests.world.camera import Camera
 from tests.world.optics import Telescope
@@ -83,3 +85,14 @@ def test_slopes_of_the_background_are_those_of_each_image():
     # Rows and columns of the first image, then of the second.
     assert np.abs(np.asarray(one["size"])[[0, 2]]).max() < 4 * np.asarray(one["errors"]).max()
     np.testing.assert_allclose(np.asarray(one["size"])[[1, 3]], 0.3, atol=5 * np.asarray(one["errors"]).max())
+
+
+def test_blur_that_cannot_be_tested_is_said(monkeypatch):
+    def declined(*_, **__):
+        raise Declined("too fine")
+
+    monkeypatch.setattr(star_checks, "Plan", lambda *_, **__: declined)
+    fit = found(recorded(sigma=0.3))
+    assert fit.findings.get("untested").text == "blur was not tested: too fine"
+    assert fit.findings.get("untested").severity == "note"
+    assert "blur by a Gaussian besides" not in seen(fit)

@@ -17,7 +17,7 @@ from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
-from lommel.estimation.star_checks import missing_findings, star_tests
+from lommel.estimation.star_checks import star_findings
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
@@ -548,9 +548,9 @@ def _retrieval(
         "(blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    lacking = missing_findings(star_tests(model, x))
+    lacking = star_findings(model, x)
     found += [*dark, *_sign_findings(model, x), *lacking]
-    if "misfit" in Findings(found).codes and not lacking:
+    if "misfit" in Findings(found).codes and not Findings(lacking).get("other_explanation"):
         read = model.read.reshape(residual.shape)
         found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
     if not settled:

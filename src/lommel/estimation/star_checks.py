@@ -11,6 +11,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
+from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.star_images import StarImages, label, next_terms
 from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
@@ -130,8 +131,8 @@ def _in_words(test: ScoreTest) -> str:
     return f"{what} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
 
 
-def star_tests(model: StarImages, x: Array) -> tuple[ScoreTest, ...]:
-    """Return score tests of what the images of one star at `x` (1, p) may lack, the likeliest first."""
+def star_findings(model: StarImages, x: Array) -> list[Finding]:
+    """Return the findings of score tests of what the images of one star at `x` (1, p) may lack."""
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     light = model.per_image(x)[0]
     flux = light[-2][:, None, None]
@@ -147,13 +148,20 @@ def star_tests(model: StarImages, x: Array) -> tuple[ScoreTest, ...]:
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = _reader(grid.shape, model.pixel / scale, grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)
-    blurs = reader.other_blurs(np.asarray(fine(pupil).values, np.float32), np.empty((1, 0)))
-    lacking += lacking_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
+    untested = []
+    try:
+        samples = np.asarray(fine(pupil).values, np.float32)
+    except (Declined, ToleranceError) as error:  # on a finer lattice than that of the pixels
+        untested.append(Finding("untested", "note", f"blur was not tested: {error}"))
+    else:
+        blurs = reader.other_blurs(samples, np.empty((1, 0)))
+        lacking += lacking_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
     mean = flux * values + light[-1][:, None, None]
     lacking += [lacking_slopes(model.count, grid.shape, model.count), lacking_gain(mean)]
     _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
     found = products[0]
-    return score_tests(found[:-1, :-1], found[:-1, -1], range(model.size), candidates_of(lacking, model.size))
+    candidates = candidates_of(lacking, model.size)
+    return missing_findings(score_tests(found[:-1, :-1], found[:-1, -1], range(model.size), candidates)) + untested
 
 
 @lru_cache(maxsize=4)

@@ -659,6 +659,7 @@ class Search:
     def _on_slopes(self, found: Found) -> Found:
         """Return a fit with the slope of each background unknown."""
         self.first, self.stars = self.first.on_slopes(), found.model.of.on_slopes()
+        self.rough = self.rough.on_slopes()  # another search may begin with single stars
         model = WholeField(self.stars, found.model.chosen, self.basis(found.model.chosen))
         own = np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
         x = model.row(found.polynomials(), found.squares(), own[:, :2], own[:, 2:])

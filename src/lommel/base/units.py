@@ -122,11 +122,11 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
     return f"{metres / LENGTHS[name]:.{digits}g} {name}"
 
 
-def with_error(value: float, error: float) -> tuple[str, str]:
-    """Return a number and its standard error with two digits, to the same place."""
+def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str]:
+    """Return a number and its standard error with two digits, to the same place: at most so many decimals."""
     if not 0.0 < error < math.inf:
         return f"{value:.6g}", f"{error:g}"
-    places = max(0, 1 - math.floor(math.log10(error)))
+    places = min(max(0, 1 - math.floor(math.log10(error))), most)
     return f"{value:.{places}f}", f"{error:.{places}f}"
 
 

@@ -6,40 +6,24 @@ import dataclasses
 import math
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
 
 from lommel.base import atomic
-from lommel.base.units import format_length
+from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
 from lommel.cli.instruments import (
-    CAMERA,
-    EXCESS,
+    IMAGES,
     LENS,
-    SQUARE_PIXEL,
+    CameraOptions,
     differing,
-    mask_of,
-    microscope_of,
     noise_facts,
     noise_in_words,
-    noise_of,
-    require_noise,
-    take_header,
+    require_microscope,
 )
-from lommel.cli.options import (
-    JSON,
-    MICROMETRES,
-    NANOMETRES,
-    OUTPUT,
-    PATH,
-    Option,
-    command,
-    documented,
-    plot_option,
-    under,
-)
+from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, PATH, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
@@ -61,68 +45,52 @@ _FIELD = 1.6  # times the window, from which a stack shows a field in which bead
 _MOST = 20  # beads
 
 
-@command(
-    click.Argument(["stacks"], type=PATH, nargs=-1, required=True),
-    LENS,
-    Option("--step", type=NANOMETRES, required=True,
-           help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
-           "the other way."),
-    Option("--bead", "diameter", type=MICROMETRES, default="0.1um", help="Diameter of the beads, such as 0.1um."),
-    Option("--depth", type=MICROMETRES,
-           help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
-    Option("--terms", type=click.IntRange(1, 200), default=18, help="Number of Zernike terms from Noll 5 on."),
-    documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
-    Option("--fixed/--free", default=False,
-           help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
-           "uncertainties."),
-    documented(fit_beads, "drift", is_flag=True),
-    Option("--wavelength", type=NANOMETRES, help="Emission wavelength of the beads; by default that of LENS."),
-    Option("--field", "degree", type=click.IntRange(0, 4), metavar="DEGREE",
-           help="Aberrations over the image: fit each bead by itself, and polynomials of the position of this degree "
-           "through the terms of all."),
-    Option("-o", "--output", type=OUTPUT,
-           help="Microscope file (.toml) with what was found, for all other commands; with --field a table of terms "
-           "over the image (.csv)."),
-    plot_option("Figure of planes, model, residuals and terms"),
-    JSON,
-    *under(
-        "Camera and noise",
-        CAMERA,
-        Option("--gain", "white", type=float, help="Electrons per count; by default that of the camera, or 1."),
-        Option("--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."),
-        Option("--offset", type=float,
-               help="Counts of a pixel without electrons; by default that of the camera, or 0."),
-        EXCESS,
-        Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
-        Option("--mask", "masked", type=PATH,
-               help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each."),
-        SQUARE_PIXEL,
-        Option("--window", type=click.IntRange(9, 101), default=31,
-               help="Side in pixels of the windows around beads, where a file shows a field of them."),
-        documented(find_spots, "threshold", type=float),
-    ),
-)  # fmt: skip
+class BeadCamera(CameraOptions, heading="Camera and noise"):
+    """The camera of bead stacks, and where in a field the beads are."""
+
+    masked: Path | None = option(
+        "--mask",
+        type=PATH,
+        help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each.",
+    )
+    window: int = option(
+        "--window",
+        type=click.IntRange(9, 101),
+        default=31,
+        help="Side in pixels of the windows around beads, where a file shows a field of them.",
+    )
+    threshold: float = documented(find_spots, "threshold", type=float)
+
+
+@command(JSON)
 def beads(
-    stacks: tuple[Path, ...],
-    lens: Path,
-    step: float,
-    diameter: float,
-    depth: float | None,
-    terms: int,
-    apodization: int,
-    fixed: bool,
-    drift: bool,
-    degree: int | None,
-    output: Path | None,
-    figure: Path | None,
-    window: int,
-    threshold: float,
-    saturation: float | None,
-    masked: Path | None,
-    pixel: float | None,
-    wavelength: float | None,
-    **given: Any,
-) -> Report:
+    stacks: tuple[Path, ...] = IMAGES,
+    lens: Path = LENS,
+    step: float = option("--step", type=NANOMETRES, required=True,
+        help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
+        "the other way."),
+    diameter: float = option("--bead", type=MICROMETRES, default="0.1um",
+        help="Diameter of the beads, such as 0.1um."),
+    depth: float | None = option("--depth", type=MICROMETRES,
+        help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
+    terms: int = option("--terms", type=click.IntRange(1, 200), default=18,
+        help="Number of Zernike terms from Noll 5 on."),
+    apodization: int = documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
+    fixed: bool = option("--fixed/--free", default=False,
+        help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
+        "uncertainties."),
+    drift: bool = documented(fit_beads, "drift", is_flag=True),
+    wavelength: float | None = option("--wavelength", type=NANOMETRES,
+        help="Emission wavelength of the beads; by default that of LENS."),
+    degree: int | None = option("--field", type=click.IntRange(0, 4), metavar="DEGREE",
+        help="Aberrations over the image: fit each bead by itself, and polynomials of the position of this degree "
+        "through the terms of all."),
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help="Microscope file (.toml) with what was found, for all other commands; with --field a table of terms "
+        "over the image (.csv)."),
+    figure: Path | None = plot_option("Figure of planes, model, residuals and terms"),
+    camera: BeadCamera = BeadCamera(),
+) -> Report:  # fmt: skip
     """Estimate aberrations of a microscope from bead stacks.
 
     STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
@@ -148,24 +116,17 @@ def beads(
         require_folder(output)
     if degree is not None and figure is not None:
         raise ValueError("--plot must be left out with --field, which has no figure")
-    named = given.pop("camera")
-    microscope = microscope_of(lens, pixel=pixel, camera=named)
-    if microscope is None:
-        raise ValueError(f"lommel beads needs a microscope, a file with a section [objective]; {lens} has none")
+    microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
-    require_noise(given)
+    camera.require()
     with progress("reading") as started:
         read = list(read_each(stacks))
-        options = {name: given[name] for name in ("white", "read", "offset", "excess")}
-        given["saturation"] = saturation
-        header = take_header(given, of_all([each.said for each in read]), microscope.camera)
-        saturation = given.pop("saturation")
-        noise = noise_of(given, microscope.camera)
-        camera = noise_facts(options, microscope.camera, noise)
-        notes += [noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"), *header]
-        notes += differing(read[0].said, microscope)
+        noise, saturation, header = camera.settled(of_all([each.said for each in read]), microscope.camera)
+        recorded = noise_facts(camera.values(), microscope.camera, noise)
+        where = f"in {lens.name}" if camera.camera is None else "by --camera"
+        notes += [noise_in_words(recorded, where), *header, *differing(read[0].said, microscope)]
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
@@ -174,9 +135,9 @@ def beads(
             file = stack.names[0].removesuffix(" [0]")
             notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
             values = stack.values
-            if masked is not None:
-                values = np.ma.masked_array(values, np.broadcast_to(mask_of(masked, values), values.shape))
-            cut, size = _beads(file, values, window, threshold, noise, saturation)
+            if (mask := camera.mask(values)) is not None:
+                values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
+            cut, size = _beads(file, values, camera, noise, saturation)
             sizes.add(size)
             for k, (one, corner) in enumerate(cut):
                 windows.append(one)
@@ -211,7 +172,7 @@ def beads(
             for k, one in enumerate(windows):
                 started(f"bead {k + 1} of {len(windows)}", k / len(windows))
                 each.append(fitted(one))
-            about = Report({"wavelength": microscope.wavelength, "noise": camera}, ["", *notes])
+            about = Report({"wavelength": microscope.wavelength, "noise": recorded}, ["", *notes])
             return _of_field(each, corners, names, sizes.pop(), degree, output, about)
         found = fitted(windows[:_MOST], progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share))
     if output is not None:
@@ -222,7 +183,7 @@ def beads(
         save_figure(found.plot(), figure)
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
-    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera, "notes": notes}
+    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
     facts |= _facts(found, corners)
     verdict = "" if found.converged else f", of a fit that has not converged: {found.status}"
     files = written([output, figure], lambda path: verdict if path == output else "")
@@ -240,11 +201,12 @@ def _other_step(file: str, stated: object, step: float) -> list[str]:
 
 
 def _beads(
-    file: str, planes: Values, window: int, threshold: float, noise: Noise, saturation: float | None
+    file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None
 ) -> tuple[list[tuple[Values, tuple[int, int]]], tuple[int, int]]:
     """Return windows around the beads of a stack and their first pixels, one if it shows no more, and its shape."""
-    if max(planes.shape[1:]) <= _FIELD * window:
+    if max(planes.shape[1:]) <= _FIELD * camera.window:
         return [(planes, (0, 0))], planes.shape[1:]
+    window, threshold = camera.window, camera.threshold
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
@@ -275,12 +237,13 @@ def _of_field(
     field = fit_objective_field(fits, places, sensor=shape, degree=degree)
     sides = [np.linspace(0.0, side - 1.0, 5) for side in shape]
     row, column = (part.ravel() for part in np.meshgrid(*sides, indexing="ij"))
-    values, errors = (part / (2.0 * math.pi) for part in field.at(row, column))
+    radians = field.at(row, column)
+    values, errors = (part / (2.0 * math.pi) for part in radians)
     shown = {"middle": 12, "top left": 0, "top right": 4, "bottom left": 20, "bottom right": 24}
     rows = []
     for j, name in enumerate(field.names):
-        cells = (_with_error(1e3 * values[k, j], 1e3 * errors[k, j]) for k in shown.values())
-        rows.append((label(name), *map("+-".join, cells)))
+        each = (_milliwaves(*(part[k, j] for part in radians)) for k in shown.values())
+        rows.append((label(name), *map("+-".join, each)))
     if output is not None:
         noll = [f"Z{zernike.index_of(*name, 'noll')}" for name in field.names]
         head = ["row", "column", *noll, *(f"{name} error" for name in noll)]
@@ -322,16 +285,12 @@ def _parts(
         error = found.deviation[name]
         if isinstance(name, str):
             metres = name in ("coverslip", "pixel", "diameter")
-            shown = [1e6 * value, 1e6 * error] if metres else [value, error]
-            constants.append((f"{name} (um)" if metres else name, *_with_error(shown[0], shown[1])))
+            cells = with_error(*(1e6 * value, 1e6 * error) if metres else (value, error), most=9)
+            constants.append((f"{name} (um)" if metres else name, *cells))
         else:
-            terms.append((label(name), *_with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi))))
-    parts: list[RenderableType] = [
-        Wrapped(found.message, "bold"),
-        "",
-        table_of(("term", "milliwaves rms", "std. error"), terms),
-        "",
-    ]
+            terms.append((label(name), *_milliwaves(value, error)))
+    parts: list[RenderableType] = [Wrapped(found.message, "bold"), ""]
+    parts += [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
     if constants:
         parts += [table_of(("constant", "value", "std. error"), constants), ""]
     rows = []
@@ -343,18 +302,17 @@ def _parts(
             "depth": (one.depth, 1e9),
             "flux": (float(np.mean(one.flux)), 1.0),
         }
-        cells = [_beside(factor * v, factor * one.deviation.get(key, 0.0)) for key, (v, factor) in values.items()]
-        rows.append((name, *cells, f"{one.chi2:.3f}{'' if one.used else ', left out'}"))
+        shown = [_beside(factor * v, factor * one.deviation.get(key, 0.0)) for key, (v, factor) in values.items()]
+        rows.append((name, *shown, f"{one.chi2:.3f}{'' if one.used else ', left out'}"))
     parts.append(table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), rows))
     return [*parts, "", *(Wrapped(note) for note in notes)]
 
 
 def _beside(value: float, error: float) -> str:
     """Return a number and its standard error, or the number alone where it was not estimated."""
-    return "+-".join(_with_error(value, error, 3)) if error else f"{value:.4g}"
+    return "+-".join(with_error(value, error, most=3)) if error else f"{value:.4g}"
 
 
-def _with_error(value: float, error: float, most: int = 9) -> tuple[str, str]:
-    """Return a number and its standard error, which has two digits, to the same place: at most so many decimals."""
-    places = min(max(0, 1 - math.floor(math.log10(error))), most) if 0.0 < error < math.inf else 4
-    return f"{value:.{places}f}", f"{error:.{places}f}"
+def _milliwaves(value: float, error: float) -> tuple[str, str]:
+    """Return a coefficient in radians and its standard error."""
+    return with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi), most=9)

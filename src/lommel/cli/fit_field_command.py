@@ -12,18 +12,8 @@ import numpy as np
 
 from lommel.base.units import parse_length
 from lommel.blur.blurs import FWHM, Jitter, Seeing
-from lommel.cli.instruments import (
-    EXCESS,
-    LENS,
-    OBJECT_DISTANCE,
-    SQUARE_PIXEL,
-    instrument_of,
-    mask_of,
-    noise_of,
-    require_noise,
-    take_header,
-)
-from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, PATH, Option, command, documented, plot_option, under
+from lommel.cli.instruments import IMAGES, LENS, OBJECT_DISTANCE, CameraOptions, instrument_of, mask_of
+from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
@@ -33,7 +23,6 @@ from lommel.localize.crossings import Crossings, find_crossings
 from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_images
-from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -41,6 +30,7 @@ if TYPE_CHECKING:
     from lommel.base.arrays import Array
     from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
+    from lommel.lensfiles.camera import Camera
     from lommel.localize.point_sources import PointSources
 
 _MOST_CROSSINGS = 100
@@ -48,94 +38,81 @@ _ARCSEC = math.pi / 648000.0
 _LISTED = 12  # stars left out, that are printed one by one
 
 
-@command(
-    click.Argument(["images"], type=PATH, nargs=-1, required=True),
-    LENS,
-    Option("--targets", type=click.Choice(("star", "pinhole", "crossing")), default="star",
-           help="What the images show: stars, round holes of one size, or a checkerboard, of which the crossings are "
-           "used."),
-    Option("--size", type=MICROMETRES,
-           help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
-           "measured by default."),
-    Option("--degree", type=click.IntRange(0, 6), default=3, help="Degree of the polynomials of the position."),
-    Option("--distortion", type=click.IntRange(0, 9), metavar="DEGREE",
-           help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
-           "of pinholes or squares."),
-    Option("--terms", type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
-    Option("--defocus", metavar="NUMBERS",
-           help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
-           "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
-    Option("--wavelengths", metavar="LENGTHS",
-           help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
-           "that of all. By default that of the lens."),
-    Option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
-           help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
-           "estimated."),
-    Option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-           help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known."),
-    Option("-o", "--output", type=OUTPUT, help="Table for `[field] file =` of the lens file: .csv."),
-    Option("--twin", type=OUTPUT,
-           help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
-    plot_option("Figure of the terms over the sensor, stars, models and residuals"),
-    Option("--spots", type=OUTPUT, help="Figure of the image with the windows used and what was refused."),
-    JSON,
-    *under(
-        "Stars and crossings",
-        Option("--window", type=click.IntRange(9, 401),
-               help="Side of the window around each, pixels; by default 33, or more as --defocus and --size need, "
-               "and 9 to 21 for crossings, as squares allow."),
-        documented(find_spots, "threshold", type=float),
-        Option("--width", type=float,
-               help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius "
-               "of defocused stars (rings) and pinholes."),
-        Option("--mask", "masked", type=FILE,
-               help="Image that is not 0 where pixels are to be left out, such as defects, one for all exposures or "
-               "one for each; NaN in images is left out anyway."),
-        Option("--most", type=click.IntRange(1),
-               help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of "
-               "these."),
-    ),
-    *under(
-        "Camera and noise",
-        Option("--white", type=float,
-               help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-               "By default 1, images in electrons."),
-        documented(Noise, "read", type=float, default=None,
-                   help="Read noise, rms electrons; 0 for none; by default that of the header."),
-        Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
-        EXCESS,
-        Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
-        SQUARE_PIXEL,
-        OBJECT_DISTANCE,
-    ),
-    kind=SeveralNumbers,
-)  # fmt: skip
+class Targets(Group, heading="Stars and crossings"):
+    """What is fitted, and where in the images it is."""
+
+    # fmt: off
+    window: int | None = option("--window", type=click.IntRange(9, 401),
+        help="Side of the window around each, pixels; by default 33, or more as --defocus and --size need, and 9 to "
+        "21 for crossings, as squares allow.")
+    threshold: float = documented(find_spots, "threshold", type=float)
+    width: float | None = option("--width", type=float,
+        help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius of "
+        "defocused stars (rings) and pinholes.")
+    masked: Path | None = option("--mask", type=FILE,
+        help="Image that is not 0 where pixels are to be left out, such as defects, one for all exposures or one for "
+        "each; NaN in images is left out anyway.")
+    most: int | None = option("--most", type=click.IntRange(1),
+        help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of these.")
+
+
+class FieldCamera(CameraOptions, heading="Camera and noise"):
+    """The camera of the images, of which the options say all."""
+
+    camera: Camera | None = None
+    white: float | None = option(
+        "--white",
+        type=float,
+        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. By "
+        "default 1, images in electrons.",
+    )
+    read: float | None = option(
+        "--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the header."
+    )
+    offset: float | None = option("--offset", type=float, default=0.0, help="Black level, in the unit of the images.")
+    masked: Path | None = None
+    object_distance: float | None = OBJECT_DISTANCE
+    # fmt: on
+
+
+@command(JSON, kind=SeveralNumbers)
 def fit_field(
-    images: tuple[Path, ...],
-    lens: Path,
-    targets: str,
-    size: float | None,
-    degree: int,
-    distortion: int | None,
-    terms: int,
-    defocus: str | None,
-    wavelengths: str | None,
-    known_blur: float | None,
-    seeing: float | None,
-    output: Path | None,
-    twin: Path | None,
-    figure: Path | None,
-    spots: Path | None,
-    object_distance: float | None,
-    pixel: float | None,
-    window: int | None,
-    threshold: float,
-    width: float | None,
-    masked: Path | None,
-    most: int | None,
-    saturation: float | None,
-    **given: Any,
-) -> Report:
+    images: tuple[Path, ...] = IMAGES,
+    lens: Path = LENS,
+    targets: str = option("--targets", type=click.Choice(("star", "pinhole", "crossing")), default="star",
+        help="What the images show: stars, round holes of one size, or a checkerboard, of which the crossings are "
+        "used."),
+    size: float | None = option("--size", type=MICROMETRES,
+        help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
+        "measured by default."),
+    degree: int = option("--degree", type=click.IntRange(0, 6), default=3,
+        help="Degree of the polynomials of the position."),
+    distortion: int | None = option("--distortion", type=click.IntRange(0, 9), metavar="DEGREE",
+        help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
+        "of pinholes or squares."),
+    terms: int = option("--terms", type=click.IntRange(1, 60), default=11,
+        help="Number of Zernike terms from Noll 4 on."),
+    defocus: str | None = option("--defocus", metavar="NUMBERS",
+        help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
+        "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
+    wavelengths: str | None = option("--wavelengths", metavar="LENGTHS",
+        help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
+        "that of all. By default that of the lens."),
+    known_blur: float | None = option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
+        help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
+        "estimated."),
+    seeing: float | None = option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+        help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known."),
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help="Table for `[field] file =` of the lens file: .csv."),
+    twin: Path | None = option("--twin", type=OUTPUT,
+        help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
+    figure: Path | None = plot_option("Figure of the terms over the sensor, stars, models and residuals"),
+    spots: Path | None = option("--spots", type=OUTPUT,
+        help="Figure of the image with the windows used and what was refused."),
+    shown: Targets = Targets(),
+    camera: FieldCamera = FieldCamera(),
+) -> Report:  # fmt: skip
     """Estimate wavefronts over the field from stars or a chart.
 
     IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
@@ -171,16 +148,13 @@ def fit_field(
         )
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
-    instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
-    require_noise(given)
+    instrument = instrument_of(lens, object_distance=camera.object_distance, pixel=camera.pixel)
+    camera.require()
     with progress("reading") as started:
         read = read_images(list(images))
         exposures = read.values
-        given["saturation"] = saturation
-        notes = [*read.notes, *take_header(given, read.said)]
-        saturation = given.pop("saturation")
-        noise = noise_of(given, None)
-        out = None if masked is None else mask_of(masked, exposures)
+        noise, saturation, header = camera.settled(read.said, None)
+        mask = None if shown.masked is None else mask_of(shown.masked, exposures)
         colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
         if defocus is None and colours is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
@@ -191,26 +165,21 @@ def fit_field(
         pitch = float(min(np.atleast_1d(instrument.side)))
         across = 0.0 if targets == "crossing" or size is None else size / pitch
         side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
+        finding: Facts = {"noise": noise, "mask": mask, "saturation": saturation, "threshold": shown.threshold}
+        finding["width"] = shown.width or smoothing
         found: PointSources | Crossings
         if targets == "crossing":
-            found = find_crossings(
-                exposures, noise=noise, window=window, threshold=threshold, width=width or smoothing,
-                mask=out, saturation=saturation, most=most or _MOST_CROSSINGS,
-            )  # fmt: skip
+            most = shown.most or _MOST_CROSSINGS
+            found = find_crossings(exposures, window=shown.window, most=most, **finding)
             if size is None and math.isfinite(found.square):
                 size = found.square * pitch
         else:
-            found = find_spots(
-                exposures, noise=noise, window=window or side, threshold=threshold, width=width or smoothing,
-                mask=out, saturation=saturation, most=most,
-            )  # fmt: skip
+            found = find_spots(exposures, window=shown.window or side, most=shown.most, **finding)
         if spots is not None:
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
             raise ValueError(_too_few(targets, found))
-        known_places: dict[str, Any] = {}
-        if distortion is not None:
-            known_places = {"ideal": _grid(found), "distortion": distortion}
+        given: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
         started("fitting")
         made = fit(
             found.windows,
@@ -223,12 +192,14 @@ def fit_field(
             terms=terms,
             defocus=known,
             wavelengths=colours,
-            blur=known_blur if known_blur is not None else seeing is None or _air(seeing, focal_length),
+            blur=known_blur
+            if known_blur is not None
+            else seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length),
             targets=targets,
             size=size,
             saturation=saturation,
             integrate=instrument.integrate,
-            **known_places,
+            **given,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
@@ -237,6 +208,7 @@ def fit_field(
         made.save(twin, twin=True)
     if figure is not None:
         save_figure(made.plot(), figure)
+    notes = [*read.notes, *header]
     facts = _facts(made, found) | {"notes": notes}
     blur = _blurred(made, pitch, focal_length)
     report = Report(facts, [*_parts(made, found, blur), *map(Wrapped, notes)], made.converged)
@@ -291,10 +263,6 @@ def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, flo
     # Rays from the edge of the pupil; phase 2 C_d rho^2.
     radius = 4.0 * defocus / (math.pi * pixel) + 0.5 * across
     return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
-
-
-def _air(fwhm: float, focal_length: float) -> Seeing:
-    return Seeing.from_fwhm(fwhm * _ARCSEC, focal_length)
 
 
 def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:

@@ -4,14 +4,27 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, Parsed, under
+from lommel.cli.options import (
+    FILE,
+    LENGTH,
+    MICROMETRES,
+    NANOMETRES,
+    PATH,
+    SIDES,
+    WINDOW,
+    Group,
+    Option,
+    Parsed,
+    option,
+    under,
+)
 from lommel.cli.output import Facts
 from lommel.recorded.metadata import Found, Unusable
 from lommel.recorded.noise import Noise
@@ -32,12 +45,12 @@ def _camera(text: str) -> Camera:
     return load_camera(text)
 
 
-def camera_option(words: str) -> Option:
+def camera_option(words: str) -> Any:
     """Return the option for a camera, with its help."""
     return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
 
 
-EXCESS = Option(
+EXCESS: Any = Option(
     "--excess",
     type=float,
     help="Excess noise factor of electron multiplication, 2 for an EMCCD, whose gain and read noise are then those "
@@ -82,8 +95,9 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return out[0] if len(out) == 1 else out
 
 
-LENS = click.Argument(["lens"], type=FILE)
-OBJECT_DISTANCE = Option(
+IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
+LENS: Any = click.Argument(["lens"], type=FILE)
+OBJECT_DISTANCE: Any = Option(
     "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
 )
 CAMERA = camera_option(
@@ -95,7 +109,7 @@ PIXEL = Option(
     type=SIDES,
     help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.",
 )
-SQUARE_PIXEL = Option(
+SQUARE_PIXEL: Any = Option(
     "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
 )
 SHAPE = Option(
@@ -113,7 +127,8 @@ STACK = under(
     Option("--depth", type=MICROMETRES,
            help="Depth of the emitter below the cover glass, such as 2um; by default that of the file."),
 )  # fmt: skip
-DEPTH = STACK[-1]
+STEP: Any = STACK[1]
+DEPTH: Any = STACK[2]
 
 
 def instrument_of(lens: Path, **given: object) -> Instrument:
@@ -179,6 +194,14 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
     if "step" in changes and planes == 1:
         raise ValueError("--step needs --stack, where the file has no stack")
     return dataclasses.replace(found, **changes)
+
+
+def require_microscope(name: str, lens: Path, **given: object) -> Microscope:
+    """Return the microscope of a file, changed by the options of the command of a name, which has to have one."""
+    found = microscope_of(lens, **given)
+    if found is None:
+        raise ValueError(f"lommel {name} needs a microscope, a file with a section [objective]; {lens} has none")
+    return found
 
 
 _MISSING = {
@@ -264,10 +287,63 @@ def differing(said: Found, microscope: Microscope) -> list[str]:
     ]
 
 
-def require_noise(given: Facts) -> None:
-    """Refuse options of the noise that are out of range, before files are read."""
-    names = ("white", "read", "offset", "excess")
-    Noise(**{"read": 0.0} | {name: given[name] for name in names if given.get(name) is not None})
+class CameraOptions(Group, heading="Camera and noise"):
+    """What a camera recorded with, and which of its pixels do not count."""
+
+    camera: Camera | None = CAMERA
+    white: float | None = option(
+        "--gain", type=float, help="Electrons per count; by default that of the camera, or 1."
+    )
+    read: float | None = option(
+        "--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."
+    )
+    offset: float | None = option(
+        "--offset", type=float, help="Counts of a pixel without electrons; by default that of the camera, or 0."
+    )
+    excess: float | None = EXCESS
+    saturation: float | None = option(
+        "--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."
+    )
+    masked: Path | None = option("--mask", type=PATH)
+    pixel: float | None = SQUARE_PIXEL
+
+    def require(self) -> None:
+        """Refuse numbers of the noise that are out of range, before files are read."""
+        given = {name: value for name, value in self.values().items() if value is not None}
+        Noise(**{"read": 0.0} | given)
+
+    def values(self) -> Facts:
+        """Return gain, read noise, offset and excess, None where they are left out."""
+        return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
+
+    def settled(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+        """Return noise, saturation and notes; an option counts more than the camera, and that than the header."""
+        given = self.values() | {"saturation": self.saturation}
+        notes = take_header(given, said, camera)
+        saturation = given.pop("saturation")
+        return noise_of(given, camera), saturation, notes
+
+    def mask(self, images: Values) -> NDArray[np.bool_] | None:
+        """Return the pixels of images to leave out."""
+        return None if self.masked is None else mask_of(self.masked, images)
+
+
+class CameraMaps(CameraOptions, heading="Camera"):
+    """The same, of which gain, read noise and offset may be maps in files."""
+
+    white: Any = option("--gain", metavar="NUMBER|FILE")
+    read: Any = option(
+        "--read",
+        metavar="NUMBER|FILE",
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.",
+    )
+    offset: Any = option("--offset", metavar="NUMBER|FILE")
+
+    def values(self) -> Facts:
+        """Return gain, read noise, offset and excess, None where they are left out."""
+        texts = {"white": (self.white, "gain"), "read": (self.read, "read"), "offset": (self.offset, "offset")}
+        maps = {name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()}
+        return maps | {"excess": self.excess}
 
 
 _UNITS = {

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, ClassVar, TypeAlias, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -117,7 +117,7 @@ class Option(click.Option):
         super().__init__(flags, **more)
 
 
-def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Option:
+def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Any:
     """Return the option for an argument of a function or class, with its default and the help from its docstring."""
     entry = options.sentence(source, name)  # type: ignore[arg-type]
     plain = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
@@ -134,6 +134,41 @@ def under(heading: str, *listed: Option) -> list[Option]:
     for one in copies:
         one.heading = heading
     return copies
+
+
+def option(*flags: str, **more: Any) -> Any:
+    """Return an option, as the default of an argument of a command or of an attribute of a :class:`Group`."""
+    return Option(*flags, **more)
+
+
+class Group:
+    """Options that commands share, under a heading of ``--help``: ``name: type = option("--name", ...)`` for each.
+
+    They come after those of the bases, which a subclass may replace. An instance has the values of a call.
+    """
+
+    heading: ClassVar[str] = Option.heading
+
+    def __init_subclass__(cls, heading: str = Option.heading) -> None:
+        cls.heading = heading
+
+    def __init__(self, **values: Any) -> None:
+        vars(self).update(values)
+
+    @classmethod
+    def options(cls) -> list[Option]:
+        """Return the options in their order."""
+        found = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
+        return [_named(name, one, cls.heading) for name, one in found.items() if isinstance(one, Option)]
+
+
+def _named(name: str, one: click.Parameter, heading: str | None = None) -> Any:
+    """Return a copy of an option or argument for the argument of a function."""
+    copied = copy.copy(one)
+    copied.name = name
+    if heading is not None and isinstance(copied, Option):
+        copied.heading = heading
+    return copied
 
 
 class Command(click.Command):
@@ -188,12 +223,24 @@ def command(
 ) -> Callable[[Callable[..., Report | None]], Command]:
     """Return a decorator that makes a command of a function: its docstring is the help, its report is printed.
 
+    Parameters are the defaults of its arguments, options or groups of options, and then `params`.
+
     Errors that a user can cause are one line, with exit code 2; errors of the program have exit code 1. A fit that
     did not converge, or a data set without some of its pictures, is printed, with exit code 3. With the environment
     variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
     """
 
     def made(function: Callable[..., Report | None]) -> Command:
+        defaults = {name: each.default for name, each in inspect.signature(function).parameters.items()}
+        groups = {name: type(value) for name, value in defaults.items() if isinstance(value, Group)}
+        every: list[click.Parameter] = []
+        for name, value in defaults.items():
+            if name in groups:
+                every += groups[name].options()
+            elif isinstance(value, click.Parameter):
+                every.append(_named(name, value))
+        every += params
+
         def guarded(as_json: bool = False, **given: Any) -> None:
             said: list[str] = []
             if sys.stdout is None:  # the caller has closed it
@@ -201,7 +248,9 @@ def command(
             try:
                 if given.get("figure") is not None:  # before anything is computed
                     figure_format(given["figure"])
-                _keep_what_is_read(params, given)
+                _keep_what_is_read(every, given)
+                for name, group in groups.items():
+                    given[name] = group(**{one.name: given.pop(one.name) for one in group.options() if one.name})
                 with _noted(said):
                     report = function(**given)
                 if report is not None:
@@ -234,7 +283,7 @@ def command(
         text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
         text = text.replace("\n\nExample", "\n\n\b\nExample")
         text = "\n".join(_continued(row) for row in text.split("\n"))
-        return kind(function.__name__, params=list(params), help=text, callback=guarded)
+        return kind(function.__name__, params=every, help=text, callback=guarded)
 
     return made
 
@@ -287,10 +336,10 @@ def _continued(row: str) -> str:
     return "\n".join([*rows, current])
 
 
-JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
+JSON: Any = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 
 
-def plot_option(what: str, flag: str = "--plot") -> Option:
+def plot_option(what: str, flag: str = "--plot") -> Any:
     """Return the option for a figure."""
     return Option(flag, "figure", type=OUTPUT, help=f"{what}: .png, .pdf or .svg.")
 

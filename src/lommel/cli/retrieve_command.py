@@ -5,33 +5,30 @@ from __future__ import annotations
 import errno
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
 
+from lommel.base.units import with_error
 from lommel.cli.instruments import (
-    CAMERA,
-    EXCESS,
+    DEPTH,
+    IMAGES,
     LENS,
     OBJECT_DISTANCE,
-    SQUARE_PIXEL,
-    STACK,
+    STEP,
+    CameraOptions,
     instrument_of,
-    mask_of,
     microscope_of,
-    noise_of,
-    require_noise,
-    take_header,
 )
-from lommel.cli.options import JSON, OUTPUT, PATH, Command, Option, command, documented, plot_option, under
-from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
+from lommel.cli.options import JSON, OUTPUT, PATH, Command, Group, command, documented, option, plot_option
+from lommel.cli.output import Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
-from lommel.lensfiles.microscope_files import describes_microscope
+from lommel.lensfiles.microscope_files import Microscope, describes_microscope
 from lommel.recorded.frames import part_of, read_images
 from lommel.special import zernike
 
@@ -39,7 +36,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.estimation.phase_retrieval import Retrieval
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Instrument
 
 _UNITS = ("radians", "waves", "nm", "um")
 
@@ -68,74 +65,69 @@ def _is_number(word: str) -> bool:
     return True
 
 
-@command(
-    click.Argument(["images"], type=PATH, nargs=-1, required=True),
-    LENS,
-    Option("--defocus", metavar="NUMBERS",
-           help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
-           "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
-           "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi. Not of microscopes."),
-    Option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
-           help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
-    Option("--terms", default="15",
-           help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
-           '"noll 5, noll 6", or as printed, "coma x, coma y".'),
-    Option("--also", default="center",
-           help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
-    Option("--blur", is_flag=True,
-           help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image: of stars from the "
-           "ground."),
-    Option("-o", "--output", type=OUTPUT,
-           help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
-    plot_option("Figure of images, model, residuals and terms"),
-    Option("--unit", type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),
-    JSON,
-    *under(
-        "Camera and noise",
-        CAMERA,
-        Option("--white", type=float,
-               help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-               "By default that of the camera, or 1, images in electrons."),
-        Option("--read", type=float,
-               help="Read noise, rms electrons; 0 for none; by default that of the camera."),
-        Option("--offset", type=float,
-               help="Black level, in the unit of the images; by default that of the camera, or 0."),
-        EXCESS,
-        Option("--mask", "masked", type=PATH,
-               help="Image of the pixels to leave out: not 0 there; one for all images, or one for each."),
-        Option("--saturation", type=float,
-               help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-               "saturated."),
-        SQUARE_PIXEL,
-        OBJECT_DISTANCE,
-    ),
-    *STACK[1:],
-    *under(
-        "Search",
-        documented(fit, "starts", type=int, help="Maximum number of random restarts."),
-        Option("--seed", type=click.IntRange(0), default=0, help="Seed of the random restarts."),
-    ),
-    kind=SeveralNumbers,
-)  # fmt: skip
+class StarCamera(CameraOptions, heading="Camera and noise"):
+    """The camera of star images, which may be in electrons."""
+
+    # fmt: off
+    white: float | None = option(
+        "--white", type=float,
+        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
+        "By default that of the camera, or 1, images in electrons.")
+    offset: float | None = option(
+        "--offset", type=float,
+        help="Black level, in the unit of the images; by default that of the camera, or 0.")
+    saturation: float | None = option(
+        "--saturation", type=float,
+        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
+        "saturated.")
+    masked: Path | None = option(
+        "--mask", type=PATH,
+        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.")
+    object_distance: float | None = OBJECT_DISTANCE
+    # fmt: on
+
+
+class Planes(Group, heading="Microscopes"):
+    """Planes of a stack."""
+
+    step: float | None = STEP
+    depth: float | None = DEPTH
+
+
+class Search(Group, heading="Search"):
+    """Restarts of the search."""
+
+    starts: int = documented(fit, "starts", type=int, help="Maximum number of random restarts.")
+    seed: int = option("--seed", type=click.IntRange(0), default=0, help="Seed of the random restarts.")
+
+
+@command(JSON, kind=SeveralNumbers)
 def retrieve(
-    images: tuple[Path, ...],
-    lens: Path,
-    defocus: str | None,
-    defocus_unit: str,
-    terms: str,
-    also: str,
-    blur: bool,
-    object_distance: float | None,
-    camera: Camera | None,
-    pixel: float | None,
-    step: float | None,
-    depth: float | None,
-    unit: str,
-    masked: Path | None,
-    output: Path | None,
-    figure: Path | None,
-    **given: Any,
-) -> Report:
+    images: tuple[Path, ...] = IMAGES,
+    lens: Path = LENS,
+    defocus: str | None = option("--defocus", metavar="NUMBERS",
+        help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
+        "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
+        "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi. Not of microscopes."),
+    defocus_unit: str = option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
+        help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
+    terms: str = option("--terms", default="15",
+        help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
+        '"noll 5, noll 6", or as printed, "coma x, coma y".'),
+    also: str = option("--also", default="center",
+        help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
+    blur: bool = option("--blur", is_flag=True,
+        help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image: of stars from the "
+        "ground."),
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
+    figure: Path | None = plot_option("Figure of images, model, residuals and terms"),
+    unit: str = option("--unit", type=click.Choice(_UNITS), default="radians",
+        help="Unit of the printed coefficients."),
+    camera: StarCamera = StarCamera(),
+    planes: Planes = Planes(),
+    search: Search = Search(),
+) -> Report:  # fmt: skip
     """Estimate a wavefront from star images (phase retrieval).
 
     IMAGES, of a star or another point source, are TIFF (one image per page), OME-Zarr, NPY, FITS (of several images
@@ -162,49 +154,42 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    given_planes: Facts = {
-        "camera": camera,
-        "object_distance": object_distance,
-        "pixel": pixel,
-        "step": step,
-        "depth": depth,
-    }
-    microscope = microscope_of(lens, **given_planes | {"step": None}) if describes_microscope(lens) else None
-    if microscope is None:
-        microscope_of(lens, **given_planes)  # which refuses options that are not for lenses
-        instrument = instrument_of(lens, object_distance=object_distance, camera=camera, pixel=pixel)
-    elif defocus is not None:
+    pixel = {"camera": camera.camera, "pixel": camera.pixel}
+    given = pixel | {"object_distance": camera.object_distance, "depth": planes.depth}
+    microscope = microscope_of(lens, **given, step=None if describes_microscope(lens) else planes.step)
+    of: Microscope | Instrument
+    of = microscope or instrument_of(lens, object_distance=camera.object_distance, **pixel)
+    if microscope is not None and defocus is not None:
         raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
-    starts = given["starts"]
-    require_noise(given)
+    camera.require()
     with progress("reading") as started:
-        files = _files(images)
-        read = read_images(files)
+        read = read_images(_files(images))
         stars = read.values
-        notes = [*read.notes, *take_header(given, read.said, (microscope or instrument).camera)]
-        noise = noise_of(given, (microscope or instrument).camera)
-        if microscope is not None and (len(stars) > 1 or step is not None):
-            microscope = microscope_of(lens, **given_planes, stack=len(stars))
+        noise, saturation, header = camera.settled(read.said, of.camera)
+        if microscope is not None and (len(stars) > 1 or planes.step is not None):
+            of = microscope = microscope_of(lens, **given, step=planes.step, stack=len(stars)) or microscope
         if microscope is None and defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
-        known = np.multiply(numbers_of(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0)
         started("fitting")
         found = fit(
             stars,
-            instrument.pupil() if microscope is None else microscope.pupil(),
-            pixel=instrument.side if microscope is None else microscope.pixel,
+            of.pupil(),
+            pixel=of.pixel if isinstance(of, Microscope) else of.side,
             noise=noise,
-            mask=None if masked is None else mask_of(masked, stars),
+            mask=camera.mask(stars),
+            saturation=saturation,
             terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
             blur=blur,
-            defocus=known,
-            integrate=(microscope or instrument).integrate,
+            defocus=np.multiply(numbers_of(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0),
+            integrate=of.integrate,
+            starts=search.starts,
+            seed=search.seed,
             progress=lambda share, chi2: started(
-                f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
+                f"start {int(search.starts * share) + 1} of at most {search.starts}, chi2 {chi2:.3g}", share
             ),
-            **given,
         )
+    notes = [*read.notes, *header]
     names = list(read.names)
     if output is not None:
         found.save(output)
@@ -222,9 +207,9 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
     values, deviations = found.in_unit(unit)
-    rows = [(label(name), *_with_error(value, deviations[name])) for name, value in values.items()]
+    rows = [(label(name), *with_error(value, deviations[name])) for name, value in values.items()]
     for name in (name for name in found.coefficients if name not in values):
-        cells = _with_error(found.coefficients[name], found.deviation[name])
+        cells = with_error(found.coefficients[name], found.deviation[name])
         rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
     each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
     each["background"] = found.background
@@ -235,7 +220,7 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
         if blurred:
             images.append([file, *(f"{each[name][k]:.6g}" for name in own)])
             continue
-        pairs = [_with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
+        pairs = [with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
         images.append([file, *("+-".join(pair) for pair in pairs)])
     parts: list[RenderableType] = [
         table_of(("term", short, "std. error"), rows),
@@ -246,14 +231,6 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
     if blurred:
         parts.append(Wrapped(f"blur: {'; '.join(map(in_words, found.blurs))}"))
     return [*parts, Wrapped(found.message)]
-
-
-def _with_error(value: float, deviation: float) -> tuple[str, str]:
-    """Return a number and its standard error, which has two digits, to the same place."""
-    if not 0.0 < deviation < math.inf:
-        return f"{value:.6g}", "-" if deviation == 0.0 else "inf"
-    places = max(0, 1 - math.floor(math.log10(deviation)))
-    return f"{value:.{places}f}", f"{deviation:.{places}f}"
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:

@@ -96,6 +96,7 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
 
 
 IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
+STACK_FILE: Any = click.Argument(["stack"], type=PATH)
 LENS: Any = click.Argument(["lens"], type=FILE)
 OBJECT_DISTANCE: Any = Option(
     "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
@@ -202,6 +203,13 @@ def require_microscope(name: str, lens: Path, **given: object) -> Microscope:
     if found is None:
         raise ValueError(f"lommel {name} needs a microscope, a file with a section [objective]; {lens} has none")
     return found
+
+
+def require_order(order: str, images: Path, lens: Path) -> None:
+    """Refuse a lens file in the place of the images."""
+    if images.suffix.lower() == ".toml" != lens.suffix.lower():
+        line = validation.line
+        raise ValueError(f"the order is {order}, got {line(images)} and then {line(lens)}")
 
 
 _MISSING = {
@@ -331,13 +339,9 @@ class CameraOptions(Group, heading="Camera and noise"):
 class CameraMaps(CameraOptions, heading="Camera"):
     """The same, of which gain, read noise and offset may be maps in files."""
 
-    white: Any = option("--gain", metavar="NUMBER|FILE")
-    read: Any = option(
-        "--read",
-        metavar="NUMBER|FILE",
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.",
-    )
-    offset: Any = option("--offset", metavar="NUMBER|FILE")
+    white: Any
+    read: Any
+    offset: Any
 
     def values(self) -> Facts:
         """Return gain, read noise, offset and excess, None where they are left out."""

@@ -13,19 +13,14 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
-from lommel.base.validation import line
 from lommel.cli.instruments import (
-    CAMERA,
     DEPTH,
-    EXCESS,
     LENS,
-    SQUARE_PIXEL,
-    camera_map,
+    STACK_FILE,
+    CameraMaps,
     differing,
-    mask_of,
-    microscope_of,
-    noise_of,
-    take_header,
+    require_microscope,
+    require_order,
 )
 from lommel.cli.options import (
     JSON,
@@ -33,12 +28,12 @@ from lommel.cli.options import (
     OUTPUT,
     PATH,
     WINDOW,
-    Option,
+    Group,
     command,
     documented,
+    notes_of,
+    option,
     plot_option,
-    under,
-    with_options,
 )
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -51,84 +46,72 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from lommel.lensfiles.camera import Camera
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
 
-_CAMERA = under(
-    "Camera",
-    CAMERA,
-    Option("--gain", "white", metavar="NUMBER|FILE",
-           help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
-           "for each pixel, also of --read and --offset."),
-    Option("--read", metavar="NUMBER|FILE",
-           help="Read noise, rms electrons; 0 for none; by default that of the camera."),
-    Option("--offset", metavar="NUMBER|FILE",
-           help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0."),
-    EXCESS,
-    documented(find, "saturation", type=float,
-               help="Value in the file at which pixels saturate, such as 60000; they do not count in fits."),
-    Option("--mask", "masked", type=PATH, help="Image of the pixels to leave out: not 0 there."),
-    SQUARE_PIXEL,
-)  # fmt: skip
+class MovieCamera(CameraMaps, heading="Camera"):
+    """The camera of a movie."""
+
+    # fmt: off
+    white: Any = option("--gain", metavar="NUMBER|FILE",
+        help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
+        "for each pixel, also of --read and --offset.")
+    read: Any = option("--read", metavar="NUMBER|FILE",
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+    offset: Any = option("--offset", metavar="NUMBER|FILE",
+        help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0.")
+    saturation: float | None = documented(find, "saturation", type=float,
+        help="Value in the file at which pixels saturate, such as 60000; they do not count in fits.")
+    masked: Path | None = option("--mask", type=PATH, help="Image of the pixels to leave out: not 0 there.")
+    # fmt: on
 
 
-@command(
-    click.Argument(["movie"], type=PATH),
-    LENS,
-    Option("-o", "--output", "outputs", type=OUTPUT, required=True, multiple=True,
-           help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),
-    plot_option("Picture of the molecules, coloured by z"),
-    *_CAMERA,
-    *under(
-        "Molecules",
-        Option("--z", type=MICROMETRES, nargs=2, metavar="FROM TO",
-               help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um."),
-        documented(Table, "along", type=click.Choice(("z", "depth"))),
-        Option("--flat", is_flag=True,
-               help="Estimate x and y alone, for images that do not tell z, as without astigmatism."),
-        DEPTH,
-        Option("--box", "shape", type=WINDOW, default="15",
-               help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side."),
-        documented(find, "threshold", type=float),
-        documented(localize_blocks, "width", type=float,
-                   help="Standard deviation in pixels by which frames are smoothed to find spots; by default that of "
-                   "the images of molecules."),
-    ),
-    *under(
-        "Fits",
-        documented(Table, "reach", type=float, default=3.0),
-        documented(Table, "tol", type=float),
-        documented(fit, "starts", type=int),
-        Option("--background", type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
-               help="Background of each box: the same in all pixels, or with slopes; auto asks the data."),
-        documented(fit, "threads", type=int),
-        documented(localize_blocks, "block", type=int,
-                   help="Frames in memory at once; by default as many as have four million pixels."),
-    ),
-    JSON,
-)  # fmt: skip
+class Molecules(Group, heading="Molecules"):
+    """What a molecule looks like, and how it is found."""
+
+    # fmt: off
+    z: tuple[float, float] | None = option("--z", type=MICROMETRES, nargs=2, metavar="FROM TO",
+        help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um.")
+    along: str = documented(Table, "along", type=click.Choice(("z", "depth")))
+    flat: bool = option("--flat", is_flag=True,
+        help="Estimate x and y alone, for images that do not tell z, as without astigmatism.")
+    depth: float | None = DEPTH
+    shape: int | tuple[int, int] = option("--box", type=WINDOW, default="15",
+        help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side.")
+    threshold: float = documented(find, "threshold", type=float)
+    width: float | None = documented(localize_blocks, "width", type=float,
+        help="Standard deviation in pixels by which frames are smoothed to find spots; by default that of the images "
+        "of molecules.")
+    # fmt: on
+
+
+class Fits(Group, heading="Fits"):
+    """How positions are fitted."""
+
+    # fmt: off
+    reach: float = documented(Table, "reach", type=float, default=3.0)
+    tol: float = documented(Table, "tol", type=float)
+    starts: int = documented(fit, "starts", type=int)
+    background: str = option("--background", type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
+        help="Background of each box: the same in all pixels, or with slopes; auto asks the data.")
+    threads: int | None = documented(fit, "threads", type=int)
+    block: int | None = documented(localize_blocks, "block", type=int,
+        help="Frames in memory at once; by default as many as have four million pixels.")
+    # fmt: on
+
+
+@command(JSON)
 def localize(
-    movie: Path,
-    lens: Path,
-    outputs: tuple[Path, ...],
-    figure: Path | None,
-    camera: Camera | None,
-    white: str | None,
-    read: str | None,
-    offset: str | None,
-    pixel: float | None,
-    depth: float | None,
-    z: tuple[float, float] | None,
-    along: str,
-    shape: int | tuple[int, int],
-    reach: float,
-    tol: float,
-    threads: int | None,
-    masked: Path | None,
-    **given: Any,
-) -> Report:
+    movie: Path = STACK_FILE,
+    lens: Path = LENS,
+    outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, required=True, multiple=True,
+        help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),
+    figure: Path | None = plot_option("Picture of the molecules, coloured by z"),
+    camera: MovieCamera = MovieCamera(),
+    molecules: Molecules = Molecules(),
+    fits: Fits = Fits(),
+) -> Report:  # fmt: skip
     """Localise the molecules of a movie in three dimensions.
 
     MOVIE is a TIFF, OME-TIFF, OME-Zarr, FITS or NPY file of any length, as the camera recorded it. LENS is the file
@@ -151,65 +134,57 @@ def localize(
     for path in outputs:
         registry.find("molecules", path, "--output")
         require_folder(path)
-    if movie.suffix.lower() == ".toml" != lens.suffix.lower():
-        raise ValueError(f"the order is MOVIE LENS, the movie first, got {line(movie)} and then {line(lens)}")
+    require_order("MOVIE LENS, the movie first", movie, lens)
+    shape, z, along = molecules.shape, molecules.z or _Z[molecules.along], molecules.along
     side = shape if isinstance(shape, int) else min(shape)
     if side < _LEAST_SIDE:
         raise ValueError(
             f"--box must be at least {_LEAST_SIDE} pixels a side, got {side}: smaller boxes do not hold "
             "the image of a molecule; 15 is the default"
         )
-    microscope = microscope_of(lens, camera=camera, pixel=pixel, depth=depth)
-    if microscope is None:
-        raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
-    texts = {"white": ("gain", white), "read": ("read", read), "offset": ("offset", offset)}
-    maps: Facts = {name: text and camera_map(text, flag) for name, (flag, text) in texts.items()}
-    maps["excess"] = given.pop("excess")
+    microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     begun = time.perf_counter()
     parts: list[Localizations] = []
     with progress("table of images") as step, open_movie(movie) as frames:
-        maps["saturation"] = given["saturation"]
-        header = [*frames.notes, *take_header(maps, frames.said, microscope.camera)]
-        header += differing(frames.said, microscope)
-        given["saturation"] = maps.pop("saturation")
-        noise = noise_of(maps, microscope.camera)
-        mask = None if masked is None else mask_of(masked, np.broadcast_to(False, (1, *frames.shape[1:])))
-        table = Table(
-            dataclasses.replace(microscope, planes=1).pupil(),
-            shape,
-            microscope.pixel,
-            z=_Z[along] if z is None else z,
-            along=along,
-            reach=reach,
-            tol=tol,
-            threads=threads,
+        noise, saturation, header = camera.settled(frames.said, microscope.camera)
+        header = [*frames.notes, *header, *differing(frames.said, microscope)]
+        mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
+        pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
+        options: Facts = {"reach": fits.reach, "tol": fits.tol, "threads": fits.threads}
+        table = Table(pupil, shape, pixel, z=z, along=along, **options)
+        blocks = localize_blocks(
+            frames,
+            table,
+            noise=noise,
+            mask=mask,
+            saturation=saturation,
+            flat=molecules.flat,
+            threshold=molecules.threshold,
+            width=molecules.width,
+            starts=fits.starts,
+            background=fits.background,
+            threads=fits.threads,
+            block=fits.block,
+            progress=lambda count, total: step(f"frame {count} of {total}", count / total),
         )
-
-        def done(count: int, total: int) -> None:
-            step(f"frame {count} of {total}", count / total)
-
         with writer(*outputs) as write:
-            for part in localize_blocks(
-                frames, table, noise=noise, mask=mask, threads=threads, progress=done, **given
-            ):
+            for part in blocks:
                 write(part)
                 parts.append(part if figure is not None else _brief(part))
     found = joined(parts)
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
         save_figure(drawn, figure)
+    own = microscope.camera
+    stated = {} if own is None else {"gain": (camera.white, own.gain), "offset": (camera.offset, own.offset)}
+    assumed = [name for name, pair in stated.items() if pair == (None, None)]
+    sources = "neither the option nor the file of the camera gives it"
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
-    facts |= {"aberrations": microscope.aberrations is not None}
-    facts |= {"camera": None if microscope.camera is None else microscope.camera.name}
+    facts |= {"aberrations": microscope.aberrations is not None, "camera": None if own is None else own.name}
     facts |= found.to_dict()
     facts |= {"z": [float(f"{end:.12g}") for end in table.z], "table_error_bound": table.error_bound}
-    facts |= {"seconds": time.perf_counter() - begun}
-    own = microscope.camera
-    values = {} if own is None else {"gain": (white, own.gain), "offset": (offset, own.offset)}
-    facts |= {"assumed": [name for name, pair in values.items() if pair == (None, None)]}
-    sources = "neither the option nor the file of the camera gives it"
-    taken = [f"The {name} is taken to be {_ASSUMED[name]}: {sources}." for name in facts["assumed"]]
-    facts |= {"notes": [*header, *taken]}
+    facts |= {"seconds": time.perf_counter() - begun, "assumed": assumed}
+    facts["notes"] = [*header, *(f"The {name} is taken to be {_ASSUMED[name]}: {sources}." for name in assumed)]
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
     return Report(facts, _parts(facts, noise), found.converged) + written([*places, figure])
 
@@ -227,17 +202,12 @@ def _brief(part: Localizations) -> Localizations:
 def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
     """Return the table of what was found, and what was not corrected."""
     n, (rows, columns) = facts["frames"], facts["shape"]
-    units = {
-        "white": ("gain", " electrons per count"),
-        "offset": ("offset", ""),
-        "read": ("read noise", " electrons"),
-    }
-    values = {key: 1.0 if (value := getattr(noise, key)) is None else value for key in units}
-    told = ", ".join(
-        f"{name} {f'{values[key]:g}{unit}' if isinstance(values[key], float) else 'by a map'}"
-        for key, (name, unit) in units.items()
-    )
-    told = told if facts["camera"] is None else f"{facts['camera']}, {told}"
+    units = {"white": ("gain", 1.0, " electrons per count"), "offset": ("offset", 1.0, "")}
+    units["read"] = ("read noise", 1.0, " electrons")
+    told = [] if facts["camera"] is None else [facts["camera"]]
+    for key, (name, usual, unit) in units.items():
+        value = usual if getattr(noise, key) is None else getattr(noise, key)
+        told.append(f"{name} {f'{value:g}{unit}' if isinstance(value, float) else 'by a map'}")
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
     counts = facts["border_fits"] | facts["states"]
     others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
@@ -248,7 +218,7 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
             "movie",
             f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
         ),
-        ("camera", told),
+        ("camera", ", ".join(told)),
         ("spots", f"{facts['spots']}; {left}"),
         ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
         ("z", f"{low} to {high}, {what}"),
@@ -256,8 +226,7 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
-    findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
-    notes = [*map(Wrapped, [*findings, *facts["notes"]]), Wrapped("Drift is not corrected.", "dim")]
+    notes = [*notes_of(facts), Wrapped("Drift is not corrected.", "dim")]
     return [Text(facts["name"], "bold"), list_of(lines), *notes]
 
 

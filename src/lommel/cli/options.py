@@ -21,7 +21,7 @@ from click.core import ParameterSource
 from lommel.base import options
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
-from lommel.cli.output import Report, figure_format
+from lommel.cli.output import Report, Wrapped, figure_format
 from lommel.lensfiles.example_files import example_files
 from lommel.methods import METHODS
 
@@ -407,3 +407,9 @@ def with_options(message: str) -> str:
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )
+
+
+def notes_of(facts: dict[str, Any]) -> list[Wrapped]:
+    """Return the findings of a result and its notes, a line each."""
+    findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
+    return [Wrapped(line) for line in (*findings, *facts["notes"])]

@@ -14,7 +14,7 @@ from lommel.base.encoding import to_light
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
-from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Group, Option, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import NOISE, read_as, without
 from lommel.cli.progress import progress
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
-BETWEEN = Option(
+BETWEEN: Any = Option(
     "--between",
     type=LENGTH,
     nargs=2,
@@ -45,7 +45,7 @@ BETWEEN = Option(
 )
 
 
-def lens_options(which: str) -> list[Option]:
+def lens_options(which: str) -> list[Any]:
     """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
     once = f"once for {which}, or repeated for each; overrides the lens file."
     return [
@@ -54,68 +54,69 @@ def lens_options(which: str) -> list[Option]:
     ]
 
 
-@command(
-    click.Argument(["photos"], type=FILE, nargs=-1, required=True),
-    LENS,
-    BETWEEN,
-    Option("-o", "--output", "outputs", type=OUTPUT, multiple=True,
-           help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
-    Option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
-    plot_option("Figure of depth map, standard deviation and all-in-focus image"),
-    JSON,
-    *under(
-        "Camera",
-        *lens_options("all photos"),
-        Option("--exposure", "exposures", type=float, multiple=True,
-               help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By "
-               "default the ratio of their mean values."),
-        CAMERA,
-        SQUARE_PIXEL,
-        Option("--encoding", type=click.Choice(["srgb", "linear"]),
-               help="Encoding of the photos' values; by default integers are sRGB and floats are linear."),
-        documented(depth_from_defocus, "f_number_error", type=float,
-                   help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard "
-                   "deviation of depth. 0 if they are as stated."),
-        documented(depth_from_defocus, "focus_error", type=float,
-                   help="Standard error of each focus distance, dioptres (1/m): part of the standard deviation of "
-                   "depth."),
-        documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
-                   help="registered: points are at the same pixels in all photos; lens: the photos differ in "
-                   "magnification, as those of a thin lens at each focus distance, and are resampled to the scale of "
-                   "the first."),
-    ),
-    *under(
-        "Noise",
-        *NOISE,
-        Option("--saturation", type=float,
-               help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-               "saturated."),
-        Option("--mask", "masked", type=FILE,
-               help="Image of the pixels to leave out: not 0 there; one for all photos, or one for each."),
-    ),
-    *under(
-        "Estimation",
-        documented(depth_from_defocus, "window", type=float),
-        documented(depth_from_defocus, "candidates", type=int,
-                   help="Number of candidate distances, equally spaced in 1 / distance; by default enough to resolve "
-                   "the blur, at least 61."),
-    ),
-)  # fmt: skip
+PHOTOS: Any = click.Argument(["photos"], type=FILE, nargs=-1, required=True)
+
+
+class PhotoLens(Group, heading="Camera"):
+    """The lens and the camera of photographs."""
+
+    # fmt: off
+    foci, f_numbers = lens_options("all photos")
+    exposures: tuple[float, ...] = option("--exposure", type=float, multiple=True,
+        help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By default the "
+        "ratio of their mean values.")
+    f_number_error: float = documented(depth_from_defocus, "f_number_error", type=float,
+        help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard deviation of "
+        "depth. 0 if they are as stated.")
+    focus_error: float = documented(depth_from_defocus, "focus_error", type=float,
+        help="Standard error of each focus distance, dioptres (1/m): part of the standard deviation of depth.")
+    camera: Camera | None = CAMERA
+    pixel: float | None = SQUARE_PIXEL
+    encoding: str | None = option("--encoding", type=click.Choice(["srgb", "linear"]),
+        help="Encoding of the photos' values; by default integers are sRGB and floats are linear.")
+    magnification: str = documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
+        help="registered: points are at the same pixels in all photos; lens: the photos differ in magnification, as "
+        "those of a thin lens at each focus distance, and are resampled to the scale of the first.")
+    # fmt: on
+
+
+class PhotoNoise(Group, heading="Noise"):
+    """The noise of photographs, and pixels that do not count."""
+
+    # fmt: off
+    white, read, offset = NOISE
+    saturation: float | None = option("--saturation", type=float,
+        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
+        "saturated.")
+    masked: Path | None = option("--mask", type=FILE,
+        help="Image of the pixels to leave out: not 0 there; one for all photos, or one for each.")
+    # fmt: on
+
+
+class Estimation(Group, heading="Estimation"):
+    """Windows and candidates."""
+
+    # fmt: off
+    window: float = documented(depth_from_defocus, "window", type=float)
+    candidates: int | None = documented(depth_from_defocus, "candidates", type=int,
+        help="Number of candidate distances, equally spaced in 1 / distance; by default enough to resolve the blur, "
+        "at least 61.")
+    # fmt: on
+
+
+@command(JSON)
 def depth(
-    photos: tuple[Path, ...],
-    lens: Path,
-    foci: tuple[float, ...],
-    f_numbers: tuple[float, ...],
-    encoding: str | None,
-    exposures: tuple[float, ...],
-    camera: Camera | None,
-    pixel: float | None,
-    outputs: tuple[Path, ...],
-    sharp: Path | None,
-    figure: Path | None,
-    masked: Path | None,
-    **options: Any,
-) -> Report:
+    photos: tuple[Path, ...] = PHOTOS,
+    lens: Path = LENS,
+    between: tuple[float, float] = BETWEEN,
+    outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
+        help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
+    sharp: Path | None = option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
+    figure: Path | None = plot_option("Figure of depth map, standard deviation and all-in-focus image"),
+    seen: PhotoLens = PhotoLens(),
+    noisy: PhotoNoise = PhotoNoise(),
+    estimation: Estimation = Estimation(),
+) -> Report:  # fmt: skip
     """Estimate a depth map from photos (depth from defocus).
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
@@ -132,21 +133,21 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = instrument_of(lens, camera=camera, pixel=pixel)
+    instrument = instrument_of(lens, camera=seen.camera, pixel=seen.pixel)
     if instrument.aberrations_of_field is not None:
         raise ValueError(
             f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
         )
-    noise = noise_of(options, instrument.camera, photographs=True)
-    lenses = each_lens(instrument.lens, len(photos), foci, f_numbers)
+    noise = noise_of({**vars(noisy)}, instrument.camera, photographs=True)
+    lenses = each_lens(instrument.lens, len(photos), seen.foci, seen.f_numbers)
     with progress("reading") as started:
-        pictures = [read_photo(path, encoding) for path in photos]
+        pictures = [read_photo(path, seen.encoding) for path in photos]
         kinds = {(one.values.dtype, one.encoding) for one in pictures}
         if len(kinds) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
         given = [one.values for one in pictures]
-        if masked is not None:
-            given = without(given, masked)
+        if noisy.masked is not None:
+            given = without(given, noisy.masked)
         started("computing the PSFs of every distance")
         start = time.perf_counter()
         found = depth_from_defocus(
@@ -155,9 +156,14 @@ def depth(
             instrument.side,
             encoding=pictures[0].encoding,
             noise=noise,
-            exposures=exposures or None,
+            exposures=seen.exposures or None,
+            between=between,
+            magnification=seen.magnification,
+            f_number_error=seen.f_number_error,
+            focus_error=seen.focus_error,
+            saturation=noisy.saturation,
             progress=lambda done, tiles: started(f"tile {done} of {tiles}", done / tiles),
-            **options,
+            **vars(estimation),
         )
         seconds = time.perf_counter() - start
         started("comparing the blur with that of other apertures")
@@ -169,8 +175,11 @@ def depth(
         if figure is not None:
             save_figure(found.plot(), figure)
     files = written([*outputs, sharp, figure])
-    rest = {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": read_as(pictures[0], encoding)}
-    return _report(found, lenses, options, rest) + Report({}, files.parts)
+    encoded = read_as(pictures[0], seen.encoding)
+    rest = {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoded}
+    near, far = map(format_length, between)
+    searched = f"{len(found.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms"
+    return _report(found, lenses, searched, rest) + Report({}, files.parts)
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -213,7 +222,7 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
 
 
-def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
+def _report(found: DefocusDepth, lenses: list[Lens], searched: str, rest: Facts) -> Report:
     """Return the report of a depth map and its photos, with the rest of the facts."""
     facts = found.to_dict() | {
         "focus_distances": [finite(one.focus_distance) for one in lenses],
@@ -229,53 +238,39 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
         )
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
-    near, far = map(format_length, options["between"])
     lines = [
         rest["read"],
         f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
-        f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
+        searched,
         text,
     ]
     return Report(facts | rest, lines) + verdict_report(found.verdict)
 
 
-@command(
-    LENS,
-    Option("--focus", "foci", type=LENGTH, multiple=True,
-           help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
-           "--best."),
-    Option("--pair", type=float,
-           help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther."),
-    Option("--best", is_flag=True,
-           help="Find the two focus distances that give the best precision for a surface at --focus."),
-    documented(depth_precision, "photons", type=float, required=True,
-               help="Mean signal per pixel, in detected photons (electrons)."),
-    Option("--f-number", type=float, help="F-number; overrides the lens file."),
-    Option("--between", type=LENGTH, nargs=2, metavar="NEAR FAR",
-           help="Nearest and farthest distance to list; by default around the focus distances."),
-    CAMERA,
-    SQUARE_PIXEL,
-    documented(Noise, "read", type=float, default=None,
-               help=f"Read noise, rms electrons; by default that of the camera, or {_READ:g}."),
-    documented(depth_precision, "contrast", type=float,
-               help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
-    documented(depth_precision, "window", type=float),
-    plot_option("Figure of the standard deviation against the distance"),
-    JSON,
-)  # fmt: skip
+@command(JSON)
 def precision(
-    lens: Path,
-    foci: tuple[float, ...],
-    pair: float | None,
-    best: bool,
-    f_number: float | None,
-    read: float | None,
-    between: tuple[float, float] | None,
-    camera: Camera | None,
-    pixel: float | None,
-    figure: Path | None,
-    **texture: float,
-) -> Report:
+    lens: Path = LENS,
+    foci: tuple[float, ...] = option("--focus", type=LENGTH, multiple=True,
+        help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
+        "--best."),
+    pair: float | None = option("--pair", type=float,
+        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther."),
+    best: bool = option("--best", is_flag=True,
+        help="Find the two focus distances that give the best precision for a surface at --focus."),
+    photons: float = documented(depth_precision, "photons", type=float, required=True,
+        help="Mean signal per pixel, in detected photons (electrons)."),
+    f_number: float | None = option("--f-number", type=float, help="F-number; overrides the lens file."),
+    between: tuple[float, float] | None = option("--between", type=LENGTH, nargs=2, metavar="NEAR FAR",
+        help="Nearest and farthest distance to list; by default around the focus distances."),
+    camera: Camera | None = CAMERA,
+    pixel: float | None = SQUARE_PIXEL,
+    read: float | None = documented(Noise, "read", type=float, default=None,
+        help=f"Read noise, rms electrons; by default that of the camera, or {_READ:g}."),
+    contrast: float = documented(depth_precision, "contrast", type=float,
+        help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
+    window: float = documented(depth_precision, "window", type=float),
+    figure: Path | None = plot_option("Figure of the standard deviation against the distance"),
+) -> Report:  # fmt: skip
     """Compute the achievable depth precision (Cramer-Rao bound).
 
     The bound is the least standard deviation of the distance of a textured surface, estimated from photos with
@@ -293,6 +288,7 @@ def precision(
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
+    texture: Facts = {"photons": photons, "contrast": contrast, "window": window}
     noise: Facts = {"noise": Noise(read=read), **texture}
     if (pair is not None) + best + (len(foci) > 1) != 1 or not foci:
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")

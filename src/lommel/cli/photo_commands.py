@@ -76,7 +76,7 @@ _ARGUMENTS = [
     click.Argument(["lens"], type=FILE, required=False),
 ]
 _FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
-NOISE = [
+NOISE: list[Any] = [
     Option(
         "--white",
         type=float,

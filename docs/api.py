@@ -55,6 +55,7 @@ SECTIONS = [
             "optics.pupil",
             "optics.aperture",
             "optics.wavefront.wavefront",
+            "lensfiles.image",
             "lensfiles.instrument",
             "lensfiles.lens",
         ),

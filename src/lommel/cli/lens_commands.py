@@ -24,6 +24,7 @@ from lommel.cli.instruments import (
 from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
 from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
+from lommel.lensfiles.image_quality import other_model
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
 
@@ -106,7 +107,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
 
             shown = {_called(name): answer for name, answer in answers.items()}
             save_figure(plot.compare(shown, _called(reference)), figure)
-    other = lens_report.other_model(instrument)
+    other = other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     notes = []
     for row in rows:

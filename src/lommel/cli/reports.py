@@ -14,7 +14,7 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_facts, camera_in_words
-from lommel.cli.lens_report import listed_terms, magnifies, zernike_table
+from lommel.cli.lens_report import zernike_table
 from lommel.cli.output import (
     Facts,
     Report,
@@ -28,6 +28,7 @@ from lommel.cli.output import (
     table_of,
 )
 from lommel.field.psf_grid import PSFGrid
+from lommel.lensfiles.image_quality import listed_terms, magnifies
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.measures import errors, transfer

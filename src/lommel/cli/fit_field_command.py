@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 import numpy as np
 
-from lommel.base.units import parse_length
+from lommel.base.plain import plain
+from lommel.base.units import parse_length, with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, OBJECT_DISTANCE, CameraOptions, instrument_of, mask_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from lommel.base.arrays import Array
-    from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
     from lommel.lensfiles.camera import Camera
     from lommel.localize.point_sources import PointSources
@@ -179,6 +179,9 @@ def fit_field(
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
             raise ValueError(_too_few(targets, found))
+        blur: float | bool | Seeing | None = known_blur
+        if blur is None:
+            blur = seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
         given: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
         started("fitting")
         made = fit(
@@ -192,9 +195,7 @@ def fit_field(
             terms=terms,
             defocus=known,
             wavelengths=colours,
-            blur=known_blur
-            if known_blur is not None
-            else seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length),
+            blur=blur,
             targets=targets,
             size=size,
             saturation=saturation,
@@ -208,10 +209,8 @@ def fit_field(
         made.save(twin, twin=True)
     if figure is not None:
         save_figure(made.plot(), figure)
-    notes = [*read.notes, *header]
-    facts = _facts(made, found) | {"notes": notes}
-    blur = _blurred(made, pitch, focal_length)
-    report = Report(facts, [*_parts(made, found, blur), *map(Wrapped, notes)], made.converged)
+    facts = _facts(made, found) | {"notes": [*read.notes, *header]}
+    report = Report(facts, _parts(facts, found, _blurred(made, pitch, focal_length)), made.converged)
     verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
 
@@ -293,83 +292,60 @@ def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
     )
 
 
-def _parts(made: FieldFit, found: PointSources | Crossings, blur: str) -> list[Any]:
+def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any]:
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
-    spots = _spots(made)
-    rows = []
-    for j, name in enumerate(made.names):
-        cells = [f"{values[j]:+.4f} +- {errors[j]:.4f}" for values, errors in spots.values()]
-        rows.append([label(name), *cells])
-    if (bent := made.distortion) is not None:
-        for j, name in enumerate(("rows", "columns")):
-            rows.append(
-                [f"distortion of {name}, pixels", *(f"{v[j]:+.3f} +- {d[j]:.3f}" for v, d in _bent(made, bent))]
-            )
-    table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
+    waves, distortion = facts["waves"].values(), facts["distortion"]
+    rows = [
+        [name, *(f"{at['coefficients'][j]:+.4f} +- {at['deviation'][j]:.4f}" for at in waves)]
+        for j, name in enumerate(facts["terms"])
+    ]
+    for j, name in enumerate(("rows", "columns") if distortion else ()):
+        bent = distortion["pixels"].values()
+        cells = (f"{at['displacement'][j]:+.3f} +- {at['deviation'][j]:.3f}" for at in bent)
+        rows.append([f"distortion of {name}, pixels", *cells])
     first = []
-    if (coma := made.coma) is not None:
-        waves, error = (part / (2.0 * math.pi) for part in coma[:2])
+    if coma := facts["coma"]:
         first.append(
-            f"coma in the middle: {waves:.4f} +- {error:.4f} waves rms, axis at {coma.degrees:.0f} degrees from "
-            "columns to rows"
+            f"coma in the middle: {coma['waves']:.4f} +- {coma['deviation']:.4f} waves rms, axis at "
+            f"{coma['degrees']:.0f} degrees from columns to rows"
         )
-    if (focus := made.focus) is not None:
-        way = "towards the lens" if focus.shift > 0.0 else "away from the lens"
-        places = min(6, max(0, 1 - math.floor(math.log10(max(1e3 * focus.error, 1e-9)))))
-        shift, off = (f"{1e3 * abs(part):.{places}f}" for part in focus[:2])
-        sign = ", or as far the other way" if focus.sign_open else ""
-        first.append(f"focus in the middle: the sensor is {shift} +- {off} mm {way}{sign}")
-    left = _left(made, found)
-    lines = [f"row {row}, column {column}: {why}" for row, column, why in left[:_LISTED]]
+    if focus := facts["focus"]:
+        way = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
+        shift = " +- ".join(with_error(1e3 * abs(focus["shift"]), 1e3 * focus["error"], most=6))
+        sign = ", or as far the other way" if focus["sign_open"] else ""
+        first.append(f"focus in the middle: the sensor is {shift} mm {way}{sign}")
+    refused = ({**one, "reason": f"refused, {one['reason']}"} for one in facts["refused"])
+    left = [
+        f"- row {one['row']}, column {one['column']}: {one['reason']}" for one in (*facts["rejected_stars"], *refused)
+    ]
     if len(left) > _LISTED:
-        lines.append(f"and {len(left) - _LISTED} more, in --json")
-    parts: list[Any] = [Wrapped(made.message, "bold"), "", *map(Wrapped, first), *([""] if first else [])]
-    parts += [table, "", Wrapped(blur), Wrapped(found.message)]
-    return [*parts, *(Wrapped(f"- {each}") for each in lines)]
-
-
-def _left(made: FieldFit, found: PointSources | Crossings) -> list[tuple[int, int, str]]:
-    """Return rows, columns and reasons of stars that were rejected by the fit, then of those refused before."""
-    lost = np.flatnonzero(~made.stars.used)
-    lost = lost[np.argsort(-made.stars.chi2[lost], kind="stable")]
-    of_fit = [(*made.stars.places[k].tolist(), f"rejected, chi2 {made.stars.chi2[k]:.3g}") for k in lost]
-    each = [(one.row, one.column, f"refused, {one.reason}") for one in found.refused]
-    return [(int(row), int(column), why) for row, column, why in (*of_fit, *each)]
-
-
-def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
-    """Return terms and standard errors, waves rms, in the middle and in the bottom right corner."""
-    return {
-        name: tuple(part / (2.0 * math.pi) for part in made.at(*at))  # type: ignore[misc]
-        for name, at in _positions(made).items()
-    }
-
-
-def _positions(made: FieldFit) -> dict[str, tuple[float, float]]:
-    x, y = made.extent
-    return {"middle": made.middle, "corner": (x[1], y[1])}
-
-
-def _bent(made: FieldFit, bent: Distortion) -> list[tuple[Any, Any]]:
-    """Return displacements and standard errors, pixels, in the middle and in a corner."""
-    return [bent.at(*at) for at in _positions(made).values()]
+        left[_LISTED:] = [f"- and {len(left) - _LISTED} more, in --json"]
+    table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
+    parts: list[Any] = [Wrapped(facts["message"], "bold"), "", *map(Wrapped, first), *([""] if first else [])]
+    return [*parts, table, "", *map(Wrapped, (blur, found.message, *left, *facts["notes"]))]
 
 
 def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
     """Return the results as JSON can hold them."""
+    x, y = made.extent
+    positions = {"middle": made.middle, "corner": (x[1], y[1])}
+    waves = {name: [part / (2.0 * math.pi) for part in made.at(*at)] for name, at in positions.items()}
     distortion: Facts | None = None
     if (bent := made.distortion) is not None:
-        spots = zip(_positions(made), _bent(made, bent), strict=True)
         distortion = {
             "degree": bent.degree,
             "spacing": float(math.hypot(*bent.pose[:, 0])),
             "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
             "scatter": bent.scatter,
-            "pixels": {name: {"displacement": v.tolist(), "deviation": d.tolist()} for name, (v, d) in spots},
+            "pixels": {
+                name: dict(zip(("displacement", "deviation"), plain(bent.at(*at)), strict=True))
+                for name, at in positions.items()
+            },
         }
-    coma, focus = made.coma, made.focus
-    fit = made.to_dict()
-    kept = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree"
+    fit, coma, stars = made.to_dict(), made.coma, made.stars
+    kept = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
+    lost = np.flatnonzero(~stars.used)
+    lost = lost[np.argsort(-stars.chi2[lost], kind="stable")]
     return {name: fit[name] for name in kept} | {
         "coma": coma
         and {
@@ -377,21 +353,19 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
             "deviation": coma.error / (2.0 * math.pi),
             "degrees": coma.degrees,
         },
-        "focus": focus and focus._asdict(),
+        "focus": made.focus and made.focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in made.names],
         "waves": {
             name: {"coefficients": values.tolist(), "deviation": errors.tolist()}
-            for name, (values, errors) in _spots(made).items()
+            for name, (values, errors) in waves.items()
         },
-        "blur": [[each.to_dict() for each in several] for several in made.blurs],
-        "blur_errors": [list(several) for several in made.blur_errors],
-        "stars": len(made.stars.used),
-        "rejected": int((~made.stars.used).sum()),
+        "blur": plain(made.blurs),
+        "stars": len(stars.used),
+        "rejected": len(lost),
         "rejected_stars": [
-            {"row": row, "column": column, "reason": why}
-            for row, column, why in _left(made, found)
-            if why.startswith("rejected")
+            {"row": row, "column": column, "reason": f"rejected, chi2 {chi2:.3g}"}
+            for (row, column), chi2 in zip(stars.places[lost].astype(int).tolist(), stars.chi2[lost], strict=True)
         ],
         "left_out": found.left_out,
         "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in found.refused],

@@ -183,11 +183,15 @@ def beads(
         save_figure(found.plot(), figure)
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
-    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
-    facts |= _facts(found, corners)
+    facts = found.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
+    facts["places"] = [
+        one | {"row": one["row"] + row, "column": one["column"] + column}
+        for one, (row, column) in zip(facts["beads"], corners, strict=False)
+    ]
+    facts["beads"] = names[:_MOST]
     verdict = "" if found.converged else f", of a fit that has not converged: {found.status}"
     files = written([output, figure], lambda path: verdict if path == output else "")
-    return Report(facts, _parts(found, names, corners, notes), found.converged) + files
+    return Report(facts, _parts(found, facts), found.converged) + files
 
 
 def _other_step(file: str, stated: object, step: float) -> list[str]:
@@ -267,18 +271,7 @@ def _of_field(
     return Report(facts, parts) + about + written([output])
 
 
-def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
-    facts = found.to_dict()
-    facts["places"] = [
-        one | {"row": one["row"] + corner[0], "column": one["column"] + corner[1]}
-        for one, corner in zip(facts.pop("beads"), corners, strict=False)
-    ]
-    return facts
-
-
-def _parts(
-    found: BeadFit, names: list[str], corners: list[tuple[int, int]], notes: list[str]
-) -> list[RenderableType]:
+def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants = [], []
     for name, value in found.coefficients.items():
@@ -293,19 +286,16 @@ def _parts(
     parts += [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
     if constants:
         parts += [table_of(("constant", "value", "std. error"), constants), ""]
+    factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
     rows = []
-    for name, corner, one in zip(names, corners, found.beads, strict=False):
-        values = {
-            "row": (one.row + corner[0], 1.0),
-            "column": (one.column + corner[1], 1.0),
-            "z": (one.z, 1e9),
-            "depth": (one.depth, 1e9),
-            "flux": (float(np.mean(one.flux)), 1.0),
-        }
-        shown = [_beside(factor * v, factor * one.deviation.get(key, 0.0)) for key, (v, factor) in values.items()]
-        rows.append((name, *shown, f"{one.chi2:.3f}{'' if one.used else ', left out'}"))
+    for name, one, bead in zip(facts["beads"], facts["places"], found.beads, strict=True):
+        shown = [
+            _beside(factor * float(np.mean(one[key])), factor * bead.deviation.get(key, 0.0))
+            for key, factor in factors.items()
+        ]
+        rows.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))
     parts.append(table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), rows))
-    return [*parts, "", *(Wrapped(note) for note in notes)]
+    return [*parts, "", *map(Wrapped, facts["notes"])]
 
 
 def _beside(value: float, error: float) -> str:

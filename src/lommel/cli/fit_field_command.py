@@ -338,7 +338,7 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
             "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
             "scatter": bent.scatter,
             "pixels": {
-                name: dict(zip(("displacement", "deviation"), plain(bent.at(*at)), strict=True))
+                name: dict(zip(("displacement", "deviation"), (part.tolist() for part in bent.at(*at)), strict=True))
                 for name, at in positions.items()
             },
         }

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_facts, camera_in_words
@@ -37,7 +38,6 @@ from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import reference
 from lommel.optics.aperture.apodization import illumination
 from lommel.optics.colour.spectrum import Channels
-from lommel.optics.layers.stratified import Layer
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF, psf
@@ -55,15 +55,10 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     enough = energy >= 0.95 or min(answer.shape) >= side
     facts = how_made(answer, seconds) | {"wide_enough": None if enough else side, "energy": energy}
-    lines = [
-        ("method", repr(answer.method)),
-        ("values", _values(facts)),
-        ("pixels", f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
-        ("largest value", f"{facts['peak']:.{_digits(answer.error_bound)}g}"),
-        ("energy in the window", f"{energy:.2%}"),
-        *_error_and_time(facts),
-    ]
-    parts: list[RenderableType] = ["", list_of(lines, title="PSF")]
+    # As many digits of the peak as its error bound leaves.
+    digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
+    pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
+    parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", f"{energy:.2%}")
     if facts["sum"] is not None:
         text = (
             f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples more than lambda*N "
@@ -76,9 +71,17 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     return Report({"psf": facts}, parts)
 
 
-def _digits(bound: float | None) -> int:
-    """Return the significant digits of the peak that an error bound relative to it leaves, at most four."""
-    return 4 if not bound else min(4, max(1, math.floor(-math.log10(bound))))
+def _psf_parts(answer: PSF, facts: Facts, pixels: str, peak: str, energy: str) -> list[RenderableType]:
+    """Return the table of a PSF or a stack."""
+    lines = [
+        ("method", repr(answer.method)),
+        ("values", _values(facts)),
+        ("pixels", pixels),
+        ("largest value", peak),
+        ("energy in the window", energy),
+        *_error_and_time(facts),
+    ]
+    return ["", list_of(lines, title="PSF")]
 
 
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Report:
@@ -312,9 +315,9 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
         "apodization": list(light.powers),
         "rim_amplitude": float(light.value(1.0)),
-        "coverslip": _layer(glass),
-        "films": [_layer(film) for film in objective.films],
-        "design": None if as_designed else {"immersion": design.immersion, "coverslip": _layer(design.coverslip)},
+        "coverslip": plain(glass),
+        "films": plain(objective.films),
+        "design": None if as_designed else plain(design),
         "sample": objective.sample,
         "critical_angle": objective.critical_angle,
         "rim_angle": math.asin(objective.NA / objective.immersion),
@@ -454,16 +457,5 @@ def describe_stack(answer: PSF, seconds: float) -> Report:
         "energy": energy.tolist(),
         "brightest": best,
     }
-    lines = [
-        ("method", repr(answer.method)),
-        ("values", _values(facts)),
-        ("pixels", f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[answer.sampling]}"),
-        ("largest value", peak),
-        ("energy in the window", held),
-        *_error_and_time(facts),
-    ]
-    return Report({"psf": facts}, ["", list_of(lines, title="PSF")])
-
-
-def _layer(layer: Layer | None) -> dict[str, float] | None:
-    return None if layer is None else {"index": layer.index, "thickness": layer.thickness}
+    pixels = f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[answer.sampling]}"
+    return Report({"psf": facts}, _psf_parts(answer, facts, pixels, peak, held))

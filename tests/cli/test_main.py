@@ -18,9 +18,9 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli import lens_report
 from lommel.cli.main import commands, main
 from lommel.lensfiles.example_files import example_files
+from lommel.lensfiles.image_quality import other_model
 from lommel.methods import METHODS
 from lommel.show.drawing import HOW
 
@@ -430,9 +430,9 @@ def test_another_model_that_changes_nothing_has_no_row_and_one_out_of_reach_a_sh
     near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
     assert "aplanatic for the object: PSF differs by" in dict(LINE.findall(near))["other model"]
     close = dataclasses.replace(lm.load_instrument(tmp_path / "sharp.toml"), object_distance=10e-3)
-    told = lens_report.other_model(close)
+    told = other_model(close)
     assert told["reason"] == "cannot be computed to the tolerance"
-    monkeypatch.setattr(lens_report, "other_model", lambda instrument: told)
+    monkeypatch.setattr("lommel.lensfiles.image_quality.other_model", lambda instrument: told)
     near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
     assert dict(LINE.findall(near))["other model"] == "aplanatic: cannot be computed to the tolerance"
 

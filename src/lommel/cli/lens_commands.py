@@ -24,7 +24,6 @@ from lommel.cli.instruments import (
 from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
 from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
-from lommel.lensfiles.image_quality import other_model
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
 
@@ -88,6 +87,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
       lommel compare phone.toml --figure methods.png
     """
     from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
+    from lommel.lensfiles.image_quality import other_model
 
     instrument = instrument_of(lens, **given)
     pupil = instrument.pupil()

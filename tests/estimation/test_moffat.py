@@ -224,3 +224,10 @@ def test_other_arguments_are_checked():
             lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), **{name: value})
     with pytest.raises(TypeError, match="beta"):
         lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), beta="3")
+
+
+def test_a_star_so_bright_that_sums_are_rounded_settles():
+    air = lm.Seeing(1.0 / 50.0)
+    star = lm.psf(lm.Pupil(), 31, 10.0, integrate=True, blur=air, normalize="energy").values
+    fit = lm.fit_moffat(1e7 * star / star.sum() + 50.0, lm.Noise(read=3e4))
+    assert "not_settled" not in fit.findings.codes

@@ -169,6 +169,8 @@ class BeadFit(FitReport):
         What the checks found. Errors: "misfit", "no_light", "not_settled", "interrupted", "reversed_z". Doubts:
         "other_explanation" where the data favour something of `tests`, "too_dim", "held_out", "moved",
         "model_error", "too_quiet". Notes: single planes that moved, beads and pixels left out.
+    summary : str
+        Chi2, and the number of steps.
     converged, reliable, status, message
         The verdict that follows from these, as of :class:`lommel.fit.FitReport`.
     model_error : float

@@ -50,7 +50,7 @@ class MoffatFit(FitReport):
         0 of numbers that were held, and infinite of the exponent of a Gaussian.
     chi2 : float
         Sum of squared residuals over their variances, over what noise leaves of it: near 1 where the profile fits.
-    findings, converged, reliable, status, message
+    findings, summary, converged, reliable, status, message
         As of :class:`lommel.fit.FitReport`: whether the profile explains the image, and pixels left out.
     """
 
@@ -213,7 +213,13 @@ class _StarProfile:
     def scores_of(self, x: Array, values: Array, slopes: Sequence[Array]) -> Scores:
         """Return the same from profiles and their derivatives."""
         numbers, products = self._products(x, values, slopes)
-        deviance, total, spread = numbers[..., 0]
+        _, total, spread = numbers[..., 0]
+        # Less that of the counts themselves, or sums of bright stars are rounded by more than steps gain at the end.
+        counted, _, read, known = self.star[:, 0]
+        mean = x[:, :1] * values.reshape(len(x), -1) + x[:, 5:]
+        counts = np.maximum(counted + read, 1e-300)
+        over = np.maximum(mean + read, 0.25 * read) / counts - 1.0
+        deviance = (counts * (over - np.log1p(over))) @ known
         share = self.tested / (self.tested + self.free)
         expected = np.maximum(total * share, 1e-300)
         slope, information = products[:, :-1, -1], products[:, :-1, :-1]

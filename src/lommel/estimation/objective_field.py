@@ -55,7 +55,7 @@ class ObjectiveField(FitReport):
         Fits that converged and are not far from the polynomials.
     residuals : ndarray, shape (n, k)
         Terms of each fit less those of the map, radians rms.
-    findings, converged, reliable, status, message
+    findings, summary, converged, reliable, status, message
         As of :class:`lommel.fit.FitReport`: whether terms scatter by more than their errors, and fits left out.
     """
 

@@ -91,6 +91,8 @@ class Retrieval(FitReport):
         errors of the phase of an image exceed 0.25 radians rms, for then other wavefronts may fit as well;
         "errors_change" where a standard error changes by more than an eighth within one standard deviation;
         "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
+    summary : str
+        Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
         The verdict that follows from these, as of :class:`lommel.fit.FitReport`: `converged` without an error,
         `reliable` without an error or a doubt.

@@ -11,8 +11,8 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack
-from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb, lowest, start_of
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack, expected
+from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, State, climb, lowest, start_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
@@ -80,26 +80,24 @@ def possible(setup: Setup, name: str, value: float) -> bool:
     return True
 
 
-def missing_tests(joint: BeadModel, found: Climbed) -> tuple[ScoreTest, ...]:
+def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[ScoreTest, ...]:
     """Return score tests of what the model may lack: further terms, other constants, drift, background, gain."""
     setup, images = found.state.setup, joint.images
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
-    wide = BeadModel(images.with_terms(more_terms), joint.stacks, joint.priors, joint.depths, drift=joint.drifts)
+    wide = replace(joint, images=images.with_terms(more_terms))
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
     blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    constants = [name for name in available_constants(setup) if name not in AMPLITUDES or name == _AMPLITUDE]
-    constants = [name for name in constants if name not in joint.priors and not (name == "NA" and blind)]
+    without = {*joint.priors, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors}) | ({"NA"} if blind else set())
+    constants = [name for name in available_constants(setup) if name not in without]
     drift = () if joint.drifts else DRIFT
     more = [*constants, *drift, *GRADIENT, NONLINEAR]
-    normal = wide.normal(replace(found.state, waves=waves), found.values, more)
+    _, information, slope = wide.normal(replace(found.state, waves=waves), found.values, more)
     names = [*wide.names, *more]
-    unknowns = [names.index(name) for name in joint.names]
+    unknowns = [*map(names.index, joint.names), *range(len(names), len(slope))]
     candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in more_terms]
-    for name, prior in joint.priors.items():
-        if math.isfinite(prior.deviation):
-            at, known = names.index(name), prior.deviation
-            offset = setup.value(name) - prior.value
-            candidates.append(Candidate(name, (at,), _WIDER * known, known, offset))
+    for name, (value, known) in joint.priors.items():
+        if math.isfinite(known):
+            candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
     for name in constants:
         factor = setup.value(name) if name in ("pixel", "diameter") else 1.0
         candidates.append(Candidate(name, (names.index(name),), factor * _SIZES[name]))
@@ -107,18 +105,17 @@ def missing_tests(joint: BeadModel, found: Climbed) -> tuple[ScoreTest, ...]:
     for name, columns in groups.items():
         if columns:
             candidates.append(Candidate(name, tuple(map(names.index, columns)), _SIZES[name]))
-    tests = (*score_tests(*normal.reduced(), unknowns, candidates), *_neighbor_tests(joint, found))
+    tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
     return tuple(sorted(tests, key=lambda test: -test.log_bayes))
 
 
-def _neighbor_tests(joint: BeadModel, found: Climbed) -> list[ScoreTest]:
+def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
     """Return a test of another bead at the same focus beside each, where it is likeliest."""
     setup, made = found.state.setup, []
     least = _BESIDE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
     for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
-        counted, _, read, valid = (part.reshape(values.shape) for part in stack.star)
-        bead = light[0][:, None, None] * values
-        mean = bead + light[1][:, None, None]
+        bead, mean = light[0][:, None, None] * values, expected(light, values)
+        counted, read, valid = stack.planes
         weight = valid / np.maximum(mean + read, 0.25 * read)
         size = tuple(2 * side for side in stack.shape)
         turned = np.conj(np.fft.rfft2(bead, size))
@@ -141,9 +138,9 @@ def _neighbor_tests(joint: BeadModel, found: Climbed) -> list[ScoreTest]:
 
 
 def missing_findings(
-    joint: BeadModel, found: Climbed, tests: Sequence[ScoreTest], stated: Setup
+    joint: BeadModel, found: Evaluated, tests: Sequence[ScoreTest], stated: Setup
 ) -> tuple[list[Finding], float | None]:
-    """Return the finding of what the data favour, and the deviance of a fit with the first of it unknown.
+    """Return the finding of what the data favour, and the log-posterior of a fit with the first of it unknown.
 
     Steps of tests are linear: the likeliest are ranked by fits with each of them unknown, where there is such a fit.
     """
@@ -154,16 +151,16 @@ def missing_findings(
     likely = tuple(test for test in tests[:_TRIED] if test.log_bayes >= least)
     ends = [_refit_with_free(joint, found, test.name, stated) for test in likely]
     gains = [
-        test.log_bayes if end is None else found.deviance - end.deviance
+        test.log_bayes if end is None else end.log_posterior - found.log_posterior
         for test, end in zip(likely, ends, strict=True)
     ]
     order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
     words = [_in_words(likely[k], joint, stated, ends[k]) for k in order]
     best = ends[order[0]]
-    return [other_explanation([likely[k] for k in order], words)], None if best is None else best.deviance
+    return [other_explanation([likely[k] for k in order], words)], None if best is None else best.log_posterior
 
 
-def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Climbed | None) -> str:
+def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
     """Return what a test found, by a fit with it unknown where there is one: "sample = 1.379 +- 0.005"."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
@@ -187,7 +184,7 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Climbed 
     return f"{name} = {shown}{unit}, stated {factor * given:.6g} {sigmas}"
 
 
-def _refit_with_free(joint: BeadModel, found: Climbed, name: str, stated: Setup) -> Climbed | None:
+def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setup) -> Evaluated | None:
     """Return the fit with a constant or a term unknown and without a prior, None where it is neither."""
     state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
     if name == "depth":
@@ -200,37 +197,36 @@ def _refit_with_free(joint: BeadModel, found: Climbed, name: str, stated: Setup)
             return None
         images = images.with_terms(terms)
         state = replace(state, waves=np.concatenate([state.waves, np.zeros(len(terms))]))
-    model = BeadModel(images, joint.stacks, priors, depths, drift=joint.drifts or name == "drift")
+    drifts = joint.drifts or name == "drift"
     try:
-        return climb(model, state, _STEPS, lambda *_: None)
+        return climb(replace(joint, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS)
     except (Declined, ValueError):
         return None
 
 
 def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) -> list[Finding]:
-    """Return the finding of planes in reversed order, where they fit far better than a deviance of `best`.
+    """Return the finding of planes in reversed order, where they fit far better than a log-posterior of `best`.
 
     And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
     """
-    turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
-    other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=joint.drifts)
+    turned = tuple(replace(stack, z=-stack.z) for stack in joint.stacks)
     places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
     try:
-        there = climb(other, State(start.setup, start.waves, places), _STEPS, lambda *_: None)
+        there = climb(replace(joint, stacks=turned), State(start.setup, start.waves, places), _STEPS)
     except (Declined, ValueError):
         return []
-    turned_chi2, spread = other.chi2_of(there.normal.parts)
+    (turned_chi2, spread), gain = there.quality, there.log_posterior - best
     well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
-    if there.deviance > best - _REVERSED or not well:
+    if gain < _REVERSED or not well:
         return []
     text = (
         f"planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z increases towards the sample, change "
         "the sign of the step"
     )
-    return [Finding("reversed_z", "error", text, {"chi2": turned_chi2, "log_likelihood": best - there.deviance})]
+    return [Finding("reversed_z", "error", text, {"chi2": turned_chi2, "log_likelihood": gain})]
 
 
-def held_out_chi2(joint: BeadModel, found: Climbed) -> tuple[float, float]:
+def held_out_chi2(joint: BeadModel, found: Evaluated) -> tuple[float, float]:
     """Return chi2 of the last bead with what a fit of the others finds, and its standard deviation."""
     count, state = len(joint.stacks), found.state
     if count < _HELD:
@@ -238,13 +234,11 @@ def held_out_chi2(joint: BeadModel, found: Climbed) -> tuple[float, float]:
     others, out = joint.having(range(count - 1)), joint.having([count - 1])
     try:
         start = replace(state, places=state.places[:-1], light=state.light[:-1])
-        rest = climb(others, start, _STEPS, lambda *_: None).state
-        held = BeadModel(joint.images.without_terms(rest.waves), out.stacks, {}, out.depths, drift=joint.drifts)
-        last = State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:])
-        placed = climb(held, last, _STEPS, lambda *_: None)
+        rest = climb(others, start, _STEPS).state
+        held = replace(out, images=joint.images.without_terms(rest.waves), priors={})
+        return climb(held, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS).quality
     except (Declined, ValueError):
         return math.nan, 0.0
-    return held.chi2_of(placed.normal.parts)
 
 
 def held_out_findings(chi2: float, spread: float) -> list[Finding]:

@@ -2,7 +2,7 @@
 
 Photons and background of each plane are eliminated: for any model they are those of maximum likelihood, and the
 information about all else is the Schur complement. Beads share the wavefront and the constants of the microscope and
-have places of their own, which are eliminated likewise, so that the cost is linear in the number of beads.
+have places of their own.
 """
 
 from __future__ import annotations
@@ -174,6 +174,12 @@ class Stack:
     def times(self) -> Array:
         """-1 to 1 over the stack, of drift."""
         return np.linspace(-1.0, 1.0, len(self.z))
+
+    @property
+    def planes(self) -> tuple[Array, Array, NDArray[np.bool_]]:
+        """Electrons, variances of reading, and which pixels count, (planes, height, width) each."""
+        counted, _, read, valid = self.star.reshape(4, -1, *self.shape)
+        return counted, read, valid > 0.0
 
     @staticmethod
     def of(electrons: Array, variance: Array, valid: NDArray[np.bool_], z: Array) -> Stack:
@@ -366,63 +372,54 @@ def light_of(values: Array, star: Array, before: Array | None = None) -> Array:
     return found
 
 
-class Part(NamedTuple):
-    """What the stack of one bead says: deviance, slope and information of the shared parameters, then of its own."""
+def expected(light: Array, values: Array) -> Array:
+    """Return the mean electrons of planes of this light (2, planes)."""
+    return np.asarray(light[0][:, None, None] * values + light[1][:, None, None])
 
-    deviance: float
-    slope: Array
-    information: Array
+
+class Part(NamedTuple):
+    """What the planes of one bead say of the shared parameters, then of its own, the light being eliminated."""
+
+    slope: Array  # (planes, parameters)
+    information: Array  # (planes, parameters, parameters)
     chi2: float  # Pearson's sum of squares
     expected: float
     spread: float
-    light: Array  # (2, planes)
     visible: float  # of the light of all planes, standard deviations
     scatter: Array  # (planes, 2, 2), covariance of the light where all parameters are held
     carried: Array  # (planes, parameters, 2), what the light falls by as parameters rise
 
+    def shifts(self, columns: list[int]) -> tuple[Array, Array]:
+        """Return steps of parameters in each plane (planes, q), all else held, and their distances in sigmas."""
+        square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
+        square = _regular(square) + 1e-300 * np.eye(len(columns))
+        step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])
+        return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, slope), 0.0))
 
-def likelihood(values: Array, stack: Stack, light: Array, threads: int) -> tuple[float, float, float, float]:
-    """Return minus the log-likelihood, and Pearson's chi2, its expectation and variance."""
-    numbers, products = star_likelihood([values], light[None], stack.star, threads)
-    deviance, expected, spread = numbers.sum(axis=(-1, -2))
-    return float(deviance), float(products[0, :, -1, -1].sum()), float(expected), float(spread)
 
-
-def shifts_of(values: Array, slopes: Array, stack: Stack, light: Array, threads: int) -> tuple[Array, Array]:
-    """Return how far each plane is off along rows and columns (planes, 2), all else held, in pixels and in sigmas.
-
-    `slopes` (2, planes, height, width) are derivatives by row and column; photons and background are eliminated. The
-    second are distances (planes,) in standard deviations.
-    """
-    _, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
-    each, flux = products[0], light[0][:, None, None]
-    inner = each[:, 2:4, 2:4] + 1e-12 * np.trace(each[:, 2:4, 2:4], axis1=1, axis2=2)[:, None, None] * np.eye(2)
-    carried = np.linalg.solve(inner, flux * each[:, 2:4, :2])
-    square = flux * flux * each[:, :2, :2] - flux * each[:, :2, 2:4] @ carried
-    slope = flux[..., 0] * each[:, :2, -1] - np.einsum("plk,pl->pk", carried, each[:, 2:4, -1])
-    square = square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(2) + 1e-300 * np.eye(2)
-    step = np.linalg.solve(square, slope[..., None])[..., 0]
-    return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, slope), 0.0))
+def _regular(square: Array) -> Array:
+    """Return matrices (planes, q, q) that have an inverse."""
+    return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
 def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
     """Return what a stack says about parameters, whose derivatives are (planes, parameters, slopes) of `slopes`."""
     numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
-    deviance, expected, spread = numbers.sum(axis=(-1, -2))
+    _, expected, spread = numbers.sum(axis=(-1, -2))
     each, k = products[0], len(slopes)
     flux = light[0][:, None, None]
-    inner = each[:, k : k + 2, k : k + 2]
-    cross = flux * each[:, :k, k : k + 2]
-    inner = inner + 1e-12 * np.trace(inner, axis1=1, axis2=2)[:, None, None] * np.eye(2)
+    inner, cross = _regular(each[:, k : k + 2, k : k + 2]), flux * each[:, :k, k : k + 2]
     carried = np.linalg.solve(inner, cross.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
     square = flux * flux * each[:, :k, :k] - carried @ cross.swapaxes(1, 2)
     slope = flux[..., 0] * each[:, :k, -1] - np.einsum("pkl,pl->pk", carried, each[:, k : k + 2, -1])
-    information = (chain @ square @ chain.swapaxes(1, 2)).sum(axis=0)
-    found = np.einsum("pak,pk->a", chain, slope)
     alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
-    visible = math.sqrt(float((light[0] ** 2 * np.maximum(alone, 0.0)).sum()))
-    total = float(each[:, -1, -1].sum())
     return Part(
-        float(deviance), found, information, total, float(expected), float(spread), light, visible,
-        np.linalg.inv(inner), chain @ carried,
-    )  # fmt: skip
+        np.einsum("pak,pk->pa", chain, slope),
+        chain @ square @ chain.swapaxes(1, 2),
+        float(each[:, -1, -1].sum()),
+        float(expected),
+        float(spread),
+        math.sqrt(float((light[0] ** 2 * np.maximum(alone, 0.0)).sum())),
+        np.asarray(np.linalg.inv(inner)),
+        chain @ carried,
+    )

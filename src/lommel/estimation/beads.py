@@ -15,29 +15,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.plain import fields_of, plain
 from lommel.base.units import with_error
-from lommel.estimation.bead_checks import (
-    available_constants,
-    held_out_chi2,
-    held_out_findings,
-    missing_findings,
-    missing_tests,
-    model_error,
-    moved_findings,
-    moved_planes,
-    reversed_findings,
-)
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
-from lommel.estimation.bead_search import (
-    DRIFT,
-    ORIGINS,
-    BeadModel,
-    Climbed,
-    Prior,
-    Search,
-    State,
-    brightest,
-    start_of,
-)
+from lommel.estimation import bead_checks
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, expected
+from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
 from lommel.estimation.phase_retrieval import star_counts
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
@@ -495,9 +475,8 @@ def fit_beads(
     factors = np.array([zernike.rms_factor(n, m) for n, m in solved])
     waves = np.array([start.get(term, 0.0) for term in solved]) / factors
     images_of = BeadImages(solved, start, workers)
-    model = BeadModel(
-        images_of, made, known, [Prior(d, of_depth) for d in deep], drift=validation.truth("drift", drift)
-    )
+    depths = tuple(Prior(d, of_depth) for d in deep)
+    model = BeadModel(images_of, tuple(made), known, depths, validation.truth("drift", drift))
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
@@ -559,7 +538,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup at the values of priors, these, the deviation of depths, and what is to be said."""
-    known, notes = available_constants(setup), list[Finding]()
+    known, notes = bead_checks.available_constants(setup), list[Finding]()
     near = min(deep) <= setup.wavelength
     blind = not near and setup.objective.sample < setup.objective.NA
     if given is None:
@@ -610,7 +589,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
 def _build_bead_fit(
     model: BeadModel,
     search: Search,
-    found: Climbed,
+    found: Evaluated,
     used: list[bool],
     recorded: list[Counts],
     noise: Noise,
@@ -618,37 +597,37 @@ def _build_bead_fit(
 ) -> BeadFit:
     """Return the result of a search, with what its checks find."""
     joint, state = model.having([k for k in range(len(used)) if used[k]]), found.state
-    normal = joint.normal(state, found.values)
-    square, _ = normal.reduced()
-    inverse = _inverse(square)
-    chi2, spread = joint.chi2_of(normal.parts)
-    held_out = (math.nan, 0.0) if search.interrupted else held_out_chi2(joint, found)
-    beads = _beads(model, joint, state, normal, inverse, used, recorded, noise)
-    error = model_error(joint, state)
+    whole, shared = _inverse(found.scores.information[0]), len(joint.names)
+    inverse = whole[:shared, :shared]
+    chi2, spread = found.quality
+    held_out = (math.nan, 0.0) if search.interrupted else bead_checks.held_out_chi2(joint, found)
+    beads = _beads(model, joint, found, whole, used, recorded, noise)
+    error = bead_checks.model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
     findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
     if "misfit" in Findings(findings).codes:
         findings[:0] = _excess_findings(joint, found, noise)
     tests: tuple[ScoreTest, ...] = ()
-    if max(part.visible for part in normal.parts) < _VISIBLE:
+    if max(part.visible for part in found.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
         if not search.interrupted:
-            tests = missing_tests(joint, found)
-            missing, deviance = missing_findings(joint, found, tests, search.setup)
+            tests = bead_checks.missing_tests(joint, found)
+            missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
             backwards: list[Finding] = []
             if missing or not Findings(findings).converged:
-                best = found.deviance if deviance is None else min(deviance, found.deviance)
+                best = found.log_posterior if other is None else max(other, found.log_posterior)
                 start = State(search.setup, search.waves, state.places)
-                backwards = reversed_findings(joint, start, best, chi2)
+                backwards = bead_checks.reversed_findings(joint, start, best, chi2)
             findings += backwards or missing
         if "reversed_z" not in Findings(findings).codes:
-            findings += moved_findings([one.moved for one in beads if one.used], sum(len(s.z) for s in joint.stacks))
+            planes = sum(len(s.z) for s in joint.stacks)
+            findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
     if search.interrupted:
         findings.insert(0, Finding("interrupted", "error", "this is the best so far"))
     elif not found.settled:
         findings.append(Finding("not_settled", "error", f"more than {search.most} steps may be needed"))
-    findings += held_out_findings(*held_out)
+    findings += bead_checks.held_out_findings(*held_out)
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(str(j) for j, one in enumerate(used) if not one)
@@ -683,17 +662,11 @@ def _build_bead_fit(
     )
 
 
-def _excess_findings(joint: BeadModel, found: Climbed, noise: Noise) -> list[Finding]:
+def _excess_findings(joint: BeadModel, found: Evaluated, noise: Noise) -> list[Finding]:
     """Return the finding of excess noise that was not stated."""
-    each = zip(joint.stacks, found.values, found.state.light, strict=True)
-    off, light, added = [], [], []
-    for stack, values, (flux, background) in each:
-        counted, _, read, valid = stack.star
-        mean = flux[:, None] * values.reshape(len(values), -1) + background[:, None]
-        off.append(np.where(valid > 0.0, counted - mean, np.nan))
-        light.append(mean)
-        added.append(read)
-    return excess_findings(np.stack(off), np.stack(light), np.stack(added), noise.excess)
+    light = np.stack([expected(*each) for each in zip(found.state.light, found.values, strict=True)])
+    counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
+    return excess_findings(np.where(valid, counted - light, np.nan), light, read, noise.excess)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:
@@ -726,67 +699,53 @@ def _inverse(square: Array) -> Array:
 def _beads(
     model: BeadModel,
     joint: BeadModel,
-    state: State,
-    normal: Any,
+    fit: Evaluated,
     inverse: Array,
     used: list[bool],
     recorded: list[Counts],
     noise: Noise,
 ) -> tuple[FittedBead, ...]:
     """Return what was found of each bead; of those left out, their fit with all that is shared held."""
-    found, taken, k = [], 0, len(joint.names)
+    found, k, setup = [], len(joint.names), fit.state.setup
+    names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):
-        alone = BeadModel(model.images, [stack], {}, [model.depths[j]], drift=DRIFT[0] in model.own)
+        alone, one, t = replace(model.having([j]), priors={}), fit, sum(used[:j])
+        errors, scatter = dict[str, float](), np.full((len(stack.z), 2), math.nan)
+        if not used[j]:
+            place = start_of(stack, setup, model.depths[j].value, 0.0)
+            one, t = alone.evaluated(*alone.lit(State(setup, fit.state.waves, (place,)))), 0
+        place, light, image, part = one.state.places[t], one.state.light[t], one.values[t], one.parts[t]
         if used[j]:
-            place, light = state.places[taken], state.light[taken]
-            own, cross = normal.own[taken], normal.across[taken][:k]
-            back = _inverse(own)
-            mixed = inverse @ cross @ back
-            covered = back + back @ cross.T @ mixed
-            errors = dict(zip(model.own, np.sqrt(np.diag(covered)).tolist(), strict=True))
-            part, own_of = normal.parts[taken], len(model.own)
-            rows = [*range(k), *range(part.carried.shape[1] - own_of, part.carried.shape[1])]
-            carried = part.carried[:, rows]
-            whole = np.block([[inverse, -mixed], [-mixed.T, covered]])
+            at = [*range(k), *joint.columns(t, k)]
+            whole, carried = inverse[np.ix_(at, at)], part.carried
+            errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
+            errors["z"] /= setup.step
             scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
             alike = carried.mean(axis=0)  # all planes depend on the same parameters
             mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(alike.T @ whole @ alike)
-            errors |= dict(zip(("flux", "background"), np.sqrt(mean).tolist(), strict=True))
-            taken += 1
-        else:
-            place = start_of(stack, state.setup, model.depths[j].value, 0.0)
-            light, errors = light_of(model.images.values(state.setup, state.waves, place, stack), stack.star), {}
-            scatter = np.full((len(stack.z), 2), math.nan)
-        image = model.images.values(state.setup, state.waves, place, stack)
-        mean = light[0][:, None, None] * image + light[1][:, None, None]
-        chi2 = alone.chi2(replace(state, places=(place,), light=(light,)), [image])[0]
-        counted, _, read, valid = (part.reshape(mean.shape) for part in stack.star)
-        rates = model.images.slopes(state.setup, state.waves, place, stack)[-2:]
-        moved = moved_planes(*shifts_of(image, rates, stack, light, model.images.threads))
-        residual = np.where(valid > 0.0, (counted - mean) / np.sqrt(np.maximum(mean + read, 0.25 * read)), np.nan)
-        errors = {("z" if name == "focus" else name): value for name, value in errors.items()}
-        light, scatter = noise.excess * np.asarray(light), noise.excess**2 * scatter
-        errors |= {name: noise.excess * errors[name] for name in ("flux", "background") if name in errors}
-        if "z" in errors:
-            errors["z"] /= state.setup.step
+            errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean)).tolist(), strict=True))
+        mean, row = expected(light, image), part.slope.shape[1] - len(model.own)
+        counted, read, valid = stack.planes
+        variance = np.maximum(mean + read, 0.25 * read)
+        flux_deviation, background_deviation = noise.excess * np.sqrt(scatter.T)
         found.append(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
                 column=stack.shape[1] // 2 + place.column,
-                z=(brightest(state.setup, place.depth) - place.focus) / state.setup.step,
+                z=(brightest(setup, place.depth) - place.focus) / setup.step,
                 depth=place.depth,
                 deviation=errors,
                 drift=place.drift,
-                flux=light[0],
-                background=light[1],
-                flux_deviation=np.sqrt(scatter[:, 0]),
-                background_deviation=np.sqrt(scatter[:, 1]),
-                moved=moved,
-                chi2=chi2,
+                flux=noise.excess * light[0],
+                background=noise.excess * light[1],
+                flux_deviation=flux_deviation,
+                background_deviation=background_deviation,
+                moved=bead_checks.moved_planes(*part.shifts([row, row + 1])),
+                chi2=alone.chi2_of([part])[0],
                 used=used[j],
                 images=np.where(recorded[j].known, recorded[j].values, np.nan),
                 model=noise.poisson.image(mean),
-                residual=residual,
+                residual=np.where(valid, (counted - mean) / np.sqrt(variance), np.nan),
             )
         )
     return tuple(found)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,16 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
-from lommel import show
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array
 from lommel.localize.detection import filled
 from lommel.localize.lattice import grid_indices
-from lommel.localize.point_sources import Refused, field_counts, refusals, told, unusable, windows_around
+from lommel.localize.point_sources import Targets, checked_window, field_counts, target_windows, unusable
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 REASONS = {
     "saturated": "a pixel of the window is saturated in an exposure",
@@ -39,8 +37,8 @@ _CONTRAST = 0.25  # of the usual, below which four squares are a print, not the 
 _SPACED = 10.0  # percent of crossings whose windows may overlap those of others
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Crossings:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Crossings(Targets):
     """Crossings of a checkerboard in an image or several exposures: the answer of :func:`lommel.find_crossings`.
 
     Attributes
@@ -67,52 +65,15 @@ class Crossings:
         Number of pixels of all exposures that are masked, NaN or infinite.
     """
 
-    places: NDArray[np.int64]
-    centers: Array
     indices: Array
-    windows: Values
     contrast: Array
     square: float
-    refused: tuple[Refused, ...]
-    shape: tuple[int, int]
-    left_out: int
-    _image: Array = field(repr=False)
 
     @property
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
-        counts = Counter(each.reason for each in self.refused)
-        left = ", ".join(f"{counts[reason]} {reason}" for reason in REASONS if counts[reason])
         apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        said = f"{len(self)} crossing{'s' * (len(self) != 1)} found{apart}; refused: {left or 'none'}"
-        return said + told(self.left_out)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Return matplotlib axes with the image, the windows, and the refused crossings by reason.
-
-        Parameters
-        ----------
-        ax : matplotlib Axes, optional
-            Axes to draw into; by default those of a new figure.
-
-        Returns
-        -------
-        matplotlib Axes
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        """
-        rows, columns = self.windows.shape[-2:]
-        refused = [(each.row, each.column, each.reason) for each in self.refused]
-        return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
-
-    def __len__(self) -> int:
-        return len(self.places)
-
-    def __repr__(self) -> str:
-        return f"<Crossings: {self.message}>"
+        return self._told("crossing", apart, REASONS)
 
 
 def find_crossings(
@@ -176,16 +137,13 @@ def find_crossings(
     >>> found.message
     '15 crossings found, 30 pixels apart; refused: none'
     """
-    box = None if window is None else validation.image_shape(window)
-    if box is not None and min(box) < 5:
-        raise ValueError(f"window must be at least 5 x 5 pixels, got {box[0]} x {box[1]}")
+    box = None if window is None else checked_window(window)
     validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     counts, single = field_counts(images, "exposures", box or (_LEAST, _LEAST), mask, saturation)
-    planes, left, full = counts.values, counts.hidden, np.asarray(counts.full.any(axis=0))
-    electrons = noise.electrons(filled(planes, left, sigma))
+    electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(light, variance, sigma, level)
     apart = _nearest(center)
@@ -195,22 +153,19 @@ def find_crossings(
         side = int(min(max(room, _LEAST), _MOST, *light.shape))
         box = (side - 1 + side % 2,) * 2
     middle = np.rint(center).astype(np.int64)
-    reasons = _reasons(middle, contrast, full, left, box)
-    kept = np.array([not reason for reason in reasons], dtype=bool)
-    order = _spread(center, np.flatnonzero(kept), count)
+    reasons, taken = unusable(middle, counts, box), list[int]()
+    for k in np.argsort(-contrast, kind="stable").tolist():
+        if not reasons[k] and (np.abs(middle[taken] - middle[k]) < box).all(axis=1).any():
+            reasons[k] = "neighbor"
+        elif not reasons[k]:
+            taken.append(k)
+    order = _spread(center, np.flatnonzero([not reason for reason in reasons]), count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
-    cut = windows_around(planes, left, middle[order], box)
     return Crossings(
-        places=middle[order],
-        centers=center[order],
         indices=_indices(center)[order],
-        windows=cut[:, 0] if single else cut,
         contrast=contrast[order],
         square=square,
-        refused=refusals(middle, score, reasons),
-        shape=(light.shape[0], light.shape[1]),
-        left_out=int(left.sum()),
-        _image=np.where(left.any(axis=0), np.nan, light),
+        **target_windows(counts, single, center, order, box, score, reasons, light),
     )
 
 
@@ -277,24 +232,3 @@ def _nearest(center: Array) -> Array:
         return np.zeros_like(center)
     _, at = cKDTree(center).query(center, k=2)
     return np.asarray(center[at[:, 1]] - center)
-
-
-def _reasons(
-    middle: NDArray[np.int64],
-    contrast: Array,
-    full: NDArray[np.bool_],
-    left: NDArray[np.bool_],
-    box: tuple[int, int],
-) -> list[str]:
-    """Return the reason why each crossing is refused, or ""."""
-    rows, columns = box
-    found = [unusable(row, column, full, left, box) for row, column in middle.tolist()]
-    usable = [k for k in np.argsort(-contrast, kind="stable").tolist() if not found[k]]
-    taken: list[int] = []
-    for k in usable:
-        beside = np.abs(middle[taken] - middle[k]) < [rows, columns] if taken else np.zeros((0, 2), dtype=bool)
-        if beside.all(axis=1).any():
-            found[k] = "neighbor"
-        else:
-            taken.append(k)
-    return found

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,8 +49,67 @@ class Refused(NamedTuple):
     reason: str
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class PointSources:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Targets:
+    """Places of targets in an image or several, windows around them, and what was refused.
+
+    Attributes
+    ----------
+    places, centers, windows, refused, shape, left_out
+        As of :class:`lommel.PointSources`.
+    """
+
+    places: NDArray[np.int64]
+    centers: Array
+    windows: Values
+    refused: tuple[Refused, ...]
+    shape: tuple[int, int]
+    left_out: int
+    _image: Array = field(repr=False)
+
+    @property
+    def message(self) -> str:
+        """How many were found, and how many refused for each reason."""
+        raise NotImplementedError
+
+    def _told(self, noun: str, apart: str, reasons: Iterable[str]) -> str:
+        """Return how many were found, and how many refused for each of the reasons."""
+        counts = Counter(each.reason for each in self.refused)
+        refused = ", ".join(f"{counts[reason]} {reason}" for reason in reasons if counts[reason]) or "none"
+        said = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
+        lost = self.left_out
+        return said + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Return matplotlib axes with the image, the windows, and the refused ones by reason.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Axes to draw into; by default those of a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        """
+        rows, columns = self.windows.shape[-2:]
+        refused = [(each.row, each.column, each.reason) for each in self.refused]
+        return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.message}>"
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class PointSources(Targets):
     """Isolated point sources in an image or stack: the answer of :func:`lommel.find_spots`.
 
     Attributes
@@ -76,56 +135,20 @@ class PointSources:
         Where there is no spot at all: the highest maximum, which is below the threshold.
     """
 
-    places: NDArray[np.int64]
-    centers: Array
-    windows: Values
     score: Array
     flux: Array
-    refused: tuple[Refused, ...]
-    shape: tuple[int, int]
-    left_out: int
     candidate: Refused | None
-    _image: Array = field(repr=False)
 
     @property
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
-        counts = Counter(each.reason for each in self.refused)
-        left = ", ".join(f"{counts[reason]} {reason}" for reason in REASONS if counts[reason])
-        said = f"{len(self)} spot{'s' * (len(self) != 1)} found; refused: {left or 'none'}{told(self.left_out)}"
+        said = self._told("spot", "", REASONS)
         if (best := self.candidate) is not None:
             said += (
                 f"; the highest maximum, at row {best.row}, column {best.column}, is {best.score:.3g} standard "
                 "deviations high"
             )
         return said
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Return matplotlib axes with the image, the windows, and the refused spots by reason.
-
-        Parameters
-        ----------
-        ax : matplotlib Axes, optional
-            Axes to draw into; by default those of a new figure.
-
-        Returns
-        -------
-        matplotlib Axes
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        """
-        rows, columns = self.windows.shape[-2:]
-        refused = [(each.row, each.column, each.reason) for each in self.refused]
-        return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
-
-    def __len__(self) -> int:
-        return len(self.places)
-
-    def __repr__(self) -> str:
-        return f"<PointSources: {self.message}>"
 
 
 def find_spots(
@@ -198,49 +221,48 @@ def find_spots(
     >>> spots.places, spots.message
     (array([[50, 62]]), '1 spot found; refused: 1 edge')
     """
-    rows, columns = validation.image_shape(window)
-    if min(rows, columns) < 5:
-        raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
+    rows, columns = box = checked_window(window)
     validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     far = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    counts, single = field_counts(images, "planes", (rows, columns), mask, saturation)
-    planes, left, full = counts.values, counts.hidden, np.asarray(counts.full.any(axis=0))
+    counts, single = field_counts(images, "planes", box, mask, saturation)
     alike = noise.poisson
-    electrons = alike.electrons(filled(planes, left, narrow))
+    electrons = alike.electrons(filled(counts.values, counts.hidden, narrow))
     variance = alike.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
     kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
     spread = kernel.squared(variance)
     row, column, score = kernel.maxima(light, spread, level)
     candidate = None if row.size else _highest(*kernel.maxima(light, spread, _CANDIDATE))
-    row, column, score = _one_each(row, column, score, _STRUCTURE * min(rows, columns))
-    background = _level(light, (rows, columns))
+    row, column, score = _one_each(row, column, score, _STRUCTURE * min(box))
+    background = _level(light, box)
     bright = (smoothed(light, narrow) - background)[row, column]
     center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
     for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
-        center[k], flux[k], peak[k] = _centroid(light, background, variance, at, (rows, columns))
+        center[k], flux[k], peak[k] = _centroid(light, background, variance, at, box)
     middle = np.rint(center).astype(np.int64)
-    near = _neighbors(middle / [rows, columns], bright, peak > _ONE_PIXEL, far, faint)
-    reasons = _reasons(middle, full, left, (rows, columns), near, peak)
-    kept = np.array([not reason for reason in reasons], dtype=bool)
-    order = [k for k in np.argsort(-score, kind="stable").tolist() if kept[k]][:count]
-    cut = windows_around(planes, left, middle[order], (rows, columns))
+    near = _neighbors(middle / box, bright, peak > _ONE_PIXEL, far, faint)
+    reasons = unusable(middle, counts, box)
+    for k, share in enumerate(peak.tolist()):
+        reasons[k] = reasons[k] or ("defect" if share > _ONE_PIXEL else "neighbor" if near[k] else "")
+    order = [k for k in np.argsort(-score, kind="stable").tolist() if not reasons[k]][:count]
     return PointSources(
-        places=middle[order],
-        centers=center[order],
-        windows=cut[:, 0] if single else cut,
         score=score[order],
         flux=noise.excess * flux[order],
-        refused=refusals(middle, score, reasons),
-        shape=(light.shape[0], light.shape[1]),
-        left_out=int(left.sum()),
         candidate=candidate,
-        _image=np.where(left.any(axis=0), np.nan, noise.excess * light),
+        **target_windows(counts, single, center, order, box, score, reasons, noise.excess * light),
     )
+
+
+def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
+    """Return rows and columns of a window; ValueError if there are few."""
+    rows, columns = validation.image_shape(window)
+    if min(rows, columns) < 5:
+        raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
+    return rows, columns
 
 
 def field_counts(
@@ -264,41 +286,49 @@ def field_counts(
     return (made[None] if single else made), single
 
 
-def told(left_out: int) -> str:
-    """Return what is to be said of pixels that are left out, or ""."""
-    return f"; {left_out} pixel{'s' * (left_out != 1)} left out (masked or NaN)" if left_out else ""
-
-
-def windows_around(
-    planes: Values, left: NDArray[np.bool_], places: NDArray[np.int64], box: tuple[int, int]
-) -> Values:
-    """Return the windows around pixels, shape (n, planes, rows, columns), masked if pixels are left out anywhere."""
-    rows, columns = box
-    top, first = places[:, 0] - rows // 2, places[:, 1] - columns // 2
-    down, across = top[:, None, None] + np.arange(rows)[:, None], first[:, None, None] + np.arange(columns)
-    cut, out = (np.ascontiguousarray(np.moveaxis(part[:, down, across], 0, 1)) for part in (planes, left))
-    return np.ma.MaskedArray(cut, mask=out) if left.any() else cut
-
-
-def unusable(row: int, column: int, full: NDArray[np.bool_], left: NDArray[np.bool_], box: tuple[int, int]) -> str:
-    """Return why the pixels of a window around a place cannot be fitted: "saturated", "edge" or "masked"; or ""."""
-    rows, columns = box
-    top, first = row - rows // 2, column - columns // 2
-    window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
-    if window.any():
-        return "saturated"
-    if window.shape != box or min(top, first) < 0:
-        return "edge"
-    part = left[:, top : top + rows, first : first + columns]
-    inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
-    return "masked" if max(part.mean(), inner.mean()) >= _HIT else ""
-
-
-def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) -> tuple[Refused, ...]:
-    """Return what has a reason to be refused, the brightest first."""
-    each = zip(places.tolist(), score.tolist(), reasons, strict=True)
+def target_windows(
+    counts: Counts,
+    single: bool,
+    center: Array,
+    order: Sequence[int] | NDArray[np.intp],
+    box: tuple[int, int],
+    score: Array,
+    reasons: Sequence[str],
+    light: Array,
+) -> dict[str, Any]:
+    """Return what :class:`Targets` have: windows around those of an order, masked if pixels are left out anywhere."""
+    (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
+    top, first = middle[order, 0] - rows // 2, middle[order, 1] - columns // 2
+    at = np.s_[:, top[:, None, None] + np.arange(rows)[:, None], first[:, None, None] + np.arange(columns)]
+    values, out = (np.ascontiguousarray(np.moveaxis(part[at], 0, 1)) for part in (counts.values, left))
+    cut = np.ma.MaskedArray(values, mask=out) if left.any() else values
+    each = zip(middle.tolist(), score.tolist(), reasons, strict=True)
     refused = [Refused(row, column, height, reason) for (row, column), height, reason in each if reason]
-    return tuple(sorted(refused, key=lambda one: -one.score))
+    return {
+        "places": middle[order],
+        "centers": center[order],
+        "windows": cut[:, 0] if single else cut,
+        "refused": tuple(sorted(refused, key=lambda one: -one.score)),
+        "shape": left.shape[1:],
+        "left_out": int(left.sum()),
+        "_image": np.where(left.any(axis=0), np.nan, light),
+    }
+
+
+def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) -> list[str]:
+    """Return why pixels of windows around places cannot be fitted: "saturated", "edge" or "masked"; or ""."""
+    (rows, columns), full, found = box, np.asarray(counts.full.any(axis=0)), list[str]()
+    for top, first in (middle - [rows // 2, columns // 2]).tolist():
+        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
+        part = counts.hidden[:, max(top, 0) : top + rows, max(first, 0) : first + columns]
+        inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
+        if window.any():
+            found.append("saturated")
+        elif window.shape != box or min(top, first) < 0:
+            found.append("edge")
+        else:
+            found.append("masked" if max(part.mean(), inner.mean()) >= _HIT else "")
+    return found
 
 
 def _highest(row: Values, column: Values, score: Array) -> Refused | None:
@@ -355,22 +385,6 @@ def _centroid(
             rows, columns = np.mgrid[low[0] : high[0], low[1] : high[1]]
             middle = np.array([(bright * rows).sum() / total, (bright * columns).sum() / total])
     return middle, float(above.sum()), float(bright.max()) / total if total > 0.0 else 0.0
-
-
-def _reasons(
-    middle: NDArray[np.int64],
-    full: NDArray[np.bool_],
-    left: NDArray[np.bool_],
-    box: tuple[int, int],
-    neighbors: list[bool],
-    peak: Array,
-) -> list[str]:
-    """Return the reason why each spot is refused, or ""."""
-    found = []
-    for (row, column), near, share in zip(middle.tolist(), neighbors, peak.tolist(), strict=True):
-        otherwise = "defect" if share > _ONE_PIXEL else "neighbor" if near else ""
-        found.append(unusable(row, column, full, left, box) or otherwise)
-    return found
 
 
 def _neighbors(places: Array, bright: Array, single: NDArray[np.bool_], reach: float, faint: float) -> list[bool]:

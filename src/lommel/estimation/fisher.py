@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
+from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
@@ -117,15 +118,16 @@ class Information:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, a pair (n, m) as a list, an infinite number as None (JSON has none)."""
-        deviation = [_plain(np.asarray(value)) for value in self.deviation.values()]
-        return {
-            "names": [list(name) if isinstance(name, tuple) else name for name in self.names],
-            "units": [self.units[name] for name in self.names],
-            "deviation": deviation,
-            "matrix": self.matrix.tolist(),
-            "covariance": _plain(self.covariance),
-            "correlation": self.correlation.tolist(),
-        }
+        names = [list(name) if isinstance(name, tuple) else name for name in self.names]
+        found: dict[str, Any] = plain(
+            {
+                "names": names,
+                "units": [self.units[name] for name in self.names],
+                "deviation": [*self.deviation.values()],
+            }
+            | {name: getattr(self, name) for name in ("matrix", "covariance", "correlation")}
+        )
+        return found
 
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]
@@ -143,10 +145,6 @@ def _over_deviations(covariance: Array) -> Array:
     deviation = np.where(deviation > 0.0, deviation, 1.0)
     found = np.clip(covariance / deviation[..., None] / deviation[..., None, :], -1.0, 1.0)
     return np.asarray(np.where(np.eye(found.shape[-1], dtype=bool), 1.0, found))
-
-
-def _plain(values: Array) -> Any:
-    return np.where(np.isfinite(values), values, None).tolist()  # type: ignore[call-overload]
 
 
 def _shown(deviation: Array, unit: str) -> str:

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.localize.detection import filled
+from lommel.localize.detection import APART, brightest, filled
 from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import Targets, checked_window, field_counts, target_windows, unusable
 from lommel.recorded.noise import Noise
@@ -153,13 +153,12 @@ def find_crossings(
         side = int(min(max(room, _LEAST), _MOST, *light.shape))
         box = (side - 1 + side % 2,) * 2
     middle = np.rint(center).astype(np.int64)
-    reasons, taken = unusable(middle, counts, box), list[int]()
-    for k in np.argsort(-contrast, kind="stable").tolist():
-        if not reasons[k] and (np.abs(middle[taken] - middle[k]) < box).all(axis=1).any():
-            reasons[k] = "neighbor"
-        elif not reasons[k]:
-            taken.append(k)
-    order = _spread(center, np.flatnonzero([not reason for reason in reasons]), count)
+    reasons = unusable(middle, counts, box)
+    usable = np.flatnonzero([not reason for reason in reasons])
+    kept = brightest(middle[usable] / box, contrast[usable], APART)
+    for k in usable[~kept]:
+        reasons[k] = "neighbor"
+    order = _spread(center, usable[kept], count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
     return Crossings(
         indices=_indices(center)[order],

@@ -36,6 +36,7 @@ from lommel.recorded.noise import Noise
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
 _REACH = 4.0  # standard deviations after which kernels end
 _FAR = 1e-3  # of the weights around a pixel, below which it has no others near
+APART = 1.0 - 1e-9  # boxes, from which on they do not overlap
 DEFECT = 1e3  # electrons of read noise, from which on a pixel tells nothing
 
 
@@ -198,16 +199,14 @@ def find_in(
     found = side_by_side(lambda one: kernel.maxima(_mended(one, mended, narrow), variance, level), list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
     row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
-    kept = _apart(frame, row / rows, column / columns, score)
+    kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
     overlapping = int(score.size - kept.sum())
     inside = (row >= rows // 2) & (column >= columns // 2)
     inside &= (row + (rows - rows // 2) <= light.shape[1]) & (column + (columns - columns // 2) <= light.shape[2])
     borders = int((kept & ~inside).sum())
     kept &= inside
     frame, row, column = frame[kept], row[kept] - rows // 2, column[kept] - columns // 2
-    over = np.arange(rows)[:, None], np.arange(columns)
-    down, across = row[:, None, None] + over[0], column[:, None, None] + over[1]
-    boxes = frame[:, None, None], down, across
+    boxes = frame[:, None, None], *box_pixels(np.column_stack([row, column]), box)
     return Spots(
         frame + start,
         row,
@@ -334,17 +333,19 @@ def _density(threshold: float, narrow: float, wide: float) -> float:
     return slopes / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
 
 
-def _apart(frame: NDArray[np.int64], row: Array, column: Array, score: Array) -> NDArray[np.bool_]:
-    """Return which spots are the brighter of those whose boxes overlap; places are in boxes."""
+def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
+    """Return which places (n, axes) are kept, the highest first, no other kept one being so near along all axes."""
     kept = np.ones(score.size, bool)
-    if score.size < 2:
-        return kept
-    places = np.column_stack([row, column, 2.0 * frame])
-    beside: dict[int, list[int]] = {}
-    for one, other in cKDTree(places).query_pairs(1.0 - 1e-9, p=np.inf):
-        beside.setdefault(one, []).append(other)
-        beside.setdefault(other, []).append(one)
-    for spot in sorted(beside, key=lambda k: (-score[k], k)):
-        if kept[spot]:
+    beside = cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
+    lonely = np.array([len(each) < 2 for each in beside], bool)
+    for spot in np.argsort(-score, kind="stable")[: len(beside)].tolist():
+        if kept[spot] and not lonely[spot]:
             kept[beside[spot]] = False
+            kept[spot] = True
     return kept
+
+
+def box_pixels(corners: NDArray[np.int64], box: tuple[int, ...]) -> tuple[Values, Values]:
+    """Return the rows (n, height, 1) and columns (n, 1, width) of boxes from their first pixels (n, 2)."""
+    at = corners[:, :, None, None]
+    return at[:, 0] + np.arange(box[0])[:, None], at[:, 1] + np.arange(box[1])

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.localize.detection import DEFECT
+from lommel.localize.detection import DEFECT, box_pixels
 from lommel.localize.table import Table
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
@@ -405,27 +405,20 @@ def in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tup
         if any(part.shape != box.shape[1:] for part in maps.values()):
             raise ValueError(f"corners must tell where boxes are on a camera with maps of shape {one.shape}")
     elif corners is not None:
-        rows = corners[:, :1].astype(np.int64) + np.arange(box.shape[1])
-        columns = corners[:, 1:].astype(np.int64) + np.arange(box.shape[2])
+        pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
         for name, part in maps.items():
-            ends = zip((rows, columns), part.shape, strict=True)
+            ends = zip(pixels, part.shape, strict=True)
             if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
                 raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")
-            parts[name] = part[rows[:, :, None], columns[:, None, :]]
+            parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
     light = (box.astype(np.float64) - parts["offset"]) * white
     if not isinstance(parts["read"], float):
         light = np.where(parts["read"] < DEFECT, light, np.nan)
-    return _floats(light / camera.excess), _variance(parts["read"] / camera.excess, box.shape)
-
-
-def _floats(values: NDArray[Any]) -> NDArray[np.float32]:
-    return np.ascontiguousarray(values, dtype=np.float32)
-
-
-def _variance(read: float | Array, shape: tuple[int, ...]) -> NDArray[np.float32]:
-    variance = np.asarray(read, dtype=np.float64) ** 2
-    return _floats(variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *shape[1:])))
+    variance = np.asarray(parts["read"] / camera.excess, dtype=np.float64) ** 2
+    variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
+    light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
+    return light, np.ascontiguousarray(variance, dtype=np.float32)
 
 
 def _chosen(tables: list[Table], which: ArrayLike, total: int) -> list[tuple[list[Table], NDArray[np.intp]]]:

@@ -109,13 +109,8 @@ def thunderstorm(path: Path) -> Iterator[Write]:
             begin("z")
 
 
-_LOCS = np.dtype(
-    [
-        ("frame", np.uint32),
-        *((name, np.float32) for name in ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy")),
-    ]
-    + [(name, np.float32) for name in ("lpz", "log_likelihood")]
-)
+_FLOATS = ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy", "lpz", "log_likelihood")
+_LOCS = np.dtype([("frame", np.uint32), *((name, np.float32) for name in _FLOATS)])
 
 
 def _locs(recording: Recording) -> np.dtype[np.void]:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.localize.checks import TILTED, Checks
-from lommel.localize.detection import Spots, find_in, frame_counts
+from lommel.localize.detection import Spots, box_pixels, find_in, frame_counts
 from lommel.localize.fitting import BACKGROUNDS, STATES, Deviation, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
@@ -150,7 +150,7 @@ def localize_blocks(
     kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
     widths = gaussian_widths(table)
     if width is None:
-        width = _smoothing(table, widths)
+        width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     with _opened(movie, block) as (shape, blocks, name):
         if (np.array(shape[1:]) < table.shape).any():
             sides, box = (" x ".join(map(str, each)) for each in (shape[1:], table.shape))
@@ -167,7 +167,9 @@ def localize_blocks(
         options = {"background": kind, "starts": starts, "threads": threads}
         checks, done = Checks(recording, table, noise or Noise(read=0.0), options), 0
         for frames in blocks:
-            counts = frame_counts(frames if left is None else _left_out(frames, left), table.shape, saturation)
+            if left is not None:
+                frames = np.ma.masked_array(frames, np.ma.getmaskarray(frames) | left)
+            counts = frame_counts(frames, table.shape, saturation)
             if not done:
                 checks.first(counts)
             if counts.assumed:
@@ -189,16 +191,6 @@ def localize_blocks(
                 progress(done, shape[0])
 
 
-def _smoothing(table: Table, widths: tuple[Array, Array, Array]) -> float:
-    """Return the standard deviation by which frames are smoothed to find images of a table, pixels."""
-    return float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-
-
-def _left_out(frames: Values, mask: NDArray[np.bool_]) -> Values:
-    """Return frames without the pixels of a mask, and those that they hide themselves."""
-    return np.ma.masked_array(frames, np.ma.getmaskarray(frames) | mask)
-
-
 _ROUNDS = 3  # of boxes moved
 
 
@@ -210,14 +202,12 @@ def _recentred(
     again: Callable[..., Molecules],
 ) -> Molecules:
     """Return fits of boxes in frames; of molecules off the middle, as with coma, of boxes around their estimates."""
-    height, width = table.shape
-    down, across = np.arange(height)[:, None], np.arange(width)
 
     def boxes(of: NDArray[np.int64], at: NDArray[np.int64]) -> Values:
-        return np.asarray(frames[of[:, None, None], at[:, :1, None] + down, at[:, 1:, None] + across])
+        return np.asarray(frames[of[:, None, None], *box_pixels(at, table.shape)])
 
     found = again(boxes(which, corners), corners=corners)
-    most, middle = np.array(frames.shape[1:]) - table.shape, np.array([height // 2, width // 2])
+    most, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
     corners, moved = corners.copy(), np.arange(len(which))
     for _ in range(_ROUNDS):
         places = np.round(np.stack([found.row[moved], found.column[moved]], axis=1)).astype(np.int64) - middle

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.localize.detection import Kernel, filled, smoothed
+from lommel.localize.detection import Kernel, box_pixels, brightest, filled, smoothed
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
@@ -237,7 +237,8 @@ def find_spots(
     spread = kernel.squared(variance)
     row, column, score = kernel.maxima(light, spread, level)
     candidate = None if row.size else _highest(*kernel.maxima(light, spread, _CANDIDATE))
-    row, column, score = _one_each(row, column, score, _STRUCTURE * min(box))
+    own = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
+    row, column, score = row[own], column[own], score[own]
     background = _level(light, box)
     bright = (smoothed(light, narrow) - background)[row, column]
     center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
@@ -298,8 +299,7 @@ def target_windows(
 ) -> dict[str, Any]:
     """Return what :class:`Targets` have: windows around those of an order, masked if pixels are left out anywhere."""
     (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
-    top, first = middle[order, 0] - rows // 2, middle[order, 1] - columns // 2
-    at = np.s_[:, top[:, None, None] + np.arange(rows)[:, None], first[:, None, None] + np.arange(columns)]
+    at = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]
     values, out = (np.ascontiguousarray(np.moveaxis(part[at], 0, 1)) for part in (counts.values, left))
     cut = np.ma.MaskedArray(values, mask=out) if left.any() else values
     each = zip(middle.tolist(), score.tolist(), reasons, strict=True)
@@ -337,19 +337,6 @@ def _highest(row: Values, column: Values, score: Array) -> Refused | None:
         return None
     k = int(np.argmax(score))
     return Refused(int(row[k]), int(column[k]), float(score[k]), "below the threshold")
-
-
-def _one_each(row: Values, column: Values, score: Array, near: float) -> tuple[Values, Values, Array]:
-    """Return the brightest of maxima that belong to one image."""
-    places = np.column_stack([row, column]).astype(np.float64)
-    kept = np.ones(score.size, dtype=bool)
-    if score.size:
-        beside = cKDTree(places).query_ball_point(places, near, p=np.inf)
-        for k in np.argsort(-score, kind="stable"):
-            if kept[k]:
-                kept[beside[k]] = False
-                kept[k] = True
-    return row[kept], column[kept], score[kept]
 
 
 def _level(light: Array, box: tuple[int, int]) -> Array:

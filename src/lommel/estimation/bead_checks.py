@@ -273,16 +273,9 @@ def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int)
 def model_error(model: BeadModel, state: State) -> float:
     """Return how far images of the search are from certified ones of a point, over the peak; inf without these."""
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
-    edge = dict(zip(model.images.solved, state.waves * model.images.factors, strict=True)) | model.images.fixed
+    wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
     ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
-    pupil = setup.objective.pupil(
-        depth=place.depth,
-        z=place.focus + setup.step * stack.z[ends],
-        wavelength=setup.wavelength,
-        origin="coverslip",
-        emitter=setup.emitter,
-        aberrations=Wavefront.zernike(edge, normalization="edge"),
-    )
+    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[ends], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)

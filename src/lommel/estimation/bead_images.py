@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
@@ -27,7 +27,9 @@ from lommel.methods.layers.light_by_rule import HALF, Filter, Planes, Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layer
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
@@ -110,6 +112,14 @@ class Setup:
             given: dict[str, Any] = {name: value}
             return replace(self, **given)
         return replace(self, objective=changed(self.objective, name, value))
+
+    def pupil(
+        self, aberrations: Wavefront | None, depth: ArrayLike, z: ArrayLike = 0.0, origin: str = "brightest"
+    ) -> ObjectivePupil:
+        """Return the pupil of an emitter at a depth with the stage at z, as of :meth:`lommel.Objective.pupil`."""
+        return self.objective.pupil(
+            depth=depth, z=z, wavelength=self.wavelength, origin=origin, emitter=self.emitter, aberrations=aberrations
+        )
 
     @property
     def across(self) -> float:
@@ -227,32 +237,27 @@ class BeadImages:
 
     def without_terms(self, waves: Array) -> BeadImages:
         """Return the images with these coefficients of all terms, which are no longer parameters."""
-        edge = dict(zip(self.solved, (waves * self.factors).tolist(), strict=True))
-        return BeadImages((), self.fixed | edge, self.threads)
+        return BeadImages((), self.edge(waves), self.threads)
+
+    def edge(self, waves: Array) -> dict[Term, float]:
+        """Return all terms, radians at the edge."""
+        return dict(zip(self.solved, (waves * self.factors).tolist(), strict=True)) | self.fixed
 
     def values(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool = True) -> Array:
         """Return the share of all light in each pixel, (planes, height, width).
 
         Without `ball`, of the middle of the bead, with a blur of its width: for differences.
         """
-        found: Array = self._made(setup, waves, place, stack, slopes=False, ball=ball)[0]
-        return found
+        return np.asarray(self._made(setup, waves, place, stack, ball=ball, by=None)[0])
 
     def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
         """Return derivatives by the waves, focus (1/metres), row, column and `amplitudes`, (k, planes, ...)."""
-        return self._made(setup, waves, place, stack, slopes=True, ball=False, amplitudes=amplitudes)[1:]
+        return self._made(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
 
     def _made(
-        self,
-        setup: Setup,
-        waves: Array,
-        place: Place,
-        stack: Stack,
-        *,
-        slopes: bool,
-        ball: bool,
-        amplitudes: Sequence[str] = (),
+        self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
+        """Return images and, unless `by` is None, their slopes, also by these amplitudes."""
         objective, across, count = setup.objective, setup.across, len(stack.z)
         layers = objective._layers(setup.wavelength)
         middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
@@ -264,12 +269,8 @@ class BeadImages:
         rule = self.rule(samples, edge)
         u, shares = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
         depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
-        focus = place.focus + setup.step * stack.z
-        planes = Planes(
-            np.repeat(depths, count),
-            np.tile(focus, len(u)),
-            np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge,
-        )
+        focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
+        planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
         found = light_by_rule.light(
             layers,
             setup.emitter,
@@ -277,33 +278,30 @@ class BeadImages:
             samples,
             rule,
             self.terms,
-            by=(*self.solved, *SHIFTS.values()) if slopes else (),
-            by_focus=slopes,
+            by=() if by is None else (*self.solved, *SHIFTS.values()),
+            by_focus=by is not None,
             by_amplitude=tuple(AMPLITUDES[name] for name in amplitudes),
             threads=self.threads,
         )
         power = light_by_rule.collected(layers, setup.emitter, depths)
         scale = across**2 / (4.0 * math.pi * float(shares @ power))
-        if not ball:
+        total: Array | float = 0.0
+        for k, (up, share) in enumerate(zip(u, shares.tolist(), strict=True)):
             # The projected ball has the variance of a fifth of its radius squared.
-            variance = setup.radius**2 / 5.0
-            made = self._filter(samples, 0.0, variance, setup).of(found.astype(np.float32) if slopes else found)
-            made *= scale
-            if slopes:
-                # By the focus first; then by amplitudes and by terms at the edge.
-                first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
-                made[first:last] *= self.factors[:, None, None, None]
-                made[-2:] *= across
-                for k, name in enumerate(amplitudes, 2):
-                    made[k] -= _light_slope(setup, name, depths) * made[0]
-                made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
-            return made
-        total: Array = np.zeros(())
-        for k, share in enumerate(shares):
-            disc = setup.radius * math.sqrt(1.0 - float(u[k]) ** 2)
-            part = found[0, k * count : (k + 1) * count]
-            total = total + share * self._filter(samples, disc, 0.0, setup).of(part)
-        return np.asarray(scale * total)[None]
+            disc, variance = (setup.radius * math.sqrt(1.0 - up**2), 0.0) if ball else (0.0, setup.radius**2 / 5.0)
+            part = found[:, k * count : (k + 1) * count]
+            pixels = self._filter(samples, disc, variance, setup)
+            total = total + share * pixels.of(part if by is None else part.astype(np.float32))
+        made = np.asarray(scale * total)
+        if by is not None:
+            # By the focus first; then by amplitudes and by terms at the edge.
+            first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
+            made[first:last] *= self.factors[:, None, None, None]
+            made[-2:] *= across
+            for k, name in enumerate(amplitudes, 2):
+                made[k] -= _light_slope(setup, name, depths) * made[0]
+            made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
+        return made
 
     def _filter(self, samples: Samples, disc: float, variance: float, setup: Setup) -> Filter:
         more = setup.blur * samples.step**2

@@ -403,5 +403,4 @@ def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
 
 def brightest(setup: Setup, depth: float) -> float:
     """Return the position of the stage at which an emitter at a depth is brightest, without aberrations."""
-    made = setup.objective.pupil(depth=depth, wavelength=setup.wavelength, emitter=setup.emitter)
-    return float(made.focus)
+    return float(setup.pupil(None, depth).focus)

@@ -195,9 +195,7 @@ class BeadFit(FitReport):
         ValueError
             If a position is out of range.
         """
-        return self.objective.pupil(
-            depth=depth, z=z, wavelength=self.wavelength, emitter=self.emitter, aberrations=self.aberrations
-        )
+        return self._state.setup.pupil(self.aberrations, depth, z)
 
     def psf_deviation(self, *, depth: float, z: ArrayLike = 0.0, shape: int | tuple[int, int] = 31) -> Array:
         """Return the standard deviation of the PSF at any depth, from the covariance of the fit.
@@ -636,17 +634,17 @@ def _build_bead_fit(
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out[0]):
         summary += f", held-out bead {held_out[0]:.4g}"
-    edge = dict(zip(joint.images.solved, state.waves * joint.images.factors, strict=True))
-    constants = [state.setup.value(str(name)) for name in joint.priors]
+    setup, edge = state.setup, joint.images.edge(state.waves)
+    constants = [setup.value(name) for name in joint.priors]
     return BeadFit(
         findings=Findings(findings),
         summary=summary,
-        aberrations=Wavefront.zernike(edge | joint.images.fixed, normalization="edge"),
-        objective=state.setup.objective,
-        wavelength=state.setup.wavelength,
-        pixel=state.setup.pixel,
-        diameter=state.setup.diameter,
-        emitter=state.setup.emitter,
+        aberrations=Wavefront.zernike(edge, normalization="edge"),
+        objective=setup.objective,
+        wavelength=setup.wavelength,
+        pixel=setup.pixel,
+        diameter=setup.diameter,
+        emitter=setup.emitter,
         coefficients=dict(zip(joint.names, [*map(float, state.waves), *constants], strict=True)),
         deviation=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
         covariance=inverse,

@@ -118,16 +118,12 @@ class Information:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, a pair (n, m) as a list, an infinite number as None (JSON has none)."""
-        names = [list(name) if isinstance(name, tuple) else name for name in self.names]
-        found: dict[str, Any] = plain(
-            {
-                "names": names,
-                "units": [self.units[name] for name in self.names],
-                "deviation": [*self.deviation.values()],
-            }
-            | {name: getattr(self, name) for name in ("matrix", "covariance", "correlation")}
-        )
-        return found
+        found: dict[str, Any] = {
+            "names": [list(name) if isinstance(name, tuple) else name for name in self.names],
+            "units": [self.units[name] for name in self.names],
+            "deviation": plain([*self.deviation.values()]),
+        }
+        return found | {name: plain(getattr(self, name)) for name in ("matrix", "covariance", "correlation")}
 
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]

@@ -14,7 +14,7 @@ from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
 from lommel.fit.findings import Findings, FitReport
 from lommel.fit.goodness_of_fit import chi2_findings
-from lommel.fit.scoring import Policy, Scores, covariance, damped_steps, search_rows
+from lommel.fit.scoring import Policy, RowModel, Scores, covariance, search_rows
 from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise
 from lommel.special.legendre import gauss_legendre
@@ -185,7 +185,7 @@ def fit_moffat(
     )
 
 
-class _StarProfile:
+class _StarProfile(RowModel):
     """The profile of a star averaged over pixels, as a function of rows of flux, centre, width, exponent, background.
 
     Parameters at a limit, towards which the likelihood rises, and those `held` stay where they are.
@@ -205,10 +205,6 @@ class _StarProfile:
         """Return profiles of unit flux (s, height, width), and their derivatives by centre, width and exponent."""
         made = [_model(np.array([1.0, *row[1:5], 0.0]), self.shape) for row in x]
         return np.stack([values for values, _ in made]), list(np.stack([slopes[1:5] for _, slopes in made], axis=1))
-
-    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit."""
-        return self.scores_of(x, *self.images(x))
 
     def scores_of(self, x: Array, values: Array, slopes: Sequence[Array]) -> Scores:
         """Return the same from profiles and their derivatives."""
@@ -243,21 +239,9 @@ class _StarProfile:
         found = products[:, 0][:, order][:, :, order] * factors[:, :, None] * factors[:, None, :]
         return numbers, np.asarray(found)
 
-    def with_light(self, x: Array, values: Array) -> Array:
-        """Return the parameters as they are: they start with flux and background of least squares."""
-        return x
-
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
         return np.clip(x, *self.limits, out=x)
-
-    def rms(self, steps: Array) -> Array:
-        """Return 0: no step changes a wavefront."""
-        return np.zeros(len(steps))
-
-    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps and the gain in deviance that their slopes promise."""
-        return damped_steps(scores, damping)
 
 
 def _start(data: Array, counts: NDArray[np.bool_], background: float | None) -> Array:

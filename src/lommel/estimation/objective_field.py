@@ -138,14 +138,7 @@ class ObjectiveField(FitReport):
         TypeError, ValueError
             As :meth:`at`, or if a depth or z is out of range.
         """
-        one = self._setup
-        return self.objective.pupil(
-            depth=depth,
-            z=z,
-            wavelength=one.wavelength,
-            emitter=one.emitter,
-            aberrations=self.aberrations(row, column),
-        )
+        return self._setup.pupil(self.aberrations(row, column), depth, z)
 
     def __repr__(self) -> str:
         return f"<ObjectiveField: {self.message}>"

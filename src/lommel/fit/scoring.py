@@ -57,21 +57,25 @@ class RowModel(Protocol):
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
         """Return the quality of the fit for parameters `x`, which stand in these rows of the search."""
+        return self.scores_of(x, *self.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
         """Return the same from images and derivatives."""
 
     def with_light(self, x: Array, values: Any) -> Array:
-        """Return the parameters with flux and background from least squares."""
+        """Return the parameters with flux and background from least squares; as they are where these are given."""
+        return x
 
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
 
     def rms(self, steps: Array) -> Array:
-        """Return the rms phase of steps."""
+        """Return the rms phase of steps; 0 where none changes a wavefront."""
+        return np.zeros(len(steps))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps and the gain in deviance that their slopes promise."""
+        return damped_steps(scores, damping)
 
 
 class Evaluation(Protocol):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
@@ -22,9 +23,9 @@ SMALL = 2.0**-24
 class Watched(Table):
     """A table that remembers what its bounds were made of."""
 
-    def _bound(self, *parts):
-        self.parts = parts
-        return super()._bound(*parts)
+    def _bound(self, sampling, *others):
+        self.sampling, self.parts = sampling, (*sampling, *others)
+        return super()._bound(sampling, *others)
 
 
 @pytest.fixture(scope="module", params=["z", "depth"])
@@ -148,7 +149,8 @@ def test_samples_are_as_exact_as_they_are_said_to_be(made):
     middle = len(planes.places) // 2
     one = waves.at(planes.places[middle : middle + 1])
     shape, center = (31, 29), (14, 13)
-    values, error = made._samples(waves, planes.places[middle : middle + 1], shape, center, per, delta, 0)
+    alone = made.sampling._replace(planes=planes._replace(places=planes.places[middle : middle + 1]))
+    values, error = made._samples(alone, shape, center, delta, partial(lm.psf, normalize="strehl"))
     exact = lm.psf(
         one,
         shape,

@@ -152,8 +152,8 @@ def test_sums_in_single_precision_are_within_what_is_allowed_for_rounding(monkey
     kept = {}
     before = Table._bound
 
-    def bound(self, waves, taps, planes, step, per, error, sizes, light):
-        peak = before(self, waves, taps, planes, step, per, error, sizes, light)
+    def bound(self, sampling, error, sizes, light):
+        peak, taps = before(self, sampling, error, sizes, light), sampling.taps
         often = taps.taps.weighted(2.0 + taps.taps.size - np.maximum(np.arange(taps.taps.size), 1))
         gain, (largest, summed) = taps.taps.gain, sizes
         kept["allowed"] = 1.001 * 2.0**-24 * gain * (gain * summed + 2.0 * often * largest) * light
@@ -182,8 +182,8 @@ class OfWaves(Table):
     waves = (2.0, 2.0, 1.0)  # over v, v and the largest rate along z
     shifts = (0.3, 0.4, 0.5)
 
-    def _samples(self, waves, places, shape, center, per, exact, threads):
-        v = self.step / per
+    def _samples(self, sampling, shape, center, exact, render):
+        v, waves, places = self.step / sampling.per, sampling.waves, sampling.planes.places
         y, x = (np.arange(side) - middle for side, middle in zip(shape, center, strict=True))
         along = [np.exp(1j * w * v * at) for w, at in zip(self.waves[:2], (y, x), strict=True)]
         turned = np.exp(1j * (self.waves[2] * waves.rate * places + sum(self.shifts)))

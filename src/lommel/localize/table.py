@@ -6,9 +6,11 @@ import io
 import json
 import math
 import zipfile
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from os import PathLike
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,7 +25,7 @@ from lommel.core.answers import not_met
 from lommel.localize import along as along_z
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.psf import psf
+from lommel.psf import PSF, psf
 from lommel.special import interpolation
 
 Floats = NDArray[np.float32]
@@ -35,6 +37,16 @@ _EPS = 2.0**-24
 # How often each term along z is rounded: stored, times a stored polynomial, and added to all that follow it, the last
 # first. The first polynomial is 1.
 _OF_TERMS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
+
+
+class _Sampling(NamedTuple):
+    """How samples are taken: waves along z, taps along rows and columns, planes, v of a pixel, samples of it."""
+
+    waves: along_z.Waves
+    taps: interpolation.Steps
+    planes: along_z.Pieces
+    step: float
+    per: int
 
 
 class Table:
@@ -162,7 +174,8 @@ class Table:
             raise ValueError(
                 f"pixel must be at most {3.5 * self.pixel / step:.3g} m with this pupil, got {self.pixel:g}"
             )
-        peak = self._likely_peak(waves, threads)
+        render = partial(psf, normalize="strehl", threads=threads or None)
+        peak = self._likely_peak(waves, render)
         before = math.inf
         while True:
             # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
@@ -173,7 +186,7 @@ class Table:
             except ValueError as failure:
                 raise ValueError(f"tol={self.tol:g} cannot be met: {failure}") from None
             exact = 0.3 * allowed / (taps.gain**2 * planes.gain.value)
-            made = self._filled(waves, taps, planes, step, per, exact, threads)
+            made = self._filled(_Sampling(waves, taps, planes, step, per), exact, render)
             if self.error_bound <= self.tol:
                 return
             if self.error_bound > 0.9 * before:
@@ -182,42 +195,19 @@ class Table:
             peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
 
-    def _likely_peak(self, waves: along_z.Waves, threads: int) -> float:
+    def _likely_peak(self, waves: along_z.Waves, render: Callable[..., PSF]) -> float:
         """Return about the largest average of the dimmest plane, over the light collected as intensities are."""
         places = np.linspace(*self.z, 9)
-        rough = psf(
-            waves.at(places),
-            self.shape,
-            self.pixel,
-            normalize="strehl",
-            tol=1e-2,
-            integrate=True,
-            threads=threads or None,
-        )
+        rough = render(waves.at(places), self.shape, self.pixel, tol=1e-2, integrate=True)
         return 0.95 * float(rough.values.reshape(len(places), -1).max(axis=1).min())
 
-    def _filled(
-        self,
-        waves: along_z.Waves,
-        taps: interpolation.Steps,
-        planes: along_z.Pieces,
-        step: float,
-        per: int,
-        exact: float,
-        threads: int,
-    ) -> float:
+    def _filled(self, sampling: _Sampling, exact: float, render: Callable[..., PSF]) -> float:
         """Make the coefficients and their bounds; return the peak that these are relative to."""
+        _, taps, planes, _, per = sampling
         margin = len(taps.filter) - 1
         first, (rows, columns), wide = self._samples_needed(per, taps.taps.size)
-        samples, error = self._samples(
-            waves,
-            planes.places,
-            (rows + 2 * margin, columns + 2 * margin),
-            (margin - first[0], margin - first[1]),
-            per,
-            exact,
-            threads,
-        )
+        shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
+        samples, error = self._samples(sampling, shape, center, exact, render)
         whole = np.concatenate([taps.filter[:0:-1], taps.filter])
         filtered = _along(_along(samples, whole, 1), whole, 2)
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
@@ -232,14 +222,12 @@ class Table:
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
         polynomials = np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size])
-        self._hold(
-            {"coefficients": flat, "polynomials": polynomials},
-            self._numbers_of(len(planes.matrix), per, taps.taps.size),
-        )
+        numbers = self._numbers_of(len(planes.matrix), per, taps.taps.size)
+        self._hold({"coefficients": flat, "polynomials": polynomials}, numbers)
         sizes = np.abs(series)
         largest = float(sizes.sum(axis=1).max())
         summed = float(np.einsum("k,pkyx->pyx", _OF_TERMS, sizes).max())
-        return self._bound(waves, taps, planes, step, per, error, (largest, summed), light)
+        return self._bound(sampling, error, (largest, summed), light)
 
     def _samples_needed(self, per: int, taps: int) -> tuple[list[int], list[int], int]:
         """Return the first row and column, how many there are of each, and columns of each phase."""
@@ -268,28 +256,24 @@ class Table:
 
     def _samples(
         self,
-        waves: along_z.Waves,
-        places: Array,
+        sampling: _Sampling,
         shape: tuple[int, int],
         center: tuple[int, int],
-        per: int,
         exact: float,
-        threads: int,
+        render: Callable[..., PSF],
     ) -> tuple[Array, float]:
         """Return samples over the light collected, (planes, rows, columns), and a bound on their errors.
 
         `center` is that of the molecule.
         """
-        pupil, at_once = waves.at(places), max(1, _AT_ONCE // (shape[0] * shape[1]))
+        places, pixel = sampling.planes.places, self.pixel / sampling.per
+        pupil, at_once = sampling.waves.at(places), max(1, _AT_ONCE // (shape[0] * shape[1]))
+        middle, options = (float(center[0]), float(center[1])), {"integrate": False, "dtype": np.float64}
         values, error = np.empty((len(places), *shape)), 0.0
-        middle = (float(center[0]), float(center[1]))
         for k in range(0, len(places), at_once):
             tol = 1e-3
             while True:
-                made = psf(
-                    pupil[k : k + at_once], shape, self.pixel / per, center=middle, normalize="strehl", tol=tol,
-                    integrate=False, dtype=np.float64, threads=threads or None,
-                )  # fmt: skip
+                made = render(pupil[k : k + at_once], shape, pixel, center=middle, tol=tol, **options)
                 assert made.error_bound is not None
                 off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
                 if off <= exact:
@@ -300,19 +284,10 @@ class Table:
             values[k : k + at_once], error = made.values, max(error, off)
         return values, error
 
-    def _bound(
-        self,
-        waves: along_z.Waves,
-        taps: interpolation.Steps,
-        planes: along_z.Pieces,
-        step: float,
-        per: int,
-        error: float,
-        sizes: tuple[float, float],
-        light: float,
-    ) -> float:
+    def _bound(self, sampling: _Sampling, error: float, sizes: tuple[float, float], light: float) -> float:
         """Set the bounds; return the peak that these are relative to."""
         # docs/certificate.md, section 19. Intensities are over the light collected: all moduli add up to at most 1.
+        waves, taps, planes, step, per = sampling
         band, both = 2.0 * step / per, taps.gain**2
         kernel = (1.0 + taps.error) ** 2 - 1.0
         size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain

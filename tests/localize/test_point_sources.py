@@ -150,7 +150,7 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"images": np.zeros((20, 20))}, "images must have at least the window of 33 x 33 pixels"),
+        ({"images": np.zeros((20, 20))}, "images must have the shape .*, at least the window of 33 x 33, got"),
         ({"images": np.full((60, 60), np.nan)}, "images must have pixels that are neither"),
         ({"mask": np.zeros((60, 60))}, "mask must be True or False for each pixel of images"),
         ({"noise": 2.0}, "noise must be a Noise"),

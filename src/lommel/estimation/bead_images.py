@@ -30,6 +30,8 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layer
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.recorded.counts import Counts
+from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
@@ -192,13 +194,14 @@ class Stack:
         return counted, read, valid > 0.0
 
     @staticmethod
-    def of(electrons: Array, variance: Array, valid: NDArray[np.bool_], z: Array) -> Stack:
-        """Return the stack of recorded electrons, (planes, height, width)."""
-        planes = len(electrons)
-        parts = np.where(valid, electrons, 0.0), variance, np.maximum(variance, LEAST), valid
+    def of(counts: Counts, noise: Noise, z: Array) -> Stack:
+        """Return the stack of recorded images, (planes, height, width)."""
+        planes, *sides = counts.values.shape
+        variance = noise.poisson.variance(np.zeros(counts.values.shape))
+        electrons = np.where(counts.known, noise.poisson.electrons(counts.filled()), 0.0)
+        parts = electrons, variance, np.maximum(variance, LEAST), counts.known
         star = np.stack([part.reshape(planes, -1).astype(np.float64) for part in parts])
-        height, width = electrons.shape[1:]
-        return Stack(star, (height, width), z)
+        return Stack(star, (sides[0], sides[1]), z)
 
 
 def heights(radius: float) -> tuple[Array, Array]:

@@ -427,23 +427,17 @@ def fit_beads(
     size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
     deep = _depths(depth, 0.5 * size, len(given))
     places = np.atleast_1d(validation.real_array("z", z))
-    made, recorded = [], []
-    for k, each in enumerate(given):
-        counts = star_counts(each, mask, saturation)
-        images = counts.filled()
-        if len(images) < _PLANES:
+    recorded = [star_counts(each, mask, saturation) for each in given]
+    for k, (planes, *window) in enumerate(counts.values.shape for counts in recorded):
+        if planes < _PLANES:
             raise ValueError(
-                f"stacks must have at least {_PLANES} planes above and below focus, got {len(images)}: fewer do not "
+                f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not "
                 "tell aberrations from the place of the bead; give all planes as one stack"
             )
-        if places.shape != (len(images),):
-            raise ValueError(f"z must have a position for each of {len(images)} planes, got shape {places.shape}")
-        alike = noise.poisson
-        electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
-        made.append(Stack.of(electrons, read, counts.known, places))
-        recorded.append(counts)
-        if counts.values.shape[-2:] != recorded[0].values.shape[-2:]:
-            raise ValueError(f"stacks must have windows of one shape, got {counts.values.shape} of stacks[{k}]")
+        if places.shape != (planes,):
+            raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
+        if window != [*recorded[0].values.shape[1:]]:
+            raise ValueError(f"stacks must have windows of one shape, got {(planes, *window)} of stacks[{k}]")
     apart = np.diff(places)
     if not (np.all(apart > 0.0) or np.all(apart < 0.0)):
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
@@ -454,27 +448,20 @@ def fit_beads(
     validation.function("progress", progress, required=False)
     validation.optional("aberrations", aberrations, Wavefront)
     workers = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-    light = emitter_of(emitter)
     pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
-    setup = Setup(
-        objective,
-        validation.wavelength(wavelength),
-        light,
-        pitch,
-        size,
-        integrate=validation.truth("integrate", integrate),
-    )
+    averaged, light = validation.truth("integrate", integrate), validation.wavelength(wavelength)
+    setup = Setup(objective, light, emitter_of(emitter), pitch, size, integrate=averaged)
     setup, known, of_depth, notes = _priors(priors, setup, deep)
     count_of = validation.integer("apodization", apodization, least=0, most=len(AMPLITUDES))
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
-    if (2, 0) in start and start[2, 0] and aberrations is not None:
+    if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
     factors = np.array([zernike.rms_factor(n, m) for n, m in solved])
     waves = np.array([start.get(term, 0.0) for term in solved]) / factors
-    images_of = BeadImages(solved, start, workers)
-    depths = tuple(Prior(d, of_depth) for d in deep)
-    model = BeadModel(images_of, tuple(made), known, depths, validation.truth("drift", drift))
+    made = tuple(Stack.of(counts, noise, places) for counts in recorded)
+    depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", drift)
+    model = BeadModel(BeadImages(solved, start, workers), made, known, depths, moving)
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)

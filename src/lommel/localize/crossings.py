@@ -13,9 +13,9 @@ from scipy.spatial import cKDTree
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.localize.detection import APART, brightest, filled
+from lommel.localize.detection import APART, brightest, filled, image_counts
 from lommel.localize.lattice import grid_indices
-from lommel.localize.point_sources import Targets, checked_window, field_counts, target_windows, unusable
+from lommel.localize.point_sources import Targets, checked_window, target_windows, unusable
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -142,7 +142,9 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    counts, single = field_counts(images, "exposures", box or (_LEAST, _LEAST), mask, saturation)
+    rows, columns = least = box or (_LEAST, _LEAST)
+    shape = f"(height, width) or (exposures, height, width), at least the window of {rows} x {columns}"
+    counts, single = image_counts("images", images, shape, least, mask=mask, saturation=saturation)
     electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(light, variance, sigma, level)

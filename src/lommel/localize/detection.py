@@ -21,6 +21,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -160,11 +161,23 @@ def find(
 def frame_counts(frames: ArrayLike, box: tuple[int, int], saturation: float | None) -> Counts:
     """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
     shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
-    made = Counts.of("frames", frames, sides=(2, 3), shape=shape, saturation=saturation, empty=True)
+    return image_counts("frames", frames, shape, box, saturation=saturation, empty=True)[0]
+
+
+def image_counts(
+    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **more: Any
+) -> tuple[Counts, bool]:
+    """Return images (n, rows, columns), and whether they were one, without an axis for several.
+
+    ValueError, with the `shape` in words, if they are smaller than a box; or if nothing of one is known.
+    """
+    made = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **more)
     if made.values.shape[-2] < box[0] or made.values.shape[-1] < box[1]:
-        raise ValueError(f"frames must have the shape {shape}, got {made.values.shape}")
-    made = made if made.values.ndim == 3 else made[None]
-    return made.require_known("frames") if len(made.values) else made
+        raise ValueError(f"{name} must have the shape {shape}, got {made.values.shape}")
+    if len(made.values):
+        made.require_known(name)
+    single = made.values.ndim == 2
+    return (made[None] if single else made), single
 
 
 def find_in(

@@ -99,17 +99,11 @@ def localize_movie(
     >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
     >>> found.save("molecules.csv")  # doctest: +SKIP
     """
-    options = {
-        "noise": noise,
-        "threshold": threshold,
-        "width": width,
-        "saturation": saturation,
-        "starts": starts,
-        "flat": flat,
-        "background": background,
-        "mask": mask,
-    }
-    return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
+    blocks = localize_blocks(
+        movie, table, noise=noise, threshold=threshold, width=width, saturation=saturation, starts=starts, flat=flat,
+        background=background, mask=mask, block=block, threads=threads, progress=progress,
+    )  # fmt: skip
+    return joined(list(blocks))
 
 
 def localize_blocks(

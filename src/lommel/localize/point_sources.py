@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.localize.detection import Kernel, box_pixels, brightest, filled, smoothed
+from lommel.localize.detection import Kernel, box_pixels, brightest, filled, image_counts, smoothed
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
@@ -228,7 +228,8 @@ def find_spots(
     far = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    counts, single = field_counts(images, "planes", box, mask, saturation)
+    shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
+    counts, single = image_counts("images", images, shape, box, mask=mask, saturation=saturation)
     alike = noise.poisson
     electrons = alike.electrons(filled(counts.values, counts.hidden, narrow))
     variance = alike.variance(np.zeros_like(electrons)).sum(axis=0)
@@ -264,27 +265,6 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
     if min(rows, columns) < 5:
         raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
     return rows, columns
-
-
-def field_counts(
-    images: ArrayLike, several: str, box: tuple[int, int], mask: ArrayLike | None, saturation: float | None
-) -> tuple[Counts, bool]:
-    """Return images with an axis for `several`, and whether they had none.
-
-    ValueError if an image is smaller than a window, or all of it is left out.
-    """
-    made = Counts.of(
-        "images", images, sides=(2, 3), shape=f"(height, width) or ({several}, height, width)", mask=mask,
-        saturation=saturation,
-    )  # fmt: skip
-    rows, columns = box
-    if made.values.shape[-2] < rows or made.values.shape[-1] < columns:
-        raise ValueError(
-            f"images must have at least the window of {rows} x {columns} pixels, got the shape {made.values.shape}"
-        )
-    single = made.values.ndim == 2
-    made.require_known("images")
-    return (made[None] if single else made), single
 
 
 def target_windows(

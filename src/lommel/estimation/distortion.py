@@ -14,9 +14,8 @@ from lommel.base.arrays import Array
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
-from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares
+from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares, scatter_findings
 
 POSES = ("free", "known")
 _FAR = 0.2  # of the spread of places: no lens distorts more in the rms
@@ -204,13 +203,9 @@ def fit_distortion(
     coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
     residuals[used[kept]] = model.residuals(solution)
-    limit = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom)))
-    found_there = []
-    if chi2 > limit:
-        text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
-        found_there.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
+    findings = scatter_findings("places", "pixels", scatter, chi2, model.freedom)
     if lost := len(at) - len(kept):
-        found_there.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
+        findings.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
     return Distortion(
         coefficients=coefficients,
         covariance=rest @ covariance[: 2 * m, : 2 * m] @ rest.T,
@@ -220,7 +215,7 @@ def fit_distortion(
         residuals=residuals,
         scatter=scatter,
         chi2=chi2,
-        findings=Findings(found_there),
+        findings=Findings(findings),
         summary=f"distortion of degree {degree} from {len(kept)} places",
         _sensor=sensor,
     )

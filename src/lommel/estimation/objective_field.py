@@ -16,9 +16,8 @@ from lommel.estimation.bead_images import Setup
 from lommel.estimation.beads import BeadFit
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, robust, with_errors
-from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares
+from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares, scatter_findings
 from lommel.methods.derivative_names import Term
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -209,8 +208,8 @@ def fit_objective_field(
     used = np.array([one.converged for one in fits], dtype=bool)
     if used.sum() < 4:
         raise ValueError(f"fits must be at least 4 that converged, got {int(used.sum())} of {len(fits)}")
-    first = fits[int(np.flatnonzero(used)[0])]
-    _require_alike(first, [one for one, good in zip(fits, used, strict=True) if good])
+    first, *_ = kept = [one for one, good in zip(fits, used, strict=True) if good]
+    _require_alike(first, kept)
     names = tuple(name for name in first.coefficients if not isinstance(name, str))
     chip = Sensor((rows, columns), 1.0, (0.0, 0.0))
     u, v = chip.relative(at[:, 1], at[:, 0])
@@ -232,15 +231,12 @@ def fit_objective_field(
     setup = first._state.setup
     for name, value in constants.items():
         setup = setup.having(name, value)
-    findings = []
-    if chi2 >= float(goodness_of_fit.most(math.sqrt(2.0 / joined.freedom))):
-        text = f"terms scatter by {scatter:.2g} radians rms beside their errors, which are widened by it"
-        findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2}))
+    findings = scatter_findings("terms", "radians rms", scatter, chi2, joined.freedom)
     if lost := converged - len(joined.fits):
         findings.append(Finding("left_out", "note", f"{lost} far off rejected", {"rejected": lost}))
     if converged < len(fits):
-        text = f"{len(fits) - converged} did not converge"
-        findings.append(Finding("left_out", "note", text, {"not_converged": len(fits) - converged}))
+        lost = len(fits) - converged
+        findings.append(Finding("left_out", "note", f"{lost} did not converge", {"not_converged": lost}))
     fixed = {term: value for term, value in first.aberrations.edge_terms().items() if term not in names}
     return ObjectiveField(
         names=names,

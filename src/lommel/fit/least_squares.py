@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -9,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.fit import goodness_of_fit
+from lommel.fit.findings import Finding
 
 _HALVINGS = 40
 _OUTLIER, _NEAREST = 10.0, 0.03  # times the median distance, or this one
@@ -55,6 +58,14 @@ def fit_scatter(fit: Callable[[float], LinearFit], most: float) -> tuple[LinearF
             found = fit(scatter)
             low, high = (scatter, high) if found.chi2 > 1.0 else (low, scatter)
     return found, scatter, chi2
+
+
+def scatter_findings(what: str, unit: str, scatter: float, chi2: float, freedom: int) -> list[Finding]:
+    """Return the finding of a scatter, in words, where noise does not explain chi2 without it."""
+    limit = float(goodness_of_fit.most(math.sqrt(2.0 / freedom)))
+    text = f"{what} scatter by {scatter:.2g} {unit} beside noise, which standard errors include"
+    numbers = {"scatter": scatter, "chi2": chi2, "limit": limit}
+    return [Finding("scatter", "note", text, numbers)] if chi2 > limit else []
 
 
 def inliers(distance: Array) -> NDArray[np.bool_] | None:

@@ -150,37 +150,36 @@ class Checks:
             residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
             self._excess, self._tested = excess_findings(residual, mean, read, self._noise.excess), count
 
-    def likelier(self) -> dict[str, tuple[int, float, float]]:
-        """Return molecules that were tried, by how much all are likelier with each other table, and its deviation.
+    def _of_rivals(self) -> Iterator[Finding]:
+        """Yield the table with which molecules are far likelier.
 
         A thousand tell the sign of an astigmatism on the cover glass with 500 photons each: there one molecule alone
         is likelier with the right sign by 0.1.
         """
-        tried = {name: each for name, each in self._gains.items() if len(each) >= _LEAST_TRIED}
-        return {
-            name: (len(each), math.fsum(each), float(np.std(each)) * math.sqrt(len(each)))
-            for name, each in tried.items()
-        }
-
-    def _of_rivals(self) -> Iterator[Finding]:
-        likelier = {name: one for name, one in self.likelier().items() if one[1] > max(_LIKELIER, 4.0 * one[2])}
+        likelier: dict[str, tuple[float, int, float]] = {}
+        for name, each in self._gains.items():
+            gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
+            if len(each) >= _LEAST_TRIED and gain > max(_LIKELIER, 4.0 * error):
+                likelier[name] = gain, len(each), error
         if not likelier:
             return
-        name, (count, gain, error) = max(likelier.items(), key=lambda one: one[1][1])
+        name = max(likelier, key=lambda one: likelier[one][0])
+        gain, count, error = likelier[name]
         numbers: dict[str, Any] = {"molecules": count, "log_likelihood": gain, "error": error}
+        told = f"{count} molecules of the first frames are likelier"
         text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
         if name == "sign":
             text = (
-                f"{count} molecules of the first frames are likelier with astigmatism of the opposite sign {text}, "
-                "and z is then reversed: check the sign of the astigmatism and the direction of the movie's rows"
+                f"{told} with astigmatism of the opposite sign {text}, and z is then reversed: check the sign of the "
+                "astigmatism and the direction of the movie's rows"
             )
             yield Finding("opposite_astigmatism", "error", text, numbers)
         else:
             shift = float(name)
+            way = "deeper" if shift > 0.0 else "nearer to the cover glass"
             text = (
-                f"{count} molecules of the first frames are likelier {format_length(abs(shift))} "
-                f"{'deeper' if shift > 0.0 else 'nearer to the cover glass'} {text}: check the depth, the indices "
-                "and the spherical aberration"
+                f"{told} {format_length(abs(shift))} {way} {text}: check the depth, the indices and the spherical "
+                "aberration"
             )
             yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
 
@@ -195,18 +194,12 @@ class Checks:
             return
         median, error = self.median, math.sqrt(0.5 * math.pi / n)
         numbers = {"median": median, "error": error}
+        text = f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the "
         if median > max(_DISCREPANT, 4.0 * error):
-            severity: Severity = "error" if median > _MISFIT else "doubt"
-            text = (
-                f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the PSF (sign of the "
-                "astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
-            )
-            yield Finding("misfit", severity, text, numbers)
+            text += "PSF (sign of the astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
+            yield Finding("misfit", "error" if median > _MISFIT else "doubt", text, numbers)
         elif median < -max(_DISCREPANT, 4.0 * error):
-            text = (
-                f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the gain or the "
-                "offset may be wrong: check `white` and `offset`"
-            )
+            text += "gain or the offset may be wrong: check `white` and `offset`"
             yield Finding("too_quiet", "doubt", text, numbers)
         if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
             share = sums["doubtful"] / n
@@ -305,20 +298,21 @@ def scored(spots: Spots, found: Molecules, table: Table, camera: Noise) -> Score
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
     """Return tables that a wrong statement would hide, kept with the table: by what is other in them."""
-    kept: dict[str, Table] | None = vars(table).get("_rivals")
-    if kept is None:
-        kept = vars(table)["_rivals"] = {
-            name: _other(table, threads, *one) for name, one in _others(table.pupil, table)
-        }
+    kept: dict[str, Table] = vars(table).setdefault("_rivals", {})
+    if not kept:
+        made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
+        for name, pupil, shift in _others(table.pupil, table):
+            low, high = (max(0.0, end + shift) if shift else end for end in table.z)
+            kept[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **made)
     return kept
 
 
-def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, tuple[ObjectivePupil, float]]]:
+def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
     """Yield pupils with the opposite astigmatism and other depths in focus, and by how much the range of z moves."""
     told = pupil.aberrations
     if told is not None and any(abs(m) == 2 for _, m in told.amplitudes()):
         edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(told.terms, told.edge.T, strict=True)}
-        yield "sign", (replace(pupil, aberrations=Wavefront.from_edge(edge, told.error)), 0.0)
+        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, told.error)), 0.0
     moving = table.along == "depth"
     depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
     for way in (-1.0, 1.0):
@@ -327,13 +321,7 @@ def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, tuple[Ob
             focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest
             focus = focus - brightest(pupil.layers, depth).brightest
             deeper = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
-            yield f"{shift:+.1e}", (deeper, shift if moving else 0.0)
-
-
-def _other(table: Table, threads: int | None, pupil: ObjectivePupil, shift: float) -> Table:
-    low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-    made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
-    return Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **made)
+            yield f"{shift:+.1e}", deeper, shift if moving else 0.0
 
 
 class Recurrence:

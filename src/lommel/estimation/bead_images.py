@@ -115,6 +115,13 @@ class Setup:
             return replace(self, **given)
         return replace(self, objective=changed(self.objective, name, value))
 
+    def with_constants(self, values: Mapping[str, float]) -> Setup:
+        """Return the microscope with other values of constants."""
+        setup = self
+        for name, value in values.items():
+            setup = setup.having(name, value)
+        return setup
+
     def pupil(
         self, aberrations: Wavefront | None, depth: ArrayLike, z: ArrayLike = 0.0, origin: str = "brightest"
     ) -> ObjectivePupil:

@@ -270,8 +270,8 @@ class BeadModel:
             given = CONSTANTS[name]
             longest.append(abs(float(by)) / (given.reach * (setup.value(name) if given.relative else 1.0)))
         cut = 1.0 / max(1.0, *longest)
-        for name, by in zip(self.priors, step[k:shared], strict=True):
-            setup = setup.having(name, setup.value(name) + cut * float(by))
+        each_by = zip(self.priors, step[k:shared], strict=True)
+        setup = setup.with_constants({name: setup.value(name) + cut * float(by) for name, by in each_by})
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("no such blur or bead")
         places = []

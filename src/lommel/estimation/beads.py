@@ -535,8 +535,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
         raise TypeError(f"priors must map names to standard deviations, got {validation.shown(given)}")
     found, of_depth = {}, 0.0
     for name, prior in given.items():
-        if name not in CONSTANTS:
-            validation.choice("priors", name, tuple(CONSTANTS))
+        validation.choice("priors", name, CONSTANTS)
         if name not in known:
             raise ValueError(
                 f"priors must be without {name!r}, which this objective or bead does not have, or is that of air"
@@ -544,17 +543,16 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a deviation or (value, deviation), got {prior!r}")
-        deviation = float(pair[1])
+        stated, deviation = pair[0], float(pair[1])
         if not deviation > 0.0:
             raise ValueError(f"priors[{name!r}] must have a deviation above 0, got {deviation:g}")
-        if name == "depth":
-            if pair[0] is not None:
-                raise ValueError("priors['depth'] must be a deviation alone: values are those of depth")
+        if name != "depth":
+            value = setup.value(name) if stated is None else validation.real(f"priors[{name!r}]", stated)
+            found[name], setup = Prior(value, deviation), setup.having(name, value)
+        elif stated is None:
             of_depth = deviation
-            continue
-        value = setup.value(name) if pair[0] is None else validation.real(f"priors[{name!r}]", pair[0])
-        found[name] = Prior(value, deviation)
-        setup = setup.having(name, value)
+        else:
+            raise ValueError("priors['depth'] must be a deviation alone: values are those of depth")
     if all(name in found and math.isinf(found[name].deviation) for name in ("immersion", "coverslip")):
         raise ValueError(
             "priors must state one of immersion and coverslip: images depend on their sum only, give a standard "
@@ -566,8 +564,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
                 "priors must state NA where all beads are deeper than a wavelength: of NA above the index of the "
                 "sample no such light arrives; add a bead on the glass, or leave NA out"
             )
-        text = "NA is as its prior says: no bead is within a wavelength of the glass"
-        notes.append(Finding("stated", "note", text))
+        notes = [Finding("stated", "note", "NA is as its prior says: no bead is within a wavelength of the glass")]
     return setup, found, of_depth, notes
 
 

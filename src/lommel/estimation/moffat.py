@@ -195,7 +195,11 @@ class _StarProfile(RowModel):
     size = len(_NAMES)
 
     def __init__(self, data: Array, reading: Array, known: NDArray[np.bool_], held: NDArray[np.bool_]) -> None:
-        self.shape, self.held, self.limits = data.shape, held, _limits(data.shape)
+        self.shape, self.held = data.shape, held
+        rows, columns = data.shape
+        least = [-math.inf, -0.5, -0.5, _NARROWEST, _BETA[0], -math.inf]
+        most = [math.inf, rows - 0.5, columns - 0.5, 4.0 * max(rows, columns), _BETA[1], math.inf]
+        self.limits = np.array(least), np.array(most)
         parts = data, reading, np.maximum(reading, _DARK), known
         self.star = np.stack([np.asarray(part, dtype=np.float64).reshape(1, -1) for part in parts])
         self.free = int((~held).sum())
@@ -264,12 +268,6 @@ def _start(data: Array, counts: NDArray[np.bool_], background: float | None) -> 
             flux = max(float(sums[row, column]) / norm, 1e-6) * math.pi * square / 2.0
             best, found = score, np.array([flux, row, column, fwhm, 3.0, level])
     return found
-
-
-def _limits(shape: tuple[int, ...]) -> tuple[Array, Array]:
-    """Return the least and the largest parameters that a fit may find."""
-    least = [-math.inf, -0.5, -0.5, _NARROWEST, _BETA[0], -math.inf]
-    return np.array(least), np.array([math.inf, shape[0] - 0.5, shape[1] - 0.5, 4.0 * max(shape), _BETA[1], math.inf])
 
 
 def _model(p: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:

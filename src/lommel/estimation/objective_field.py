@@ -228,9 +228,7 @@ def fit_objective_field(
     k, m = len(names), basis.shape[1]
     coefficients = solution[: k * m].reshape(k, m)
     constants = dict(zip(joined.constants, solution[k * m :].tolist(), strict=True))
-    setup = first._state.setup
-    for name, value in constants.items():
-        setup = setup.having(name, value)
+    setup = first._state.setup.with_constants(constants)
     findings = scatter_findings("terms", "radians rms", scatter, chi2, joined.freedom)
     if lost := converged - len(joined.fits):
         findings.append(Finding("left_out", "note", f"{lost} far off rejected", {"rejected": lost}))
@@ -259,20 +257,15 @@ def fit_objective_field(
 
 def _require_alike(first: BeadFit, fits: Sequence[BeadFit]) -> None:
     """Raise ValueError unless fits are of one microscope."""
-
-    def known(one: BeadFit) -> Setup:
-        setup = one._state.setup
-        for name in (name for name in first.coefficients if isinstance(name, str)):
-            setup = setup.having(name, first.coefficients[name])
-        return setup
-
+    stated = {name: value for name, value in first.coefficients.items() if isinstance(name, str)}
+    setup = first._state.setup.with_constants(stated)
     for k, one in enumerate(fits):
         if tuple(one.coefficients) != tuple(first.coefficients):
             raise ValueError(
                 f"fits must have the same terms and constants, got {len(one.coefficients)} of fit {k} that differ "
                 f"from the {len(first.coefficients)} of the first"
             )
-        if known(one) != known(first) or one._priors != first._priors:
+        if one._state.setup.with_constants(stated) != setup or one._priors != first._priors:
             raise ValueError(f"fits must be of one objective, camera, wavelength and priors, got another of fit {k}")
 
 

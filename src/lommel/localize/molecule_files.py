@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic
+from lommel.base.arrays import Values
 from lommel.base.optional import library, version
 from lommel.io import registry
 from lommel.io.registry import Format
@@ -55,57 +56,48 @@ Write: TypeAlias = Callable[[Rows, Recording], None]
 
 _TEXT = {"encoding": "utf-8", "newline": ""}
 
-_THUNDERSTORM = {
-    "id": "%d",
-    "frame": "%d",
-    "x [nm]": "%.3f",
-    "y [nm]": "%.3f",
-    "z [nm]": "%.3f",
-    "sigma1 [nm]": "%.2f",
-    "sigma2 [nm]": "%.2f",
-    "intensity [photon]": "%.2f",
-    "offset [photon]": "%.4f",
-    "bkgstd [photon]": "%.4f",
-    "uncertainty_xy [nm]": "%.3f",
-    "uncertainty_z [nm]": "%.3f",
-    "discrepancy": "%.3f",
-}
+_THUNDERSTORM: dict[str, tuple[str, Callable[[Rows], Values]]] = {
+    "frame": ("%d", lambda rows: rows["frame"] + 1),
+    "x [nm]": ("%.3f", lambda rows: 1e9 * rows["x"]),
+    "y [nm]": ("%.3f", lambda rows: 1e9 * rows["y"]),
+    "z [nm]": ("%.3f", lambda rows: 1e9 * rows["z"]),
+    "sigma1 [nm]": ("%.2f", lambda rows: 1e9 * rows["sigma_x"]),
+    "sigma2 [nm]": ("%.2f", lambda rows: 1e9 * rows["sigma_y"]),
+    "intensity [photon]": ("%.2f", lambda rows: rows["photons"]),
+    "offset [photon]": ("%.4f", lambda rows: rows["background"]),
+    "bkgstd [photon]": ("%.4f", lambda rows: np.sqrt(rows["background"])),
+    "uncertainty_xy [nm]": (
+        "%.3f", lambda rows: 1e9 * np.sqrt(0.5 * (rows["x_deviation"] ** 2 + rows["y_deviation"] ** 2))
+    ),
+    "uncertainty_z [nm]": ("%.3f", lambda rows: 1e9 * rows["z_deviation"]),
+    "discrepancy": ("%.3f", lambda rows: rows["discrepancy"]),
+}  # fmt: skip
 _Z = ("z [nm]", "uncertainty_z [nm]")
 
 
 @contextmanager
 def thunderstorm(path: Path) -> Iterator[Write]:
     """Yield what writes rows of ThunderSTORM's table: M. Ovesny et al., doi:10.1093/bioinformatics/btu202."""
-    line, done = "", 0
+    kept, done = dict[str, tuple[str, Callable[[Rows], Values]]](), 0
 
     def begin(along: str) -> None:
-        nonlocal line
-        kept = {name: form for name, form in _THUNDERSTORM.items() if along != "none" or name not in _Z}
-        line = ",".join(kept.values()) + "\n"
-        file.write(",".join(f'"{name}"' for name in kept) + "\n")
+        kept.update({name: each for name, each in _THUNDERSTORM.items() if along != "none" or name not in _Z})
+        file.write(",".join(f'"{name}"' for name in ("id", *kept)) + "\n")
 
     with atomic.opened(path, "w", **_TEXT) as file:
 
         def write(rows: Rows, recording: Recording) -> None:
             nonlocal done
-            if not line:
+            if not kept:
                 begin(recording.along)
-            lengths = [1e9 * rows[name] for name in ("x", "y", "z", "sigma_x", "sigma_y")]
-            uncertainty = np.sqrt(0.5 * (rows["x_deviation"] ** 2 + rows["y_deviation"] ** 2))
-            columns = [
-                *(np.arange(done + 1, done + 1 + rows.size), rows["frame"] + 1),
-                *lengths,
-                *(rows["photons"], rows["background"], np.sqrt(rows["background"])),
-                *(1e9 * uncertainty, 1e9 * rows["z_deviation"], rows["discrepancy"]),
-            ]
-            if recording.along == "none":
-                columns = [each for name, each in zip(_THUNDERSTORM, columns, strict=True) if name not in _Z]
+            line = ",".join(["%d", *(form for form, _ in kept.values())]) + "\n"
+            columns = [np.arange(done + 1, done + 1 + rows.size), *(of(rows) for _, of in kept.values())]
             done += rows.size
             with atomic.told_as(path):
                 file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
 
         yield write
-        if not line:
+        if not kept:
             begin("z")
 
 

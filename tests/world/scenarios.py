@@ -445,10 +445,10 @@ def _fields() -> list[Scenario]:
     add("13b", 'von Karman 20 m, 1.5", 5e4 e', partial(field, blur=karman, flux=5e4))
     add("14", 'Moffat 3, 1.5"', partial(field, blur=(("moffat", 1.5, 3.0),), flux=5e4), "T", BLUR)
     track = ("tracking", 0.7, 0.0), ("tracking", 1.5, 0.0)
-    add("15a", 'tracking 0.7 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[0]), flux=5e4), "RT")
+    add("15a", 'tracking 0.7 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[0]), flux=5e4), "RT", OTHER)
     ellipse = ("ellipse", "elongated", *BLUR)
     add("15b", 'tracking 1.5 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[1]), flux=5e4), "T", ellipse)
-    add("16", '400 phase screens, 1"', partial(field, blur=(("screens", 1.0),), flux=2e4), "RT")
+    add("16", '400 phase screens, 1"', partial(field, blur=(("screens", 1.0),), flux=2e4), "RT", OTHER)
     add(
         "17",
         'f/4, 30 stars, degree 2, Kolmogorov 2"',

@@ -110,8 +110,8 @@ def recovered(count: int, waves: float, light: float) -> Recovery:
     for seed in range(count):
         given = case(seed, waves, light, objective)
         found, spent = fitted(given, objective)
-        values, deviation = (np.array([*of.values()])[:17] for of in (found.coefficients, found.deviation))
-        off = (values - given.terms) / deviation
+        values, errors = (np.array([*of.values()])[:17] for of in (found.coefficients, found.errors))
+        off = (values - given.terms) / errors
         seconds.append(spent)
         good = np.abs(off).max() < 6.0
         right += good

@@ -2,9 +2,9 @@
 
     python benchmarks/fisher.py [1000]
 
-Prints, for each parameter of a star out of focus, the deviation that :func:`lommel.fisher` tells, the scatter of fits
-of largest likelihood over it, and their mean error over that of a mean; then the largest difference between the two
-covariances, in units of the deviations.
+Prints, for each parameter of a star out of focus, the standard error that :func:`lommel.fisher` tells, the scatter of
+fits of largest likelihood over it, and their mean error over that of a mean; then the largest difference between the
+two covariances, in units of the standard errors.
 """
 
 from __future__ import annotations
@@ -32,25 +32,25 @@ class Compared:
     fits: NDArray[np.float64]
 
     @property
-    def deviation(self) -> NDArray[np.float64]:
+    def errors(self) -> NDArray[np.float64]:
         """Return what is told."""
-        return np.array([self.told.deviation[name] for name in NAMES])
+        return np.array([self.told.errors[name] for name in NAMES])
 
     @property
     def scatter(self) -> NDArray[np.float64]:
-        """Return the deviation of the fits over that."""
-        return np.asarray(self.fits.std(axis=0, ddof=1) / self.deviation)
+        """Return the standard error of the fits over that."""
+        return np.asarray(self.fits.std(axis=0, ddof=1) / self.errors)
 
     @property
     def bias(self) -> NDArray[np.float64]:
-        """Return their mean error over the deviation of a mean of so many."""
-        return np.asarray((self.fits.mean(axis=0) - TRUTH) / self.deviation * np.sqrt(len(self.fits)))
+        """Return their mean error over the standard error of a mean of so many."""
+        return np.asarray((self.fits.mean(axis=0) - TRUTH) / self.errors * np.sqrt(len(self.fits)))
 
     @property
     def difference(self) -> float:
-        """Return the largest difference between the covariances over the deviations of both parameters."""
+        """Return the largest difference between the covariances over the standard errors of both parameters."""
         found = np.cov(self.fits.T) - self.told.covariance
-        return float(np.abs(found / np.outer(self.deviation, self.deviation)).max())
+        return float(np.abs(found / np.outer(self.errors, self.errors)).max())
 
 
 def compared(count: int, seed: int) -> Compared:
@@ -92,10 +92,10 @@ def _model(parameters: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArra
 def main(count: int) -> None:
     """Compare, and print."""
     found = compared(count, seed=1)
-    print(f"{count} fits: deviation told; scatter over it; mean error over that of a mean")
-    for name, told, scatter, bias in zip(NAMES, found.deviation, found.scatter, found.bias, strict=True):
+    print(f"{count} fits: standard error told; scatter over it; mean error over that of a mean")
+    for name, told, scatter, bias in zip(NAMES, found.errors, found.scatter, found.bias, strict=True):
         print(f"  {name:10} {told:.4g} {found.told.units[name]:16} {scatter:.3f}  {bias:+.1f}")
-    print(f"largest difference of the covariances over the deviations: {found.difference:.3f}")
+    print(f"largest difference of the covariances over the standard errors: {found.difference:.3f}")
 
 
 if __name__ == "__main__":

@@ -71,11 +71,11 @@ def live(
     return lm.imaging.LiveDepth(lenses, setup.pixel, **(given | options))
 
 
-def standard(depth: Array, deviation: Array, truth: Array | float) -> Array:
+def standard(depth: Array, errors: Array, truth: Array | float) -> Array:
     """Return errors of 1 / distance over their standard errors, where depth is known."""
-    known = np.isfinite(deviation)
+    known = np.isfinite(errors)
     u = 1.0 / depth[known].astype(np.float64)
-    return np.asarray((u - 1.0 / np.broadcast_to(truth, depth.shape)[known]) / (deviation[known] * u**2))
+    return np.asarray((u - 1.0 / np.broadcast_to(truth, depth.shape)[known]) / (errors[known] * u**2))
 
 
 def robust(values: Array) -> float:
@@ -93,7 +93,7 @@ def planes(name: str, setup: Setup) -> list[str]:
             for distance in setup.planes:
                 scene = texture(kind, SIDE, 7)
                 result = finder(*record(plane(scene, setup.lenses(), distance, light), seed=int(1000 * distance)))
-                z = standard(result.depth, result.deviation, distance)
+                z = standard(result.depth, result.errors, distance)
                 seen = averaged(scene)
                 bound = lm.depth_precision(
                     [lommel_lens(lens) for lens in setup.lenses()],
@@ -103,7 +103,7 @@ def planes(name: str, setup: Setup) -> list[str]:
                     photons=light,
                     contrast=float(seen.std() / seen.mean()),
                 )
-                scatter = robust(result.depth[np.isfinite(result.deviation)]) / bound if kind == "pink" else math.nan
+                scatter = robust(result.depth[np.isfinite(result.errors)]) / bound if kind == "pink" else math.nan
                 if z.size > 50:
                     found.append((np.median(z), robust(z), np.mean(np.abs(z) > 3.0), scatter))
             medians, spreads, beyond, scatters = np.array(found).T
@@ -131,9 +131,9 @@ def edges(name: str, setup: Setup, near: float, far: float) -> str:
     cells = []
     for low, high in ((0, 8), (8, 16), (16, 32)):
         here = (away >= low) & (away < high)
-        deviation = np.where(here, result.deviation, np.inf)
-        z = standard(result.depth, deviation, truth)
-        cells.append(f"{1.4826 * np.median(np.abs(z)):.2f} at {100.0 * np.isfinite(deviation[here]).mean():.0f} %")
+        errors = np.where(here, result.errors, np.inf)
+        z = standard(result.depth, errors, truth)
+        cells.append(f"{1.4826 * np.median(np.abs(z)):.2f} at {100.0 * np.isfinite(errors[here]).mean():.0f} %")
     return f"| {name} | {near:g} m before {far:g} m | " + " | ".join(cells) + " |"
 
 
@@ -172,8 +172,8 @@ def models(setup: Setup) -> list[str]:
                 between=setup.between,
                 transfer=transfer,
             )
-            e = 1e3 * (found.depth - distance)[np.isfinite(found.deviation)]
-            z = standard(found.depth, found.deviation, distance)
+            e = 1e3 * (found.depth - distance)[np.isfinite(found.errors)]
+            z = standard(found.depth, found.errors, distance)
             cells.append(f"{np.median(e):+.1f}, {robust(e):.1f} ({robust(z):.2f})" if e.size > 500 else "not known")
         rows.append(f"| f/{setup.f_number:g}, {name} | " + " | ".join(cells) + " |")
     return rows

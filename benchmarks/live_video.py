@@ -129,14 +129,12 @@ def row(fault: Fault, folder: Path) -> str:
     write_video(folder / "both.mkv", list(video(fault)), rate=30, **(fault.compressed or {}))
     words = ["lens.toml", "--source", "both.mkv", "--alternating", "--no-show", "--json"]
     words += [*(f"--focus={focus}m" for focus in FOCI), "--between", *(f"{one}m" for one in BETWEEN)]
-    words += [f"--white={WHITE}", f"--read={READ}", "--depth=depth.mkv", "--depth=deviation.mkv", *fault.options]
+    words += [f"--white={WHITE}", f"--read={READ}", "--depth=depth.mkv", "--depth=error.mkv", *fault.options]
     run = subprocess.run(
         [sys.executable, "-m", "lommel", "watch", *words], cwd=folder, capture_output=True, text=True, check=True
     )
     facts = json.loads(run.stdout)
-    depth, deviation = (
-        frames_of(folder / f"{name}.mkv")[0] * facts["depth_scale"] for name in ("depth", "deviation")
-    )
+    depth, errors = (frames_of(folder / f"{name}.mkv")[0] * facts["depth_scale"] for name in ("depth", "error"))
     z, edge, shares = [], [], []
     for k in range(PAIRS):
         inside = (
@@ -146,7 +144,7 @@ def row(fault: Fault, folder: Path) -> str:
         away = 4.0 * np.where(inside, distance_transform_edt(inside), distance_transform_edt(~inside)) - 2.0
         known = depth[k] > 0.0
         inverse = 1.0 / np.where(known, depth[k], 1.0)
-        off = (inverse - 1.0 / np.where(inside, NEAR, FAR)) / (np.where(known, deviation[k], 1.0) * inverse**2)
+        off = (inverse - 1.0 / np.where(inside, NEAR, FAR)) / (np.where(known, errors[k], 1.0) * inverse**2)
         apart = away >= BESIDE
         z.append(np.stack([off[known & apart], inside[known & apart]]))
         edge.append(off[known & ~apart])

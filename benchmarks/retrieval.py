@@ -106,7 +106,7 @@ def sweep(rms: float, photons: float, first: int, fits: int, seed: int = 0) -> S
         if not found.converged:
             continue
         error = np.array([found.coefficients[name] for name in one.names]) - one.terms
-        spread = np.array([found.deviation[name] for name in one.names])
+        spread = np.array([found.errors[name] for name in one.names])
         if np.abs(error / spread).max() > 8.0:
             wrong += 1
         errors.append(error)
@@ -150,7 +150,7 @@ def dim(photons: float, background: float, fits: int, seed: int = 0) -> Dim:
         found = ours(one)
         if found.converged:
             error = np.array([found.coefficients[name] for name in one.names]) - one.terms
-            spread = np.array([found.deviation[name] for name in one.names])
+            spread = np.array([found.errors[name] for name in one.names])
             converged.append(found.reliable)
             off.append(np.abs(error / spread).max() > 4.0)
             chi2.append(found.chi2)

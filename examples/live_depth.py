@@ -70,8 +70,8 @@ def picture(pair: list[np.ndarray], found: lm.imaging.LiveDepthMap, sharp: np.nd
     """Draw frames, depth and the sharp image."""
     figure = Figure(figsize=(8.0, 5.9), dpi=80, layout="constrained", facecolor="white")
     axes = figure.subplots(2, 2)
-    known = np.isfinite(found.deviation)
-    error = 1e3 * np.median(found.deviation[known])
+    known = np.isfinite(found.errors)
+    error = 1e3 * np.median(found.errors[known])
     titles = ("focused at 1.35 m", "focused at 1.8 m", f"depth, standard error {error:.0f} mm", "sharp image")
     images = (pair[0] - 100.0, pair[1] - 100.0, 1.0 / found.depth, sharp)
     for ax, title, image in zip(axes.flat, titles, images, strict=True):

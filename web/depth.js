@@ -305,9 +305,9 @@ export class Depth {
     const { found, things } = this.shown;
     const count = found.length / 3;
     const i = row * (CAMERA.width / 4) + column;
-    const [distance, deviation] = [found[i], found[count + i]];
+    const [distance, error] = [found[i], found[count + i]];
     this.pointed = true;
-    const said = deviation < Infinity ? `found ${inMetres(distance, 3)} ± ${inMillimetres(deviation)}` : "not known";
+    const said = error < Infinity ? `found ${inMetres(distance, 3)} ± ${inMillimetres(error)}` : "not known";
     return `true ${inMetres(seenAt(things, 4 * column + 2, 4 * row + 2).distance, 3)}, ${said}`;
   }
 

@@ -130,9 +130,9 @@ class Stream {
     }
 
     // Depth, standard error and misfit of blocks: NaN and infinity where it is not known.
-    void depths(Out<float, 2> depth, Out<float, 2> deviation, Out<float, 2> misfit) {
+    void depths(Out<float, 2> depth, Out<float, 2> errors, Out<float, 2> misfit) {
         require(stream_->has_depth(), "there are no residuals");
-        for (const auto& one : {depth, deviation, misfit}) {
+        for (const auto& one : {depth, errors, misfit}) {
             require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a block");
         }
         released([&] {
@@ -141,9 +141,9 @@ class Stream {
             for (std::size_t i = 0; i < depth.size(); ++i) {
                 const float vergence = first_ + step_ * places[i].position;
                 depth.data()[i] = 1.0f / vergence;
-                deviation.data()[i] = places[i].deviation * step_ / (vergence * vergence);
+                errors.data()[i] = places[i].error * step_ / (vergence * vergence);
                 if (!(vergence > 0.0f)) {
-                    deviation.data()[i] = std::numeric_limits<float>::infinity();
+                    errors.data()[i] = std::numeric_limits<float>::infinity();
                 }
                 misfit.data()[i] = places[i].misfit;
             }
@@ -151,9 +151,9 @@ class Stream {
     }
 
     // Position in candidates, its standard error, and misfit.
-    void places(Out<float, 2> position, Out<float, 2> deviation, Out<float, 2> misfit) {
+    void places(Out<float, 2> position, Out<float, 2> errors, Out<float, 2> misfit) {
         require(stream_->has_depth(), "there are no residuals");
-        for (const auto& one : {position, deviation, misfit}) {
+        for (const auto& one : {position, errors, misfit}) {
             require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a depth");
         }
         released([&] {
@@ -161,7 +161,7 @@ class Stream {
             const lommel::FocalPlace* const places = stream_->places();
             for (std::size_t i = 0; i < position.size(); ++i) {
                 position.data()[i] = places[i].position;
-                deviation.data()[i] = places[i].deviation;
+                errors.data()[i] = places[i].error;
                 misfit.data()[i] = places[i].misfit;
             }
         });
@@ -217,8 +217,8 @@ void bindings::define_focal(nb::module_& m) {
              "sizes"_a, "taps"_a, "residuals"_a, "images"_a, "weights"_a, "forms"_a, "statistics"_a, "numbers"_a)
         .def("sums", &Stream::sums, "frames"_a, "full"_a, "known"_a.none(), "out"_a, "Write sums of known pixels.")
         .def("take", &Stream::take, "frames"_a, "gains"_a, "offset"_a, "full"_a, "known"_a.none(), "Filter frames.")
-        .def("depths", &Stream::depths, "depth"_a, "deviation"_a, "misfit"_a, "Write depth, its standard error and misfit.")
-        .def("places", &Stream::places, "position"_a, "deviation"_a, "misfit"_a, "Write positions, their errors and misfit.")
+        .def("depths", &Stream::depths, "depth"_a, "errors"_a, "misfit"_a, "Write depth, its standard error and misfit.")
+        .def("places", &Stream::places, "position"_a, "errors"_a, "misfit"_a, "Write positions, their errors and misfit.")
         .def("positions", &Stream::positions, "out"_a, "Write positions of blocks, filled in.")
         .def("mix", &Stream::mix, "positions"_a, "side"_a, "factors"_a, "out"_a, "Write a sum of images.");
 }

@@ -118,7 +118,7 @@ class Fitter {
     }
 
     // Images in electrons of each channel, (n, height, width), NaN where a pixel does not count, and the variance of reading, (n or
-    // 1, height, width); offsets (n, channels, 2). Returns the unknowns and their deviations, (n, k) each; twice the logarithm of the
+    // 1, height, width); offsets (n, channels, 2). Returns the unknowns and their errors, (n, k) each; twice the logarithm of the
     // likelihood and the discrepancy, (n, 2); state and steps, (n, 2).
     std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(
         const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
@@ -143,18 +143,18 @@ class Fitter {
         }
         std::vector<lommel::Fitted> fitted(n);
         released([&] { localizer_->fit(stacks, offsets.data(), n, starts, tilted, threads, fitted.data()); });
-        auto value = new_array<double, 2>({n, unknown}), deviation = new_array<double, 2>({n, unknown});
+        auto value = new_array<double, 2>({n, unknown}), errors = new_array<double, 2>({n, unknown});
         auto likely = new_array<double, 2>({n, 2});
         auto state = new_array<std::int32_t, 2>({n, 2});
         for (std::size_t i = 0; i < n; ++i) {
             std::copy_n(fitted[i].value.begin(), unknown, value.data() + i * unknown);
-            std::copy_n(fitted[i].deviation.begin(), unknown, deviation.data() + i * unknown);
+            std::copy_n(fitted[i].errors.begin(), unknown, errors.data() + i * unknown);
             likely.data()[2 * i] = fitted[i].deviance;
             likely.data()[2 * i + 1] = fitted[i].discrepancy;
             state.data()[2 * i] = static_cast<std::int32_t>(fitted[i].state);
             state.data()[2 * i + 1] = fitted[i].steps;
         }
-        return {value, deviation, likely, state};
+        return {value, errors, likely, state};
     }
 
    private:
@@ -177,5 +177,5 @@ void bindings::define_localize(nb::module_& m) {
                       const In<double, 3>&>(),
              "tables"_a, "matrices"_a, "limits"_a, "stride"_a, "places"_a)
         .def("fit", &Fitter::fit, "images"_a, "reads"_a, "offsets"_a, "starts"_a, "tilted"_a, "threads"_a,
-             "Unknowns, their deviations, deviance and discrepancy, state and steps.");
+             "Unknowns, their errors, deviance and discrepancy, state and steps.");
 }

@@ -36,16 +36,16 @@ int lommel_live_size(const lommel_live* live, std::int32_t* frames, std::int32_t
 }
 
 int lommel_live_frames(lommel_live* live, const void* const* frames, std::int32_t bits, std::int32_t stride, float* depth,
-                       float* deviation, float* misfit) noexcept {
+                       float* errors, float* misfit) noexcept {
     return coded([&] {
-        require(live != nullptr && frames != nullptr && depth != nullptr && deviation != nullptr && misfit != nullptr,
+        require(live != nullptr && frames != nullptr && depth != nullptr && errors != nullptr && misfit != nullptr,
                 "a pointer is NULL");
         require(bits == 8 || bits == 16, "bits must be 8 or 16");
         require(stride >= 0 && static_cast<std::size_t>(stride) >= live->width, "stride must be the width or more");
         for (std::size_t i = 0; i < live->camera.frames(); ++i) {
             require(frames[i] != nullptr, "a frame is NULL");
         }
-        live->camera.take(frames, bits == 16, static_cast<std::size_t>(stride), depth, deviation, misfit);
+        live->camera.take(frames, bits == 16, static_cast<std::size_t>(stride), depth, errors, misfit);
     });
 }
 

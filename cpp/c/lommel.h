@@ -111,9 +111,9 @@ LOMMEL_API int lommel_psf_zernike_float(const lommel_plan* plan, int32_t pupils,
 /* Live depth of frames that differ in focus.
  *
  *     lommel_live *live = lommel_live_new(tables, bytes, 480, 640, 1);
- *     float depth[120 * 160], deviation[120 * 160], misfit[120 * 160];
+ *     float depth[120 * 160], errors[120 * 160], misfit[120 * 160];
  *     const void *frames[] = {near, far};
- *     if (lommel_live_frames(live, frames, 16, 640, depth, deviation, misfit) != LOMMEL_OK) {
+ *     if (lommel_live_frames(live, frames, 16, 640, depth, errors, misfit) != LOMMEL_OK) {
  *         fprintf(stderr, "%s\n", lommel_message());
  *     }
  *     lommel_live_free(live);
@@ -142,7 +142,7 @@ LOMMEL_API int lommel_live_size(const lommel_live* live, int32_t* frames, int32_
  * LOMMEL_INVALID where a frame is black or full everywhere, or exposures differ by a factor of 2 or more; the next frames may be
  * given all the same. Allocates no memory. */
 LOMMEL_API int lommel_live_frames(lommel_live* live, const void* const* frames, int32_t bits, int32_t stride, float* depth,
-                                  float* deviation, float* misfit) LOMMEL_NOTHROW;
+                                  float* errors, float* misfit) LOMMEL_NOTHROW;
 
 /* The sharp image of the frames of the last call, which must have succeeded and must still be there unchanged:
  * image[height][width], electrons at the exposure of the first frame. The tables must have been made with sharp=True or

@@ -199,7 +199,7 @@ struct Toy {
 };
 
 struct Maps {
-    std::vector<float> depth = std::vector<float>(height / block * (width / block)), deviation = depth, misfit = depth,
+    std::vector<float> depth = std::vector<float>(height / block * (width / block)), errors = depth, misfit = depth,
                        image = std::vector<float>(height * width);
 
     template <class T>
@@ -208,7 +208,7 @@ struct Maps {
         lommel::FocalCamera camera(file, height, width, threads);
         const void* const both[] = {frames.data(), frames.data() + frames.size() / 2};
         for (int again = 0; again < 2; ++again) {
-            camera.take(both, sizeof(T) == 2, stride, depth.data(), deviation.data(), misfit.data());
+            camera.take(both, sizeof(T) == 2, stride, depth.data(), errors.data(), misfit.data());
             camera.sharpen(image.data());
         }
     }
@@ -216,8 +216,7 @@ struct Maps {
         const auto same = [](const std::vector<float>& a, const std::vector<float>& b) {
             return std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
         };
-        return same(depth, other.depth) && same(deviation, other.deviation) && same(misfit, other.misfit) &&
-               same(image, other.image);
+        return same(depth, other.depth) && same(errors, other.errors) && same(misfit, other.misfit) && same(image, other.image);
     }
 };
 
@@ -305,7 +304,7 @@ void agrees(const Toy& toy, std::size_t candidate, double light) {
     for (std::size_t y = 3; y + 3 < height / block; ++y) {
         for (std::size_t x = 3; x + 3 < width / block; ++x, ++all) {
             const std::size_t at = y * (width / block) + x;
-            if (!std::isfinite(maps.deviation[at])) {
+            if (!std::isfinite(maps.errors[at])) {
                 continue;
             }
             std::size_t best = 0;
@@ -318,8 +317,8 @@ void agrees(const Toy& toy, std::size_t candidate, double light) {
             worst = std::max(worst, std::abs(static_cast<double>(maps.misfit[at]) / misfit - 1.0));
             apart = std::max(apart, std::abs((vergence - static_cast<double>(first)) / static_cast<double>(step) -
                                              static_cast<double>(best)));
-            const double deviation = static_cast<double>(maps.deviation[at]) * vergence * vergence;
-            squares += (vergence - truth) * (vergence - truth) / (deviation * deviation);
+            const double errors = static_cast<double>(maps.errors[at]) * vergence * vergence;
+            squares += (vergence - truth) * (vergence - truth) / (errors * errors);
             ++count;
         }
     }

@@ -120,10 +120,10 @@ static double seconds(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-static void count_known(const float* deviation, const float* misfit, size_t blocks) {
+static void count_known(const float* errors, const float* misfit, size_t blocks) {
     ++done.computed;
     for (size_t i = 0; i < blocks; ++i) {
-        if (isfinite(deviation[i])) {
+        if (isfinite(errors[i])) {
             const double bin = misfit[i] / bin_width;
             ++done.misfits[bin > 0.0 ? (bin < bins - 1 ? (int)bin : bins - 1) : 0];
             ++done.known;

@@ -2,7 +2,7 @@
 # # Defocus of a camera, and depth from it
 #
 # A tilted surface photographed at two focus distances. From the two photographs follow its depth, the standard
-# deviation of the depth, and the sharp image.
+# error of the depth, and the sharp image.
 
 # %%
 import matplotlib.pyplot as plt
@@ -54,7 +54,7 @@ for panel, photo, one in zip(panels, photos, lenses, strict=True):
 # %% [markdown]
 # ## Depth from defocus
 #
-# The standard deviation is that of the noise, from the Fisher information of both photographs.
+# The standard error is that of the noise, from the Fisher information of both photographs.
 
 # %%
 found = lm.imaging.depth_from_defocus(photos, lenses, pixel, encoding="linear", noise=noise, between=(1.5, 1.7))

@@ -48,10 +48,10 @@ print(found.message)
 truth = true.to_zernike()
 names = [lm.special.zernike.name(*term) for term in found.coefficients]
 values = np.array(list(found.coefficients.values()))
-deviations = np.array([found.deviation[term] for term in found.coefficients])
+errors = np.array([found.errors[term] for term in found.coefficients])
 
 figure, axes = plt.subplots(figsize=(7.0, 3.8), layout="constrained")
-axes.errorbar(values, range(len(names)), xerr=3.0 * deviations, fmt="o", capsize=3, label="found")
+axes.errorbar(values, range(len(names)), xerr=3.0 * errors, fmt="o", capsize=3, label="found")
 axes.plot([truth.get(term, 0.0) for term in found.coefficients], range(len(names)), "k|", ms=14, label="true")
 axes.set_yticks(range(len(names)), names)
 axes.set_xlabel("coefficient (radians rms)")

@@ -53,14 +53,14 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     assert found.exit_code == 0, found.output
     facts = json.loads(found.stdout)
     assert facts["converged"], facts["message"]
-    assert facts["coefficients"]["2,-2"] == pytest.approx(0.4, abs=5.0 * facts["deviation"]["2,-2"])
+    assert facts["coefficients"]["2,-2"] == pytest.approx(0.4, abs=5.0 * facts["errors"]["2,-2"])
     assert (folder / "fit.png").stat().st_size > 1000
     made = lm.load_microscope("fitted.toml")
     assert made.objective.sample == pytest.approx(facts["coefficients"]["sample"], rel=1e-9)
     assert made.pixel == pytest.approx(facts["coefficients"]["pixel"], rel=1e-9)
     terms = made.aberrations.to_zernike(order="noll", unit="radians")
     assert terms[8] == pytest.approx(facts["coefficients"]["3,1"], rel=1e-9)
-    assert made.deviations["noll 8"] == pytest.approx(facts["deviation"]["3,1"] / (2.0 * np.pi), rel=1e-9)
+    assert made.errors["noll 8"] == pytest.approx(facts["errors"]["3,1"] / (2.0 * np.pi), rel=1e-9)
     assert CliRunner().invoke(main, ["info", "fitted.toml"]).exit_code == 0
 
 
@@ -71,7 +71,7 @@ def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_
     made = lm.load_microscope("fitted.toml")
     term = facts["coefficients"]["apodization_2"]
     assert made.objective.apodization.to_zernike() == {2: pytest.approx(term, rel=1e-9)}
-    assert made.deviations["apodization_2"] == pytest.approx(facts["deviation"]["apodization_2"], rel=1e-9)
+    assert made.errors["apodization_2"] == pytest.approx(facts["errors"]["apodization_2"], rel=1e-9)
     told = CliRunner().invoke(main, ["info", "fitted.toml", "--json"])
     rim = json.loads(told.stdout)["rim_amplitude"]
     assert rim == pytest.approx(made.objective.apodization.value(1.0))

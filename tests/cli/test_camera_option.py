@@ -115,11 +115,11 @@ def test_precision_takes_the_read_noise_of_the_camera(call_lommel, tmp_path):
         "1.4um",
     )
 
-    def deviation(*more: str) -> list[float]:
-        return json.loads(call_lommel(*call, *more, folder=tmp_path).stdout)["deviation"]
+    def errors(*more: str) -> list[float]:
+        return json.loads(call_lommel(*call, *more, folder=tmp_path).stdout)["errors"]
 
-    assert deviation("--camera", "google-pixel-4") == deviation("--read", "5") != deviation()
-    assert deviation("--camera", "google-pixel-4", "--read", "3") == deviation() == deviation("--read", "3")
+    assert errors("--camera", "google-pixel-4") == errors("--read", "5") != errors()
+    assert errors("--camera", "google-pixel-4", "--read", "3") == errors() == errors("--read", "3")
 
 
 def test_deconvolve_takes_the_noise_of_a_camera_that_is_named(monkeypatch, tmp_path):

@@ -36,7 +36,7 @@ def folder(tmp_path):
 
 def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, call_lommel):
     result = call_lommel(
-        "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "-o", "depth.tif", "-o", "deviation.npy",
+        "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "-o", "depth.tif", "-o", "error.npy",
         "--sharp", "sharp.tif", "--plot", "found.png", folder=folder,
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
@@ -50,10 +50,10 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
         "not tested: the size of blur, which image is focused nearer (exchanged, all agrees as well)"
     )
     assert "0.01 dioptre of all foci by 23 mm" in " ".join(lines)
-    assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
-    depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
+    assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "error.npy", "sharp.tif", "found.png")]
+    depth, errors = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "error.npy")
     assert np.nanmedian(depth) == pytest.approx(1.5, abs=2e-3)
-    assert 5e-4 < np.median(deviation) < 1e-2
+    assert 5e-4 < np.median(errors) < 1e-2
     assert tifffile.imread(folder / "sharp.tif").shape == (112, 112)
     found = lm.imaging.depth_from_defocus(
         [tifffile.imread(folder / f"{name}.tif") for name in ("near", "far")], PAIR, PIXEL, encoding="linear",
@@ -79,7 +79,7 @@ def test_errors_of_the_lens_are_part_of_the_deviation(folder, call_lommel):
         json.loads(call_lommel(*arguments, *options, folder=folder).stdout)
         for options in ([], ["--f-number-error", 0.05, "--focus-error", 0.01])
     )
-    assert more["deviation"] > 0.01 * 1.5**2 / 2**0.5 > plain["deviation"]
+    assert more["error"] > 0.01 * 1.5**2 / 2**0.5 > plain["error"]
     assert plain["changes"][1] == pytest.approx(-0.01 * 1.5**2, rel=0.05)
 
 
@@ -156,7 +156,7 @@ def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     expected = lm.depth_precision(
         [lens.focused(focus) for focus in foci], found["distance"], PIXEL, noise=lm.Noise(read=3.0), photons=1e4
     )
-    assert found["deviation"] == pytest.approx(expected.tolist(), rel=1e-6)
+    assert found["errors"] == pytest.approx(expected.tolist(), rel=1e-6)
     best = json.loads(call_lommel("precision", *options, "--best", "--json", folder=folder).stdout)
     assert best["focus_distances"] == pytest.approx(
         lm.best_foci(lens, 1.5, PIXEL, noise=lm.Noise(read=3.0), photons=1e4)[:2]

@@ -143,7 +143,7 @@ def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
     focus, coma = found["focus"], found["coma"]
     shift = -2.5 * 8.0 * 550e-9 * 8.0**2 / np.pi
     assert abs(focus["shift"] - shift) < 4.0 * focus["error"] < 0.05 * abs(shift)
-    assert coma["waves"] < 5.0 * coma["deviation"]
+    assert coma["waves"] < 5.0 * coma["error"]
     lines = call_lommel(*call, folder=night).stdout.splitlines()
     at = next(k for k, line in enumerate(lines) if line.startswith("term, waves rms"))
     assert any(line.startswith("coma in the middle: 0.0") for line in lines[:at])
@@ -174,7 +174,7 @@ def test_json_has_the_terms_and_the_stars(night, call_lommel):
     found = json.loads(call_lommel("fit-field", "stars.npy", "lens.toml", *options, "--json", folder=night).stdout)
     assert found["stars"] == 16
     assert found["terms"][0] == "noll 4 defocus"
-    assert len(found["waves"]["corner"]["deviation"]) == 3
+    assert len(found["waves"]["corner"]["errors"]) == 3
 
 
 @pytest.fixture(scope="module")
@@ -206,7 +206,7 @@ def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
     for sign in (1.0, -1.0):
         off = [
             np.abs(sign * values - np.array(found["waves"][name]["coefficients"]) * 2.0 * np.pi)
-            / (np.array(found["waves"][name]["deviation"]) * 2.0 * np.pi)
+            / (np.array(found["waves"][name]["errors"]) * 2.0 * np.pi)
             for name, values in true.items()
         ]
         if np.max(off) < 4.0:
@@ -217,8 +217,8 @@ def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
     assert abs(bent["spacing"] - 30.0) < 0.02
     assert abs(abs(bent["rotation"]) - 0.08) < 0.002
     for each in bent["pixels"].values():
-        assert (np.abs(each["displacement"]) < 4.0 * np.array(each["deviation"]) + 1e-9).all()
-        assert max(each["deviation"]) < 0.1
+        assert (np.abs(each["displacement"]) < 4.0 * np.array(each["errors"]) + 1e-9).all()
+        assert max(each["errors"]) < 0.1
     text = (folder / "field.csv").read_text(encoding="utf-8")
     assert text.startswith("# converged, but in doubt: ")
     assert "x,y,Z2,Z3,Z4" in text
@@ -254,7 +254,7 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
     true, off = {"middle": waves(0.0, 0.0), "corner": waves(1.0, 1.0)}, []
     for sign in (1.0, -1.0):
         apart = [sign * true[name] / (2.0 * np.pi) - of["coefficients"] for name, of in found["waves"].items()]
-        off.append(np.max(np.abs(apart) / [of["deviation"] for of in found["waves"].values()]))
+        off.append(np.max(np.abs(apart) / [of["errors"] for of in found["waves"].values()]))
     assert min(off) < 4.0 < max(off)
 
 

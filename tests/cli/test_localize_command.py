@@ -89,7 +89,7 @@ def test_it_is_what_python_gives_with_the_same_defaults(folder, call_lommel):
     np.testing.assert_allclose(theirs, ours, rtol=1e-3, atol=0.02)
     assert (facts["frames"], facts["spots"], facts["written"]) == (8, found.spots, int(found.kept.sum()))
     assert facts["states"] == found.counts
-    assert facts["medians"]["z_deviation"] == pytest.approx(float(np.median(found.table["z_deviation"])), rel=1e-3)
+    assert facts["medians"]["z_error"] == pytest.approx(float(np.median(found.table["z_error"])), rel=1e-3)
     assert facts["table_error_bound"] <= 1e-4
     assert facts["files"] == ["a.csv"]
     assert facts["notes"] == []

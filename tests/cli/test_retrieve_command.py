@@ -72,7 +72,7 @@ def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder,
     assert list(found["coefficients"]) == ["noll 4", "noll 8"]
     assert np.shape(found["covariance"]) == (2, 2)
     assert len(found["flux"]) == len(found["center"]) == 3
-    assert found["deviation"]["row"][0] > 0.0
+    assert found["errors"]["row"][0] > 0.0
 
 
 def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
@@ -94,7 +94,7 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
 def test_what_images_do_not_tell_is_null(folder, call_lommel):
     options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json", "--starts", 1]
     found = json.loads(call_lommel("retrieve", "star-2.tif", "lens.toml", *options, folder=folder).stdout)
-    assert found["deviation"]["wavelength"] is None
+    assert found["errors"]["wavelength"] is None
 
 
 def test_units_are_those_asked_for(folder, call_lommel):
@@ -197,7 +197,7 @@ def test_a_stack_of_a_bead_gives_the_aberrations_of_an_objective(tmp_path, call_
     assert found["converged"]
     names = list(found["coefficients"])
     for name, exact in zip(names, [0.0, 0.0, 0.5, -0.2, 0.0], strict=True):
-        assert found["coefficients"][name] == pytest.approx(exact, abs=5.0 * found["deviation"][name])
+        assert found["coefficients"][name] == pytest.approx(exact, abs=5.0 * found["errors"][name])
     again = OIL_FILE + '[aberrations.zernike]\nfile = "wave.json"\n'
     (tmp_path / "again.toml").write_text(again, encoding="utf-8")
     kept = lm.load_microscope(tmp_path / "again.toml").aberrations.to_zernike(order="noll")

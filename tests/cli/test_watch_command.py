@@ -93,7 +93,7 @@ def rows(path: Path) -> list[dict[str, float]]:
 
 def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, call_lommel):
     result = call_lommel(
-        "watch", *SCENE, *DEEP, *TWO, "--sharp", "-o", "out.mkv", "--depth", "depth.mkv", "--depth", "deviation.mkv",
+        "watch", *SCENE, *DEEP, *TWO, "--sharp", "-o", "out.mkv", "--depth", "depth.mkv", "--depth", "error.mkv",
         "--table", "found.csv", folder=folder,
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
@@ -111,15 +111,15 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
     )
     assert lines[8] == "colours: yellow at 1.2 m to violet at 2 m, even in 1 / distance; grey: not known"
     assert lines[9] == "--depth: levels of 100 um, 0 where not known"
-    assert lines[10:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "deviation.mkv", "found.csv")]
-    (depth, times), (deviation, _) = frames_of(folder / "depth.mkv"), frames_of(folder / "deviation.mkv")
+    assert lines[10:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "error.mkv", "found.csv")]
+    (depth, times), (errors, _) = frames_of(folder / "depth.mkv"), frames_of(folder / "error.mkv")
     assert depth.shape == (3, SIDE // 4, SIDE // 4)
     assert times == pytest.approx([0.0, 0.04, 0.08])
     known = depth > 0
-    assert np.array_equal(known, deviation > 0)
+    assert np.array_equal(known, errors > 0)
     table = rows(folder / "found.csv")
     for k, distance in enumerate(DISTANCES):
-        metres, error = 1e-4 * depth[k][known[k]], 1e-4 * deviation[k][known[k]]
+        metres, error = 1e-4 * depth[k][known[k]], 1e-4 * errors[k][known[k]]
         z = (metres - distance) / error
         assert abs(np.median(z)) < 0.6
         assert np.median(np.abs(z)) / 0.6745 == pytest.approx(1.0, abs=0.35)
@@ -127,7 +127,7 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
         assert row["time (s)"] == pytest.approx(times[k])
         assert row["known"] == pytest.approx(known[k].mean(), abs=1e-4)
         assert row["depth (m)"] == pytest.approx(np.median(metres), abs=1e-4)
-        assert row["deviation (m)"] == pytest.approx(np.median(error), abs=1e-4)
+        assert row["error (m)"] == pytest.approx(np.median(error), abs=1e-4)
         assert row["misfit"] == pytest.approx(1.0, abs=0.2)
         assert row["frame time (s)"] > 0.0
         assert row["dropped"] == 0
@@ -203,7 +203,7 @@ def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_use
     assert result.stdout.splitlines()[1] == result.stderr.splitlines()[0]
     assert "read noise 3 electrons (as stated), and rounding." in result.stderr
     for row, distance in zip(rows(folder / "found.csv"), DISTANCES, strict=True):
-        assert abs(row["depth (m)"] - distance) < (0.6 if lossless else 1.5) * row["deviation (m)"]
+        assert abs(row["depth (m)"] - distance) < (0.6 if lossless else 1.5) * row["error (m)"]
         assert row["misfit"] == pytest.approx(1.0, abs=0.15) if lossless else row["misfit"] < 1.5
     if lossless:
         found = json.loads(call_lommel("watch", *SCENE, *source, "--read", 2, "--json", folder=folder).stdout)
@@ -250,10 +250,10 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
     worst = []
     for options in ([], ["--exposure", 1, "--exposure", 1]):
         assert call_lommel(*words, *options, folder=folder).returncode == 0
-        depth, deviation = (1e-4 * frames_of(folder / name)[0] for name in ("d.mkv", "s.mkv"))
+        depth, errors = (1e-4 * frames_of(folder / name)[0] for name in ("d.mkv", "s.mkv"))
         z = [
             (one - distance)[one > 0] / error[one > 0]
-            for one, error, distance in zip(depth, deviation, DISTANCES, strict=True)
+            for one, error, distance in zip(depth, errors, DISTANCES, strict=True)
         ]
         worst.append(1.4826 * np.median(np.abs(np.concatenate(z))))
     assert worst[0] < 1.15 < 1.5 < worst[1]
@@ -454,7 +454,7 @@ def test_distances_beyond_what_the_levels_hold_are_counted(folder, call_lommel):
         ([*TWO, "--depth", "a.mp4"], "--depth must end in .mkv for video of uint16, got '.mp4'"),
         (
             [*TWO, "--depth", "a.mkv", "--depth", "b.mkv", "--depth", "c.mkv"],
-            "--depth takes depth and its standard deviation, got 3 files",
+            "--depth takes depth and its standard error, got 3 files",
         ),
         ([*TWO, "--table", "a.txt"], "--table must end in .csv, got 'a.txt'"),
         ([*TWO, "-o", "no/a.mkv"], "no/a.mkv: No such file or directory"),

@@ -175,7 +175,7 @@ def test_live_depth_from_a_file_is_that_of_the_package(library, tmp_path, frames
     for _ in range(2):
         assert library.lommel_live_frames(made, pointers, 16, 128, *where) == OK, library.lommel_message()
         found = live(*frames)
-        for mine, theirs in zip(maps, (found.depth, found.deviation, found.misfit), strict=True):
+        for mine, theirs in zip(maps, (found.depth, found.errors, found.misfit), strict=True):
             np.testing.assert_allclose(mine, theirs, rtol=1e-4)
     assert library.lommel_live_sharp(made, ctypes.c_void_p(image.ctypes.data)) == OK
     np.testing.assert_allclose(image, live.sharp(), atol=1e-4 * image.mean())

@@ -79,13 +79,13 @@ def test_maps_are_those_of_the_package_and_as_far_off_as_is_told(program, tables
     assert said.startswith("3 maps of 32x24 from 6 frames of 128x96: ")
     assert "check" not in said
     z = []
-    for (distance, frames), (depth, deviation) in zip(pairs.items(), maps, strict=True):
+    for (distance, frames), (depth, errors) in zip(pairs.items(), maps, strict=True):
         found = live(*frames)
         np.testing.assert_allclose(depth, found.depth, rtol=1e-4)
-        np.testing.assert_allclose(deviation, found.deviation, rtol=1e-3)
-        known = np.isfinite(deviation)
+        np.testing.assert_allclose(errors, found.errors, rtol=1e-3)
+        known = np.isfinite(errors)
         assert known[4:-4, 4:-4].mean() > 0.95
-        z.append((depth[known] - distance) / deviation[known])
+        z.append((depth[known] - distance) / errors[known])
         assert abs(np.median(z[-1])) < 0.5
     assert 0.7 < np.subtract(*np.percentile(np.concatenate(z), [75, 25])) / 1.349 < 1.3
     known, misfit = (float(said.split(mark)[0].split()[-1]) for mark in (" % known", "\n"))

@@ -148,15 +148,15 @@ def test_aberrations_and_places_are_found_from_nothing_within_their_standard_err
     images, (row, column, up) = recorded(1, given, size=17)
     found = lm.fit_beads(images, OIL, **GIVEN | {"starts": 5}, terms=TERMS, priors={})
     assert found.converged, found.message
-    off = [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+    off = [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert np.abs(off).max() < 4.5
     one = found.beads[0]
     for value, true, error in ((one.row, row, "row"), (one.column, column, "column"), (one.z, up, "z")):
-        assert abs(value - true) < 5.0 * one.deviation[error]
+        assert abs(value - true) < 5.0 * one.errors[error]
     assert found.model_error < 1e-3
-    assert 0.5 < np.sqrt(np.mean(((one.flux - 1e4) / one.flux_deviation) ** 2)) < 1.6
-    assert 0.5 < np.sqrt(np.mean(((one.background - 10.0) / one.background_deviation) ** 2)) < 1.6
-    assert abs(one.flux.mean() - 1e4) < 4.0 * one.deviation["flux"]
+    assert 0.5 < np.sqrt(np.mean(((one.flux - 1e4) / one.flux_errors) ** 2)) < 1.6
+    assert 0.5 < np.sqrt(np.mean(((one.background - 10.0) / one.background_errors) ** 2)) < 1.6
+    assert abs(one.flux.mean() - 1e4) < 4.0 * one.errors["flux"]
 
 
 def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
@@ -172,7 +172,7 @@ def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
     images = NOISE.record(1e5 * light + 20.0, seed=1)
     found = lm.fit_beads(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
     assert found.reliable, found.message
-    off = [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+    off = [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert np.abs(off).max() < 4.0
     assert found.beads[0].flux == pytest.approx(np.full(9, 1e5), rel=0.05)
 
@@ -184,7 +184,7 @@ def test_standard_errors_hold_for_dim_beads():
         images, _ = recorded(seed, given, light=1000.0)
         found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
         assert found.converged, found.message
-        off += [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+        off += [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert 0.7 < np.sqrt(np.mean(np.square(off))) < 1.35
 
 
@@ -202,7 +202,7 @@ def test_light_too_dim_for_the_standard_errors_is_told():
         stack, _ = recorded(4, waves(4), light=light)
         found = lm.fit_beads(stack, OIL, terms=TERMS, priors={}, **GIVEN)
         assert found.converged, found.message
-        total = np.sqrt(sum(error**2 for error in found.deviation.values()))
+        total = np.sqrt(sum(error**2 for error in found.errors.values()))
         assert ("too_dim" in found.findings.codes) == dim == (total > 0.22)
         assert found.reliable != dim
 
@@ -246,12 +246,12 @@ def test_terms_of_the_amplitude_are_found_and_named_where_they_are_not_estimated
     assert found.reliable, found.message
     for n, b in light.items():
         name = f"apodization_{n}"
-        assert abs(found.coefficients[name] - b) < 4.0 * found.deviation[name]
-        assert found.deviation[name] < 0.01
+        assert abs(found.coefficients[name] - b) < 4.0 * found.errors[name]
+        assert found.errors[name] < 0.01
         assert found.objective.apodization.to_zernike()[n] == pytest.approx(found.coefficients[name])
     where = {"depth": 1e-6, "z": np.array([-0.3e-6, 0.3e-6])}
-    deviation = found.psf_deviation(**where, shape=15)
-    assert deviation.max() > 1.05 * plain.psf_deviation(**where, shape=15).max()
+    errors = found.psf_errors(**where, shape=15)
+    assert errors.max() > 1.05 * plain.psf_errors(**where, shape=15).max()
     true = oil(apodization=lm.Apodization.zernike(light)).pupil(
         **where, wavelength=WAVE, aberrations=wavefront(given)
     )
@@ -259,7 +259,7 @@ def test_terms_of_the_amplitude_are_found_and_named_where_they_are_not_estimated
         np.abs(lm.psf(one, 15, PIXEL).values - lm.psf(true, 15, PIXEL).values).max()
         for one in (found.pupil(**where), plain.pupil(**where))
     ]
-    assert off[0] < 5.0 * deviation.max() < off[1]
+    assert off[0] < 5.0 * errors.max() < off[1]
 
 
 def test_derivatives_by_terms_of_the_amplitude_are_differences_of_images():
@@ -290,8 +290,8 @@ def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
     images, _ = recorded(5, waves(5), changed(OIL, "sample", 1.335), light=3e4)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.02), "depth": 5e-9})
     assert found.reliable, found.message
-    assert found.objective.sample == pytest.approx(1.335, abs=4.0 * found.deviation["sample"])
-    assert found.deviation["sample"] < 0.01
+    assert found.objective.sample == pytest.approx(1.335, abs=4.0 * found.errors["sample"])
+    assert found.errors["sample"] < 0.01
     assert f"sample: {found.objective.sample:.3f}" in repr(found)
     sure = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 1e-6), "depth": 5e-9})
     assert sure.objective.sample == pytest.approx(1.33, abs=1e-5)
@@ -314,8 +314,8 @@ def test_several_beads_share_the_microscope():
     found = lm.fit_beads(stacks, OIL, **GIVEN, depth=[50e-9, 1e-6], terms=TERMS, priors={})
     assert found.converged
     for term, c in zip(TERMS, given, strict=True):
-        assert abs(found.coefficients[term] - c) < 4.5 * found.deviation[term]
-        assert found.deviation[term] < 0.9 * alone.deviation[term]
+        assert abs(found.coefficients[term] - c) < 4.5 * found.errors[term]
+        assert found.errors[term] < 0.9 * alone.errors[term]
     assert [one.used for one in found.beads] == [True] * 2
 
 
@@ -340,7 +340,7 @@ def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
     for seed in range(2):
         images, _ = recorded(50 + seed, given)
         found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
-        sd = found.psf_deviation(depth=2e-6, z=z, shape=15)
+        sd = found.psf_errors(depth=2e-6, z=z, shape=15)
         if truth is None:
             aberrations = wavefront(given)
             pupil = OIL.pupil(depth=2e-6, z=z, wavelength=WAVE, aberrations=aberrations)
@@ -378,7 +378,7 @@ def test_drift_is_estimated():
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, drift=True)
     assert found.converged, found.message
     for value, true, name in zip(found.beads[0].drift, (0.3, -0.2), ("drift_row", "drift_column"), strict=True):
-        assert abs(value - true) < 5.0 * found.beads[0].deviation[name]
+        assert abs(value - true) < 5.0 * found.beads[0].errors[name]
 
 
 def test_an_interrupt_keeps_the_best_so_far():
@@ -428,10 +428,10 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"terms": ["noll 4", "noll 5"]}, "no stack tells from the place of the bead"),
         ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),
         ({"priors": {"index": 0.1}}, "priors must be"),
-        ({"priors": {"sample": 0.0}}, "deviation above 0"),
+        ({"priors": {"sample": 0.0}}, "standard error above 0"),
         ({"priors": {"immersion": math.inf, "coverslip": math.inf}}, "depend on their sum only"),
         ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA where all beads are deeper than a wavelength"),
-        ({"priors": {"depth": (1e-6, 1e-9)}}, "a deviation alone"),
+        ({"priors": {"depth": (1e-6, 1e-9)}}, "a standard error alone"),
         ({"diameter": 1.0}, "diameter must be"),
         ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a star"),
         ({"saturation": 50.0}, "saturated"),

@@ -97,11 +97,11 @@ def test_what_cannot_be_known_is_infinite():
 def test_the_best_foci_are_better_than_those_beside_them():
     best = lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE)
     assert best.near < 1.5 < best.far
-    assert best.deviation == lm.depth_precision(best.lenses, 1.5, PIXEL, noise=NOISE)
+    assert best.error == lm.depth_precision(best.lenses, 1.5, PIXEL, noise=NOISE)
     for near, far in ((0.97, 1.0), (1.03, 1.0), (1.0, 0.97), (1.0, 1.03)):
         other = [LENS.focused(best.near * near), LENS.focused(best.far * far)]
-        assert lm.depth_precision(other, 1.5, PIXEL, noise=NOISE) > best.deviation * 0.9999
-    assert best.deviation < lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE)
+        assert lm.depth_precision(other, 1.5, PIXEL, noise=NOISE) > best.error * 0.9999
+    assert best.error < lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE)
 
 
 @pytest.mark.parametrize(
@@ -146,5 +146,5 @@ def test_nothing_is_asked_for_beyond_infinity():
     found = lm.depth_precision(pair, [1.0, 10.0, 1e3, 1e5], 1.2e-6, noise=NOISE)
     assert np.all(np.isfinite(found))
     assert np.all(np.diff(found) > 0.0)
-    # There the deviation of 1 / distance is nearly that at infinity.
+    # There the standard error of 1 / distance is nearly that at infinity.
     assert found[3] / found[2] == pytest.approx(1e4, rel=0.1)

@@ -20,8 +20,8 @@ CAMERA = {"shape": 15, "pixel": 3.45e-6, "photons": 1e4, "background": 5.0, "noi
 COMA = lm.Pupil(lm.Wavefront(1.2, 0.4, nonradial={(3, 1): 0.7, (2, -2): 0.5}), wavelength=550e-9, f_number=4.0)
 
 
-def deviations(information: lm.Information) -> np.ndarray:
-    return np.stack(list(information.deviation.values()))
+def errors(information: lm.Information) -> np.ndarray:
+    return np.stack(list(information.errors.values()))
 
 
 @pytest.mark.parametrize(("window", "over"), [(16, 1.0235), (32, 1.0115), (64, 1.0057)])
@@ -29,19 +29,19 @@ def test_a_star_is_placed_to_lambda_n_over_pi_and_the_root_of_its_photons(window
     # Ober et al. 2004 over all the plane; a window lacks what its outside would tell.
     photons, fine = 1e4, 8
     found = lm.fisher(lm.Pupil(), fine * window + 1, 1 / fine, of=("row", "column"), photons=photons, tol=1e-9)
-    assert deviations(found) / fine * math.pi * math.sqrt(photons) == pytest.approx(over, abs=1e-4)
+    assert errors(found) / fine * math.pi * math.sqrt(photons) == pytest.approx(over, abs=1e-4)
     assert found.correlation[0, 1] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_in_focus_defocus_is_infinite_and_named_and_never_zero():
     found = lm.fisher(LENS.pupil(), of=("defocus", "row", "column", "photons"), **CAMERA)
     assert found.unidentifiable == ("defocus",)
-    assert found.deviation["defocus"] == math.inf
+    assert found.errors["defocus"] == math.inf
     alone = lm.fisher(LENS.pupil(), of=("defocus",), **CAMERA)
     assert alone.unidentifiable == ("defocus",)
     rest = lm.fisher(LENS.pupil(), of=("row", "column", "photons"), **CAMERA)
-    assert deviations(found)[1:] == pytest.approx(deviations(rest), rel=1e-9)
-    depth = lm.fisher(LENS.pupil([1.9, 2.0, 2.1]), of=("object_distance",), **CAMERA).deviation["object_distance"]
+    assert errors(found)[1:] == pytest.approx(errors(rest), rel=1e-9)
+    depth = lm.fisher(LENS.pupil([1.9, 2.0, 2.1]), of=("object_distance",), **CAMERA).errors["object_distance"]
     assert np.isinf(depth).tolist() == [False, True, False]
 
 
@@ -58,7 +58,7 @@ def test_one_parameter_by_two_names_is_known_by_neither():
         assert found.unidentifiable == pair
         assert abs(found.correlation[0, 1]) == pytest.approx(1.0, abs=1e-6)
         alone = lm.fisher(COMA, 15, 2e-6, of=(pair[0], (3, -1)), photons=1e4, background=1.0)
-        assert found.deviation[3, -1] == pytest.approx(alone.deviation[3, -1], rel=1e-6)
+        assert found.errors[3, -1] == pytest.approx(alone.errors[3, -1], rel=1e-6)
 
 
 def test_wavelength_and_f_number_are_told_apart_by_aberrations_in_metres_only():
@@ -71,7 +71,7 @@ def test_wavelength_and_f_number_are_told_apart_by_aberrations_in_metres_only():
     one = lm.fisher(without, 15, 1.5e-6, **(question | {"of": ("f_number",)}))
     other = lm.fisher(without, 15, 1.5e-6, **(question | {"of": ("wavelength",)}))
     # What is known is their product.
-    assert one.deviation["f_number"] / 4.0 == pytest.approx(other.deviation["wavelength"] / 550e-9, rel=1e-6)
+    assert one.errors["f_number"] / 4.0 == pytest.approx(other.errors["wavelength"] / 550e-9, rel=1e-6)
 
 
 def test_the_matrix_is_the_sum_over_pixels_of_products_of_derivatives_over_variances():
@@ -104,7 +104,7 @@ def test_the_matrix_is_the_sum_over_pixels_of_products_of_derivatives_over_varia
 def test_photons_alone_scatter_as_they_are_counted():
     answer = lm.psf(COMA, 15, 2e-6, tol=1e-9)
     found = lm.fisher(COMA, 15, 2e-6, of=("photons",), photons=1e4, tol=1e-9)
-    assert found.deviation["photons"] == pytest.approx(math.sqrt(1e4 / answer.values.sum()), rel=1e-6)
+    assert found.errors["photons"] == pytest.approx(math.sqrt(1e4 / answer.values.sum()), rel=1e-6)
 
 
 def test_a_pixel_that_reads_nothing_but_noise_counts_as_none():
@@ -120,8 +120,8 @@ def test_a_dark_pixel_hides_nothing_that_others_tell():
     line = {"shape": (1, 41), "pixel": lm.Pupil().airy_radius, "of": ("column",), "photons": 1e6}
     found = lm.fisher(lm.Pupil(), **line)
     assert found.unidentifiable == ()
-    assert found.deviation["column"] == pytest.approx(
-        lm.fisher(lm.Pupil(), **line, tol=1e-10).deviation["column"], rel=1e-3
+    assert found.errors["column"] == pytest.approx(
+        lm.fisher(lm.Pupil(), **line, tol=1e-10).errors["column"], rel=1e-3
     )
 
 
@@ -167,7 +167,7 @@ def test_light_of_all_else_and_reading_tell_less_and_photons_more(defocus, coma,
         )
         assert found.matrix == pytest.approx(found.matrix.T)
         assert (np.linalg.eigvalsh(found.matrix) >= -1e-12 * np.trace(found.matrix)).all()
-        return deviations(found)
+        return errors(found)
 
     here = ask(photons, background, read)
     assert (ask(photons, background + more, read) > here).all()
@@ -177,9 +177,7 @@ def test_light_of_all_else_and_reading_tell_less_and_photons_more(defocus, coma,
 
 def test_deviations_fall_as_the_root_of_photons_where_there_is_nothing_else():
     found = lm.fisher(COMA, 15, 2e-6, of=("row", (3, 1)), photons=[1e2, 1e4, 1e6])
-    assert deviations(found) * [10.0, 100.0, 1000.0] == pytest.approx(
-        np.tile(deviations(found)[:, :1] * 10.0, 3), rel=1e-9
-    )
+    assert errors(found) * [10.0, 100.0, 1000.0] == pytest.approx(np.tile(errors(found)[:, :1] * 10.0, 3), rel=1e-9)
 
 
 def test_a_pupil_in_metres_and_one_in_lambda_n_are_known_alike():
@@ -191,10 +189,10 @@ def test_a_pupil_in_metres_and_one_in_lambda_n_are_known_alike():
 
 def test_depth_is_known_by_defocus():
     lens = LENS.pupil(1.9)
-    found = lm.fisher(lens, of=("object_distance",), **CAMERA).deviation["object_distance"]
+    found = lm.fisher(lens, of=("object_distance",), **CAMERA).errors["object_distance"]
     radius = 0.5 * LENS.aperture_diameter
     rate = math.pi * radius**2 / (2.0 * LENS.wavelength * 1.9**2)
-    assert found * rate == pytest.approx(lm.fisher(lens, of=("defocus",), **CAMERA).deviation["defocus"], rel=1e-9)
+    assert found * rate == pytest.approx(lm.fisher(lens, of=("defocus",), **CAMERA).errors["defocus"], rel=1e-9)
 
 
 def test_a_stack_is_a_scene_each():
@@ -205,7 +203,7 @@ def test_a_stack_is_a_scene_each():
     for index in np.ndindex(2, 3):
         one = lm.fisher(stack[index], of=names, **CAMERA)
         assert found.matrix[index] == pytest.approx(one.matrix, rel=1e-6, abs=1e-9 * one.matrix.max())
-        assert found.deviation["row"][index] == pytest.approx(one.deviation["row"], rel=1e-6)
+        assert found.errors["row"][index] == pytest.approx(one.errors["row"], rel=1e-6)
     light = lm.fisher(stack, of=names, **(CAMERA | {"photons": [[[1e4]], [[2e4]]], "background": [1.0, 2.0, 5.0]}))
     assert light.matrix.shape == (2, 2, 3, 3, 3)
     assert light.matrix[0, :, 2] == pytest.approx(found.matrix[:, 2], rel=1e-12)
@@ -259,7 +257,7 @@ def test_each_image_of_a_scene_has_its_own_light():
     assert listed.covariance == pytest.approx(found.covariance, rel=1e-6, abs=1e-9 * found.covariance.max())
     # One of them is in focus, where even terms are not to be known; together they are.
     assert apart.unidentifiable == ()
-    assert (deviations(found)[3] < deviations(apart)[1]).all()
+    assert (errors(found)[3] < errors(apart)[1]).all()
     pairs = lm.fisher([stack, stack], 11, 0.5, of=("photons",), photons=1e3, together=True)
     assert pairs.names[:4] == ("photons[0, 0]", "photons[0, 1]", "photons[0, 2]", "photons[1, 0]")
 
@@ -347,7 +345,7 @@ def test_images_of_a_microscope_tell_what_their_differences_do():
     information = np.array([[(a * b / image()).sum() for a in slopes] for b in slopes])
     pupil = objective.pupil(depth=0.0, z=0.4e-6, wavelength=520e-9)
     found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5)
-    assert list(found.deviation.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-3)
+    assert list(found.errors.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-3)
     assert repr(found).splitlines()[1].endswith("nm")
 
 
@@ -367,5 +365,5 @@ def test_bead_stacks_of_an_objective_tell_its_aberrations_as_their_differences_d
     information = np.array([[(a * b / image()).sum() for a in slopes] for b in slopes])
     pupil = OIL.pupil(**given, aberrations=lm.Wavefront.zernike(start, normalization="edge"))
     found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5, together=True)
-    assert list(found.deviation.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-4)
+    assert list(found.errors.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-4)
     assert [found.units[name] for name in steps] == ["pixels", "m", "rad", "rad", "rad"]

@@ -1,4 +1,4 @@
-"""What a square root of Fisher's matrix says: deviations, and what cannot be known."""
+"""What a square root of Fisher's matrix says: standard errors, and what cannot be known."""
 
 from __future__ import annotations
 
@@ -32,11 +32,9 @@ def test_what_can_be_known_has_the_inverse_of_the_matrix_for_its_covariance():
     scale = unit[..., None] * unit[..., None, :]
     assert found.covariance * scale == pytest.approx(np.linalg.inv(matrix / scale), abs=1e-11)
     assert found.unidentifiable == ()
-    deviation = np.stack(list(found.deviation.values()), axis=-1)
-    assert deviation == pytest.approx(np.sqrt(np.diagonal(found.covariance, axis1=-2, axis2=-1)), rel=1e-14)
-    assert found.covariance == pytest.approx(
-        found.correlation * deviation[..., None] * deviation[..., None, :], rel=1e-12
-    )
+    errors = np.stack(list(found.errors.values()), axis=-1)
+    assert errors == pytest.approx(np.sqrt(np.diagonal(found.covariance, axis1=-2, axis2=-1)), rel=1e-14)
+    assert found.covariance == pytest.approx(found.correlation * errors[..., None] * errors[..., None, :], rel=1e-12)
 
 
 def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
@@ -46,7 +44,7 @@ def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
     error = np.array([1e-12, 1.01 * np.linalg.norm(root[:, 1]), 1e-12, 1e-12])
     found = lm.Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
     assert found.unidentifiable == ("b",)
-    assert found.deviation["b"] == math.inf
+    assert found.errors["b"] == math.inf
     assert np.delete(np.delete(found.covariance, 1, 0), 1, 1) == pytest.approx(without.covariance, rel=1e-9)
     assert found.correlation[1] == pytest.approx([0, 1, 0, 0])
     # Of one like no other it is its own error alone that decides.
@@ -54,13 +52,13 @@ def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
     for error[1], unknown in ((1.01e-12, ("b",)), (0.99e-12, ())):
         found = lm.Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
         assert found.unidentifiable == unknown
-    assert found.deviation["b"] == pytest.approx(1e12, rel=1e-9)
+    assert found.errors["b"] == pytest.approx(1e12, rel=1e-9)
 
 
 def test_a_column_of_zeros_is_unknown():
     found = told([[1.0, 0.0], [1.0, 0.0]])
     assert found.unidentifiable == ("b",)
-    assert found.deviation["a"] == pytest.approx(1 / math.sqrt(2), rel=1e-12)
+    assert found.errors["a"] == pytest.approx(1 / math.sqrt(2), rel=1e-12)
     assert np.isfinite(found.correlation).all()
 
 
@@ -74,7 +72,7 @@ def test_two_of_which_the_sum_alone_is_known_are_unknown_and_correlate_at_minus_
     assert found.covariance[0, 0] == found.covariance[2, 2] == math.inf
     # What the sum leaves free of b.
     rest = told(root[:, :2])
-    assert found.deviation["b"] == pytest.approx(float(rest.deviation["b"]), rel=1e-9)
+    assert found.errors["b"] == pytest.approx(float(rest.errors["b"]), rel=1e-9)
 
 
 def test_two_that_differ_by_more_than_their_errors_are_known():
@@ -127,7 +125,7 @@ def test_no_unit_changes_what_is_known_and_deviations_have_it(known, more, seed)
     assert plain.unidentifiable == scaled.unidentifiable
     assert bool(plain.unidentifiable) == (more > 0)
     for name, unit in zip(names, units, strict=True):
-        assert scaled.deviation[name] * unit == pytest.approx(plain.deviation[name], rel=1e-4)
+        assert scaled.errors[name] * unit == pytest.approx(plain.errors[name], rel=1e-4)
     assert not np.isnan(scaled.covariance).any()
     assert scaled.correlation == pytest.approx(scaled.correlation.T, abs=1e-12)
     assert (np.linalg.eigvalsh(plain.matrix) >= -1e-12 * np.trace(plain.matrix)).all()
@@ -136,8 +134,8 @@ def test_no_unit_changes_what_is_known_and_deviations_have_it(known, more, seed)
 def test_more_data_never_tell_less():
     root = DRAW.normal(size=(9, 3))
     more = told(np.vstack([root, DRAW.normal(size=(2, 3))]))
-    for name, deviation in told(root).deviation.items():
-        assert more.deviation[name] < deviation
+    for name, errors in told(root).errors.items():
+        assert more.errors[name] < errors
 
 
 def test_it_can_be_read_and_written():
@@ -154,6 +152,6 @@ def test_it_can_be_read_and_written():
     plain = json.loads(json.dumps(both.to_dict(), allow_nan=False))
     assert plain["names"] == ["depth", "defocus", "f_number"]
     assert plain["units"] == ["m", "rad", ""]
-    assert plain["deviation"] == [[1e-4, 1e-4], [None, pytest.approx(1 / 3)], [0.25, 0.5]]
+    assert plain["errors"] == [[1e-4, 1e-4], [None, pytest.approx(1 / 3)], [0.25, 0.5]]
     assert plain["covariance"][0][1] == [0.0, None, 0.0]
     assert np.array(plain["matrix"]).shape == np.array(plain["correlation"]).shape == (2, 3, 3)

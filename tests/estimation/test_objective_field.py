@@ -90,7 +90,7 @@ def test_images_of_beads_tell_the_terms_over_the_field():
     values, errors = found.at(500, 1000)
     assert (np.abs(values - terms(500, 1000)) < 4.0 * errors).all()
     assert found.scatter < 0.01
-    assert (errors < [fits[0].deviation[2, -2], fits[0].deviation[3, -1]]).all()
+    assert (errors < [fits[0].errors[2, -2], fits[0].errors[3, -1]]).all()
     wave = found.aberrations(500, 1000).edge_terms()
     np.testing.assert_allclose(wave[2, -2], values[0] * np.sqrt(6.0), rtol=1e-12)
     np.testing.assert_allclose(wave[3, 1], 0.1 * np.sqrt(8.0), rtol=1e-6)  # held fixed

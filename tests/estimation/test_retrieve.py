@@ -63,14 +63,14 @@ def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons
         )
         assert found.reliable
         assert found.message.startswith("converged: chi2 ")
-        spread = np.array([found.deviation[name] for name in found.coefficients])
+        spread = np.array([found.errors[name] for name in found.coefficients])
         error = np.array(list(found.coefficients.values())) - c
         z.append(error / spread)
         ratio.append((error @ error) / (spread @ spread))
-        places = (found.center.T - centers) / [found.deviation["row"], found.deviation["column"]]
+        places = (found.center.T - centers) / [found.errors["row"], found.errors["column"]]
         moved.append(places)
-        assert np.abs((found.flux - photons) / found.deviation["flux"]).max() < 5.0
-        assert np.abs((found.background - 5.0) / found.deviation["background"]).max() < 5.0
+        assert np.abs((found.flux - photons) / found.errors["flux"]).max() < 5.0
+        assert np.abs((found.background - 5.0) / found.errors["background"]).max() < 5.0
         assert_allclose(np.sqrt(np.diag(found.covariance)), spread, rtol=1e-12)
     assert 0.85 < np.std(z) < 1.15
     assert 0.75 < np.std(moved) < 1.25
@@ -213,7 +213,7 @@ def test_a_verdict_of_converged_means_that_standard_errors_hold():
             assert (found.status == "converged") == found.reliable
             if found.converged:
                 error = np.array(list(found.coefficients.values())) - c
-                off.append(np.abs(error / [found.deviation[name] for name in found.coefficients]).max() > 4.0)
+                off.append(np.abs(error / [found.errors[name] for name in found.coefficients]).max() > 4.0)
                 sure.append(found.reliable)
     off, sure = np.array(off), np.array(sure)
     assert off.sum() >= 4  # chi2 does not see these
@@ -296,7 +296,7 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     )
     assert known.converged
     assert "sign_open" not in known.findings.codes  # a defocus that is not solved for tells it
-    assert known.coefficients["noll 5"] == pytest.approx(0.4, abs=5 * known.deviation["noll 5"])
+    assert known.coefficients["noll 5"] == pytest.approx(0.4, abs=5 * known.errors["noll 5"])
     image = stars(lm.Wavefront(defocus=-1.0) - TRUE, defocus=0.0)
     found = lm.retrieve(image, lm.Pupil(), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED)
     assert found.converged
@@ -307,12 +307,12 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     assert twin[3, 1] == pytest.approx(one[3, 1])
     signs = {"defocus": 1.0, "noll 5": 0.4, "noll 8": 0.3, "noll 11": 0.2}
     for name, value in signs.items():
-        assert found.coefficients[name] == pytest.approx(value, abs=6 * found.deviation[name])
+        assert found.coefficients[name] == pytest.approx(value, abs=6 * found.errors[name])
     other = lm.retrieve(
         image, lm.Pupil(lm.Wavefront(-0.5)), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED
     )
-    assert other.coefficients["defocus"] == pytest.approx(-1.0, abs=6 * other.deviation["defocus"])
-    assert other.coefficients["noll 8"] == pytest.approx(0.3, abs=6 * other.deviation["noll 8"])
+    assert other.coefficients["defocus"] == pytest.approx(-1.0, abs=6 * other.errors["defocus"])
+    assert other.coefficients["noll 8"] == pytest.approx(0.3, abs=6 * other.errors["noll 8"])
     two = lm.retrieve(stars(TRUE, defocus=[0.0, 2.0]), lm.Pupil(), terms=8, defocus=[0.0, 2.0], **ASKED)
     assert "sign_open" not in two.findings.codes
     assert two.twin is None
@@ -342,22 +342,20 @@ def test_a_spot_tells_its_f_number_and_place_too():
     expected = {"defocus": 2.0, "spherical": 1.0, "f_number": 8.2}
     assert list(found.coefficients) == list(expected)
     for name, value in expected.items():
-        assert found.coefficients[name] == pytest.approx(value, abs=5 * found.deviation[name])
-    assert_allclose(
-        found.center, [[16.3, 15.2]], atol=5 * max(found.deviation["row"][0], found.deviation["column"][0])
-    )
+        assert found.coefficients[name] == pytest.approx(value, abs=5 * found.errors[name])
+    assert_allclose(found.center, [[16.3, 15.2]], atol=5 * max(found.errors["row"][0], found.errors["column"][0]))
     assert found.pupil.f_number == found.coefficients["f_number"]
     assert found.wavefront.defocus == pytest.approx(found.coefficients["defocus"])
-    values, deviations = found.in_unit("nm")
+    values, errors = found.in_unit("nm")
     assert values["defocus"] == pytest.approx(found.coefficients["defocus"] * 550 / (2 * np.pi))
-    assert deviations["spherical"] == pytest.approx(found.deviation["spherical"] * 550 / (2 * np.pi))
+    assert errors["spherical"] == pytest.approx(found.errors["spherical"] * 550 / (2 * np.pi))
     assert set(values) == {"defocus", "spherical"}
 
 
 def test_terms_of_the_pupil_that_are_not_solved_for_stay():
     found = lm.retrieve(stars(TRUE), lm.Pupil(TRUE + lm.Wavefront(0.2)), terms=("defocus",), defocus=DEFOCUS, **ASKED)
     assert found.converged
-    assert found.coefficients["defocus"] == pytest.approx(0.0, abs=5 * found.deviation["defocus"])
+    assert found.coefficients["defocus"] == pytest.approx(0.0, abs=5 * found.errors["defocus"])
     assert found.wavefront.to_zernike(order="noll")[8] == pytest.approx(-0.3)
     nothing = lm.retrieve(stars(TRUE), lm.Pupil(TRUE), terms=(), defocus=DEFOCUS, **ASKED)
     assert nothing.converged
@@ -386,7 +384,7 @@ def test_pixels_that_are_not_light_are_left_out():
         assert np.isnan(found.images[:, 5]).all()
         assert np.isfinite(found.model).all()
         for name, value in found.coefficients.items():
-            assert value == pytest.approx(clean.coefficients[name], abs=3 * clean.deviation[name])
+            assert value == pytest.approx(clean.coefficients[name], abs=3 * clean.errors[name])
 
 
 def test_counts_of_a_camera_are_light_by_the_noise_that_is_stated():
@@ -430,7 +428,7 @@ def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
     image = stars(lm.Wavefront(2.0), defocus=0.0, **both)
     pupil = lm.Pupil(lm.Wavefront(2.0), **both)
     found = lm.retrieve(image, pupil, pixel=2e-6, noise=NOISE, terms=("defocus",), also=("f_number", "wavelength"))
-    assert np.isinf([found.deviation["f_number"], found.deviation["wavelength"]]).all()
+    assert np.isinf([found.errors["f_number"], found.errors["wavelength"]]).all()
     assert "do not determine" in found.message
     assert "wavelength" in found.message
     assert found.reliable  # of what else is solved for
@@ -552,9 +550,7 @@ def test_vanes_and_segments_reach_the_bound(segmented):
         stars = noise.record(light, seed=seed)
         found = lm.retrieve(stars, lm.Pupil(**aperture), pixel=0.5, noise=noise, defocus=defoci, terms=names)
         assert found.converged
-        scores += [
-            (found.coefficients[name] - c) / found.deviation[name] for name, c in zip(names, true, strict=True)
-        ]
+        scores += [(found.coefficients[name] - c) / found.errors[name] for name, c in zip(names, true, strict=True)]
     # 36 standard normal numbers: their rms is within 0.35 of 1 in all but 0.3 % of cases.
     assert abs(np.sqrt(np.mean(np.square(scores))) - 1.0) < 0.35
 
@@ -570,7 +566,7 @@ def test_an_aperture_without_point_symmetry_determines_the_sign_of_even_terms(si
     assert found.converged
     assert "sign_open" not in found.findings.codes
     for term, value in truth.items():
-        assert abs(found.coefficients[term] - value) < 5.0 * found.deviation[term]
+        assert abs(found.coefficients[term] - value) < 5.0 * found.errors[term]
 
 
 @pytest.mark.parametrize(
@@ -620,7 +616,7 @@ def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
         assert found.converged
         assert found.findings.get("blur_shape").numbers["gain"] > 0.0
         truth = dict.fromkeys(terms, 0.0) | {"noll 5": 0.3, "noll 8": -0.25, "noll 11": 0.2}
-        z += [(found.coefficients[name] - truth[name]) / found.deviation[name] for name in truth]
+        z += [(found.coefficients[name] - truth[name]) / found.errors[name] for name in truth]
         assert [type(one).__name__ for several in found.blurs for one in several] == ["Seeing", "Seeing"]
         assert_allclose(found.center, [[12.2, 11.7]] * 2, atol=0.1)
         assert np.nanstd(found.residual) == pytest.approx(1.0, abs=0.1)

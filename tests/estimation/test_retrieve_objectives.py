@@ -35,10 +35,10 @@ def test_the_aberrations_of_a_stack_are_found_within_their_standard_errors(seed,
     start = OIL.pupil(**GIVEN, z=Z, emitter=emitter)
     found = lm.retrieve(images, start, pixel=6.5e-6, noise=NOISE, terms=6)
     assert found.converged, found.message
-    off = [(c - t) / found.deviation[name] for (name, c), t in zip(found.coefficients.items(), given, strict=True)]
+    off = [(c - t) / found.errors[name] for (name, c), t in zip(found.coefficients.items(), given, strict=True)]
     assert np.abs(off).max() <= 4.5
     for axis, place in enumerate(("row", "column")):
-        assert (np.abs(found.center[:, axis] - center[axis]) <= 5.0 * found.deviation[place]).all()
+        assert (np.abs(found.center[:, axis] - center[axis]) <= 5.0 * found.errors[place]).all()
     again = lm.psf(found.pupil, 17, 6.5e-6)
     assert again.pupil.shape == (5,)
     assert found.psf.shape == (5, 17, 17)
@@ -50,7 +50,7 @@ def test_aberrations_of_the_pupil_that_are_not_terms_are_fixed():
     start = OIL.pupil(**GIVEN, z=Z, aberrations=fixed)
     found = lm.retrieve(images, start, pixel=6.5e-6, noise=NOISE, terms=["noll 5"])
     assert found.converged
-    assert found.coefficients["noll 5"] == pytest.approx(0.5, abs=5.0 * found.deviation["noll 5"])
+    assert found.coefficients["noll 5"] == pytest.approx(0.5, abs=5.0 * found.errors["noll 5"])
     assert found.wavefront.to_zernike(order="noll", normalization="rms")[11] == pytest.approx(0.3)
 
 

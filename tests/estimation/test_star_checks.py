@@ -70,7 +70,7 @@ def test_what_is_missing_is_named_first_with_its_size(world, name, size):
 def test_what_is_estimated_is_no_candidate():
     fit = found(recorded(squeezed=1.02), also=("center", "f_number"))
     assert not seen(fit)
-    assert fit.coefficients["f_number"] == pytest.approx(8.16, abs=4 * fit.deviation["f_number"])
+    assert fit.coefficients["f_number"] == pytest.approx(8.16, abs=4 * fit.errors["f_number"])
 
 
 def test_one_focus_has_no_defoci_that_could_be_longer():

@@ -81,8 +81,8 @@ def test_pictures_are_those_of_the_operator_with_the_lens_that_was_drawn(files):
         found = lm.imaging.read_photo(other.files[0]).values
         assert np.abs(found - seen).max() < 1e-5
         noisy = lm.imaging.read_photo(each.files[0]).values
-        deviation = np.sqrt(np.maximum(found, 0) * 5000 + 9.0) / 5000
-        assert 0.8 < np.std((noisy - found) / deviation) < 1.2
+        errors = np.sqrt(np.maximum(found, 0) * 5000 + 9.0) / 5000
+        assert 0.8 < np.std((noisy - found) / errors) < 1.2
         # The PSF of a pixel by its index.
         index = np.asarray(Image.open(files / "set" / f"{each.number:06d}.index.png"))
         with np.load(files / "set" / f"{each.number:06d}.psfs.npz") as table:

@@ -91,10 +91,10 @@ def test_depth_is_that_of_python_by_the_same_tables(engine: Any, tmp_path: Path)
     answers = [engine.evaluate(FOUND, [one.ravel().tolist() for one in frames]) for _ in range(2)]
     assert answers[0] == answers[1]  # to the bit
     mine, theirs = maps(answers[0][0], 24, 32), live(*frames)
-    known = np.isfinite(theirs.deviation)
+    known = np.isfinite(theirs.errors)
     assert known.mean() > 0.7
     assert np.array_equal(np.isfinite(mine[0]), known)
-    for one, other in zip(mine, (theirs.depth, theirs.deviation, theirs.misfit), strict=True):
+    for one, other in zip(mine, (theirs.depth, theirs.errors, theirs.misfit), strict=True):
         np.testing.assert_allclose(one[known], other[known], rtol=1e-4)
     sharp = np.array(answers[0][1]).reshape(shape)
     np.testing.assert_allclose(sharp, live.sharp(), atol=1e-4 * sharp.mean())
@@ -113,11 +113,11 @@ def test_packed_tables_find_the_depth_of_those_of_python(engine: Any, web: Modul
         mine = maps(answer["found"], 60, 80)
         live = web.live(8.0)
         theirs = live(*[np.array(one, dtype=np.uint16).reshape(web.SHAPE) for one in answer["frames"]])
-        both = np.isfinite(mine[0]) & np.isfinite(theirs.deviation)
-        assert np.mean(np.isfinite(mine[0]) != np.isfinite(theirs.deviation)) < 0.005
-        off = np.abs(mine[0] - theirs.depth)[both] / theirs.deviation[both]
+        both = np.isfinite(mine[0]) & np.isfinite(theirs.errors)
+        assert np.mean(np.isfinite(mine[0]) != np.isfinite(theirs.errors)) < 0.005
+        off = np.abs(mine[0] - theirs.depth)[both] / theirs.errors[both]
         assert np.percentile(off, 99) < 0.02
-        assert np.percentile(np.abs(mine[1] / theirs.deviation - 1.0)[both], 99) < 0.05
+        assert np.percentile(np.abs(mine[1] / theirs.errors - 1.0)[both], 99) < 0.05
         sharp = np.array(answer["sharp"]).reshape(web.SHAPE)
         assert np.sqrt(np.mean((sharp - live.sharp()) ** 2)) < 0.01 * light
 
@@ -141,10 +141,10 @@ def scores(engine: Any, web: ModuleType, stop: float, light: float) -> np.ndarra
     made = []
     for n in (5, 110):
         answer = engine.evaluate(LEAST, [n, light, False])
-        depth, deviation, _ = maps(answer["found"], 60, 80)
+        depth, errors, _ = maps(answer["found"], 60, 80)
         owner = inner(answer["things"])
         truth = np.array([thing["distance"] for thing in answer["things"]])[owner]
-        made.append(((depth - truth) / deviation)[(owner >= 0) & np.isfinite(depth)])
+        made.append(((depth - truth) / errors)[(owner >= 0) & np.isfinite(depth)])
     return np.concatenate(made)
 
 
@@ -162,7 +162,7 @@ def test_the_numbers_of_the_answer_are_those_of_the_package(
 ) -> None:
     tables = web.live(8.0)._levels[0].engine
     one = tables.channels[0]
-    errors = np.interp(1 / np.array([1.5, 1.8, 1.9])[::-1], one.vergence, one.deviation)[::-1]
+    errors = np.interp(1 / np.array([1.5, 1.8, 1.9])[::-1], one.vergence, one.errors)[::-1]
     errors *= one.step / np.sqrt(tables._pixels) * np.array([1.5, 1.8, 1.9]) ** 2
     assert [f"{1e3 * error:.0f}" for error in errors] == ["5", "13", "17"]
     assert f"{2 / (1 / 1.35 + 1 / 1.8):.2f}" == "1.54"

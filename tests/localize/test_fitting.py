@@ -73,11 +73,11 @@ def test_estimates_scatter_by_the_cramer_rao_bound_without_bias(table, many, pho
     assert found.converged.mean() > 0.98
     assert set(np.unique(found.state)) <= {0, 1}  # all that are not at a limit end
     assert (np.abs(off[:, :3]) < 6.0).all()
-    # Five standard errors of a mean and of a deviation of so many.
+    # Five standard errors of a mean and of a standard deviation of so many.
     np.testing.assert_allclose(off[:, :3].mean(axis=0), 0.0, atol=5.0 / math.sqrt(1200))
     np.testing.assert_allclose(np.sqrt((off**2).mean(axis=0)), 1.0, atol=0.12)
-    # The estimated deviations are those at the estimates, and the discrepancies those of the right model.
-    np.testing.assert_allclose(np.median(found.deviation.z / least[:, 2]), 1.0, atol=0.02)
+    # The estimated standard errors are those at the estimates, and the discrepancies those of the right model.
+    np.testing.assert_allclose(np.median(found.errors.z / least[:, 2]), 1.0, atol=0.02)
     assert abs(found.discrepancy.mean()) < 0.15
     assert 0.9 < found.discrepancy.std() < 1.1
 
@@ -98,11 +98,11 @@ def test_fits_of_dim_molecules_end(table):
 def test_without_noise_the_estimates_are_the_truth(table):
     at = places(60, 3)
     found = fit(table, 5000.0 * images(*at) + 10.0)
-    # Within 0.005 of a deviation, as fits end, and on the whole far less: 0.1 nm along z, 10 nm being the deviation.
+    # Within 0.005 of a standard error, as fits end, and on the whole far less: 0.1 nm along z of 10 nm.
     least = bound(table, at, 5000.0, 10.0)
-    for values, truth, deviation in zip((found.row, found.column, found.z), at, least.T, strict=False):
-        assert (np.abs(values - truth) < 0.005 * deviation).all()
-        assert np.sqrt((((values - truth) / deviation) ** 2).mean()) < 5e-4
+    for values, truth, errors in zip((found.row, found.column, found.z), at, least.T, strict=False):
+        assert (np.abs(values - truth) < 0.005 * errors).all()
+        assert np.sqrt((((values - truth) / errors) ** 2).mean()) < 5e-4
     np.testing.assert_allclose(found.photons, 5000.0, rtol=1e-4)
     np.testing.assert_allclose(found.background, 10.0, rtol=1e-4)
     assert found.converged.all()
@@ -176,7 +176,7 @@ def test_states_are_told(table):
     empty[0, 7, 5:8] = 9.0
     found = fit(table, empty)
     assert [found.states[k] for k in found.state] == ["undetermined"]
-    assert np.isinf(found.deviation.z[0])
+    assert np.isinf(found.errors.z[0])
 
 
 def test_what_is_dark_has_no_place(table):
@@ -185,7 +185,7 @@ def test_what_is_dark_has_no_place(table):
     assert not found.converged.any()
     dark = found.state == 3
     assert dark.sum() >= 15
-    assert np.isinf(found.deviation.photons[dark]).all()
+    assert np.isinf(found.errors.photons[dark]).all()
 
 
 def test_two_molecules_in_a_box_are_told_by_the_discrepancy(table):
@@ -205,7 +205,7 @@ def test_pixels_that_are_nan_do_not_count(table):
     least = bound(table, at, 3000.0, 10.0)
     assert (np.abs(found.z - at[2]) < 6.0 * least[:, 2]).all()
     assert (np.abs(fit(table, spoilt).z - at[2]) > 6.0 * least[:, 2]).any()
-    assert (found.deviation.z >= 0.99 * fit(table, counts).deviation.z).all()
+    assert (found.errors.z >= 0.99 * fit(table, counts).errors.z).all()
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.int32, np.float32, np.float64])
@@ -235,9 +235,9 @@ def test_maps_of_the_camera_are_those_of_each_box(table):
         alone = fit(table, electrons[None], noise=lm.Noise(read=own.read))
         assert found.row[k] == pytest.approx(alone.row[0] + corners[k, 0], abs=1e-4)
         assert found.z[k] == pytest.approx(alone.z[0], abs=1e-10)
-        assert found.deviation.z[k] == pytest.approx(alone.deviation.z[0], rel=1e-4)
-    assert (np.abs(found.row - corners[:, 0] - row) < 6.0 * found.deviation.row).all()
-    assert (np.abs(found.column - corners[:, 1] - column) < 6.0 * found.deviation.column).all()
+        assert found.errors.z[k] == pytest.approx(alone.errors.z[0], rel=1e-4)
+    assert (np.abs(found.row - corners[:, 0] - row) < 6.0 * found.errors.row).all()
+    assert (np.abs(found.column - corners[:, 1] - column) < 6.0 * found.errors.column).all()
 
 
 @pytest.mark.parametrize("maps", [False, True])
@@ -254,12 +254,12 @@ def test_what_is_found_is_fitted_where_it_is(table, maps):
     spots = lm.localize.find(frame, 15, noise=noise)
     found = fit(table, spots.images, noise=noise, corners=spots.corners)
     order = np.argsort(found.row)
-    for values, truth, deviation in (
-        (found.row, row, found.deviation.row),
-        (found.column, column, found.deviation.column),
-        (found.z, z, found.deviation.z),
+    for values, truth, errors in (
+        (found.row, row, found.errors.row),
+        (found.column, column, found.errors.column),
+        (found.z, z, found.errors.z),
     ):
-        assert (np.abs(values[order] - truth) < 6.0 * deviation[order]).all()
+        assert (np.abs(values[order] - truth) < 6.0 * errors[order]).all()
 
 
 def test_two_planes_tell_more_than_one(table):
@@ -298,20 +298,20 @@ def test_two_planes_tell_more_than_one(table):
     counts = [rng.poisson(1500.0 * one + 5.0), rng.poisson(900.0 * two + 8.0)]
     found = fit([table, lower], counts, corners=[first, second], transforms=transform[None])
     alone = fit(table, counts[0], corners=first)
-    assert found.photons.shape == found.background.shape == found.deviation.photons.shape == (n, 2)
+    assert found.photons.shape == found.background.shape == found.errors.photons.shape == (n, 2)
     good = found.converged
     assert good.mean() > 0.98
-    for values, truth, deviation in (
-        (found.row, row, found.deviation.row),
-        (found.column, column, found.deviation.column),
-        (found.z, z, found.deviation.z),
-        (found.photons[:, 1], np.full(n, 900.0), found.deviation.photons[:, 1]),
+    for values, truth, errors in (
+        (found.row, row, found.errors.row),
+        (found.column, column, found.errors.column),
+        (found.z, z, found.errors.z),
+        (found.photons[:, 1], np.full(n, 900.0), found.errors.photons[:, 1]),
     ):
-        off = ((values - truth) / deviation)[good]
+        off = ((values - truth) / errors)[good]
         assert np.abs(off).max() < 6.0
         assert abs(off.mean()) < 0.35
         assert 0.85 < np.sqrt((off**2).mean()) < 1.15
-    assert np.median(found.deviation.z[good] / alone.deviation.z[good]) < 0.9
+    assert np.median(found.errors.z[good] / alone.errors.z[good]) < 0.9
 
 
 def test_the_likelihood_of_two_channels_is_largest_where_they_find_it(table):
@@ -335,10 +335,10 @@ def test_the_likelihood_of_two_channels_is_largest_where_they_find_it(table):
         return sum_of
 
     for k in range(4):
-        step = 0.5 * found.deviation.row[k]
+        step = 0.5 * found.errors.row[k]
         for axis in np.eye(2):
             up, down = deviance(k, step * axis), deviance(k, -step * axis)
-            # A parabola through three points has its lowest one here, to a hundredth of a deviation.
+            # A parabola through three points has its lowest one here, to a hundredth of a standard error.
             assert abs(up - down) < 0.03 * (up + down - 2.0 * deviance(k, np.zeros(2)))
 
 
@@ -349,7 +349,7 @@ def test_each_molecule_has_the_table_of_its_depth(table):
     told = []
     found = fit([table, deep], counts, which=which, progress=lambda done, total: told.append((done, total)))
     np.testing.assert_array_equal(found.z[which == 0], fit(table, counts[which == 0]).z)
-    np.testing.assert_array_equal(found.deviation.row[which == 1], fit(deep, counts[which == 1]).deviation.row)
+    np.testing.assert_array_equal(found.errors.row[which == 1], fit(deep, counts[which == 1]).errors.row)
     assert told == [(10, 20), (20, 20)]
 
 
@@ -366,22 +366,22 @@ def test_molecules_are_chosen_and_written(table, tmp_path):
     found = fit(table, counts)
     assert repr(found) == "<Molecules: 6: 6 converged>"
     assert len(found) == 6
-    assert repr(found.deviation) == "<Deviation of 6 molecules>"
+    assert repr(found.errors) == "<MoleculeErrors of 6 molecules>"
     some = found[found.z > 0.0]
     assert isinstance(some, Molecules)
-    np.testing.assert_array_equal(some.deviation.row, found.deviation.row[found.z > 0.0])
+    np.testing.assert_array_equal(some.errors.row, found.errors.row[found.z > 0.0])
     with pytest.raises(TypeError, match="which must be a slice, a mask or indices, got 3"):
         found[3]
     found.to_csv(tmp_path / "molecules.csv")
     with (tmp_path / "molecules.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["z"]) for row in rows] == found.z.tolist()
-    assert [float(row["photons_deviation"]) for row in rows] == found.deviation.photons.tolist()
+    assert [float(row["photons_error"]) for row in rows] == found.errors.photons.tolist()
     assert {row["state"] for row in rows} == {"converged"}
     none = fit(table, np.empty((0, 15, 15)))
     assert repr(none) == "<Molecules: 0>"
     none.to_csv(tmp_path / "none.csv")
-    assert (tmp_path / "none.csv").read_text().startswith("row,column,z,photons,background,row_deviation,")
+    assert (tmp_path / "none.csv").read_text().startswith("row,column,z,photons,background,row_error,")
 
 
 ONE = np.ones((2, 15, 15))
@@ -449,10 +449,10 @@ def test_a_tilted_background_does_not_shift_positions():
     images = lm.psf(simulated.pupil(z=z), 15, simulated.PIXEL, center=(np.full(200, 7.0), column), tol=1e-4).values
     seen = rng.poisson(1500.0 * images + 15.0 + 0.6 * (np.arange(15) - 7.0))
     flat, tilted = (lm.localize.fit(table, seen, background=kind) for kind in ("flat", "tilted"))
-    off = [(each.column - column) / each.deviation.column for each in (flat, tilted)]
+    off = [(each.column - column) / each.errors.column for each in (flat, tilted)]
     assert np.mean(off[0]) > 1.0
     assert abs(np.mean(off[1])) < 0.3
     assert 0.85 < np.std(off[1]) < 1.15
-    assert 1.0 < np.median(tilted.deviation.column / flat.deviation.column) < 1.06
+    assert 1.0 < np.median(tilted.errors.column / flat.errors.column) < 1.06
     with pytest.raises(ValueError, match="background must be"):
         lm.localize.fit(table, seen, background="uneven")

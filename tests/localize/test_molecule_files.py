@@ -32,8 +32,8 @@ def made(count: int = 5, *, frames: int = 40, seed: int = 0, along: str = "z", f
     rows["state"] = 0
     for name in ("x", "y"):
         rows[name] = draw.uniform(0.0, 60 * PIXEL, count)
-        rows[f"{name}_deviation"], rows[f"sigma_{name}"] = 5e-9 * (1 + rows["frame"]), 130e-9
-    rows["z"], rows["z_deviation"] = draw.uniform(-5e-7, 5e-7, count), 20e-9
+        rows[f"{name}_error"], rows[f"sigma_{name}"] = 5e-9 * (1 + rows["frame"]), 130e-9
+    rows["z"], rows["z_error"] = draw.uniform(-5e-7, 5e-7, count), 20e-9
     rows["state"][2:3] = 1
     return Localizations(rows, Recording(frames, 64, 80, PIXEL, (15, 13), along, "movie.tif"), count, 1, 2)
 
@@ -59,8 +59,8 @@ def test_the_table_is_what_thunderstorm_reads(tmp_path):
         "intensity [photon]": rows["photons"],
         "offset [photon]": rows["background"],
         "bkgstd [photon]": np.sqrt(rows["background"]),
-        "uncertainty_xy [nm]": 1e9 * np.hypot(rows["x_deviation"], rows["y_deviation"]) / np.sqrt(2.0),
-        "uncertainty_z [nm]": 1e9 * rows["z_deviation"],
+        "uncertainty_xy [nm]": 1e9 * np.hypot(rows["x_error"], rows["y_error"]) / np.sqrt(2.0),
+        "uncertainty_z [nm]": 1e9 * rows["z_error"],
         "discrepancy": rows["discrepancy"],
     }.items():
         np.testing.assert_allclose(table[column], expected, rtol=1e-3, atol=5.1e-3)
@@ -82,9 +82,9 @@ def test_the_data_set_is_what_picasso_reads(tmp_path):
         "photons": rows["photons"],
         "bg": rows["background"],
         "sx": rows["sigma_x"] / PIXEL,
-        "lpx": rows["x_deviation"] / PIXEL,
-        "lpy": rows["y_deviation"] / PIXEL,
-        "lpz": 1e9 * rows["z_deviation"],
+        "lpx": rows["x_error"] / PIXEL,
+        "lpy": rows["y_error"] / PIXEL,
+        "lpz": 1e9 * rows["z_error"],
     }.items():
         np.testing.assert_allclose(locs[column], expected, rtol=1e-5)
     (about,) = yaml.safe_load_all((tmp_path / "molecules.yaml").read_text(encoding="utf-8"))

@@ -36,15 +36,15 @@ def counts(molecules) -> np.ndarray:
 
 
 def errors(found: lm.localize.Localizations, true: simulated.Molecules) -> pd.DataFrame:
-    """The error of each localisation over its deviation, and the molecule that it is."""
+    """The error of each localisation over its standard error, and the molecule that it is."""
     rows = found.table[found.kept]
     x, y = (true.column + 0.5) * PIXEL, (true.row + 0.5) * PIXEL  # from the corner of the first pixel
     far = np.hypot(rows["x"][:, None] - x, rows["y"][:, None] - y)
     far[rows["frame"][:, None] != true.frame] = np.inf
     mine = far.argmin(axis=1)
     truth = {"x": x, "y": y, "z": true.z, "photons": true.photons}
-    off = {name: (rows[name] - values[mine]) / rows[f"{name}_deviation"] for name, values in truth.items()}
-    off["background"] = (rows["background"] - 8.0) / rows["background_deviation"]
+    off = {name: (rows[name] - values[mine]) / rows[f"{name}_error"] for name, values in truth.items()}
+    off["background"] = (rows["background"] - 8.0) / rows["background_error"]
     return pd.DataFrame(off | {"molecule": mine})
 
 
@@ -64,7 +64,7 @@ def test_molecules_off_the_brightest_part_of_their_images_are_found():
     assert len(rows) >= 57
     frame = rows["frame"]
     for name, truth in (("x", (column + 0.5) * 110e-9), ("y", (row + 0.5) * 110e-9), ("z", z)):
-        off = (rows[name] - truth[frame]) / rows[f"{name}_deviation"]
+        off = (rows[name] - truth[frame]) / rows[f"{name}_error"]
         assert np.abs(off).max() < 5.0
         assert 0.75 < math.sqrt((off**2).mean()) < 1.25
 
@@ -81,8 +81,8 @@ def test_molecules_are_where_they_were_put_within_the_stated_deviations(table, m
         assert abs(off[name].mean()) < 0.3, name
     assert off[["x", "y", "z"]].abs().max().max() < 4.5
     rows = found.table[found.kept]
-    assert np.median(rows["x_deviation"]) < 10e-9
-    assert np.median(rows["z_deviation"]) < 25e-9
+    assert np.median(rows["x_error"]) < 10e-9
+    assert np.median(rows["z_error"]) < 25e-9
     assert abs(np.median(rows["discrepancy"])) < 0.4
     assert rows["score"].min() > 6.0
 
@@ -131,7 +131,7 @@ def test_saturated_pixels_do_not_move_molecules(bits, kind, table):
         for name in ("x", "y", "z", "photons"):
             np.testing.assert_allclose(found.table[name], other.table[name], rtol=1e-6, atol=1e-12)
     for name, true in (("x", 19.3 * PIXEL), ("y", 17.8 * PIXEL), ("z", 0.1e-6)):
-        off = (found.table[name] - true) / found.table[f"{name}_deviation"]
+        off = (found.table[name] - true) / found.table[f"{name}_error"]
         assert abs(off.mean()) < 0.8  # with the saturated pixels taken as light up to 7
 
 
@@ -148,7 +148,7 @@ def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
     assert deep.kept.sum() < 30 < 40 == flat.kept.sum()  # the others end at an end of the range of z
     assert np.isnan(flat.table["z"]).all()
     for name, true in (("x", column + 0.5), ("y", row + 0.5)):
-        off = (flat.table[name] - true * PIXEL) / flat.table[f"{name}_deviation"]
+        off = (flat.table[name] - true * PIXEL) / flat.table[f"{name}_error"]
         assert abs(off.mean()) < 0.5
         assert off.std() < 1.5
     flat.save(tmp_path / "flat.csv", tmp_path / "flat.hdf5")

@@ -53,8 +53,8 @@ def star(seed=1, flux=2e4, side=25):
 
 def retrieve(noise):
     found = lm.retrieve(star(), lm.Pupil(), pixel=0.5, noise=noise, terms=2, starts=2)
-    light = [found.flux, found.background, found.deviation["flux"], found.deviation["background"]]
-    return [found.coefficients[2, -2], found.deviation[2, -2], found.chi2, found.model], light
+    light = [found.flux, found.background, found.errors["flux"], found.errors["background"]]
+    return [found.coefficients[2, -2], found.errors[2, -2], found.chi2, found.model], light
 
 
 def beads(noise):
@@ -65,9 +65,9 @@ def beads(noise):
         terms=2, priors={}, starts=1,
     )  # fmt: skip
     one = found.beads[0]
-    light = [one.flux, one.background, one.flux_deviation, one.background_deviation]
-    light += [one.deviation["flux"], one.deviation["background"]]
-    return [*found.coefficients.values(), one.z, one.deviation["row"], found.chi2, one.model, one.residual], light
+    light = [one.flux, one.background, one.flux_errors, one.background_errors]
+    light += [one.errors["flux"], one.errors["background"]]
+    return [*found.coefficients.values(), one.z, one.errors["row"], found.chi2, one.model, one.residual], light
 
 
 def field(noise):
@@ -111,7 +111,7 @@ def crossings(noise):
 def fisher(noise):
     light = {"photons": 1e3, "background": 5.0} if noise is EM else {"photons": 500.0, "background": 2.5}
     names = ["row", "photons", "background"]
-    errors = lm.fisher(lm.Pupil(), 15, 0.5, of=names, noise=noise, **light).deviation
+    errors = lm.fisher(lm.Pupil(), 15, 0.5, of=names, noise=noise, **light).errors
     return [errors["row"]], [errors["photons"], errors["background"]]
 
 
@@ -137,7 +137,7 @@ def depths(noise):
     pair = [PHOTOS[EM].record(5e3 * one, k) for k, one in enumerate(pair)]
     options |= {"noise": PHOTOS[noise], "between": (1.3, 2.0), "candidates": 17}
     found = lm.imaging.depth_from_defocus(pair, lenses, 8e-6, **options)
-    return [found.depth, found.deviation, found.misfit, found.sharp], []
+    return [found.depth, found.errors, found.misfit, found.sharp], []
 
 
 def restored(noise):
@@ -195,14 +195,14 @@ def found_spots(noise):
 
 def molecules(noise):
     found = lm.localize.fit(table(), frames()[:, 20:35, 25:40], noise=noise)
-    light = [found.photons, found.background, found.deviation.photons, found.deviation.background]
-    return [found.row, found.z, found.deviation.z, found.discrepancy, found.log_likelihood], light
+    light = [found.photons, found.background, found.errors.photons, found.errors.background]
+    return [found.row, found.z, found.errors.z, found.discrepancy, found.log_likelihood], light
 
 
 def movie(noise):
     rows = lm.localize.localize_movie(frames(), table(), noise=noise).table
-    light = [rows[name] for name in ("photons", "background", "photons_deviation", "background_deviation")]
-    return [rows["x"], rows["z"], rows["x_deviation"], rows["discrepancy"]], light
+    light = [rows[name] for name in ("photons", "background", "photons_error", "background_error")]
+    return [rows["x"], rows["z"], rows["x_error"], rows["discrepancy"]], light
 
 
 def blocks(noise):

@@ -11,8 +11,8 @@ from lommel.show import estimates
 def test_what_is_not_known_is_left_grey():
     depth = np.linspace(1.0, 2.0, 48).reshape(6, 8)
     depth[2, 3] = np.nan
-    deviation = np.where(np.isnan(depth), np.inf, 1e-3 * depth)
-    figure = estimates.maps(depth, deviation, np.ones((6, 8, 3)))
+    errors = np.where(np.isnan(depth), np.inf, 1e-3 * depth)
+    figure = estimates.maps(depth, errors, np.ones((6, 8, 3)))
     pictures = [axes.images[0].get_array() for axes in figure.axes if axes.images]
     assert len(pictures) == 3
     assert np.ma.getmaskarray(np.ma.masked_invalid(pictures[0]))[2, 3]
@@ -45,5 +45,5 @@ def test_the_focus_distances_within_the_range_are_marked():
 def test_maps_are_named_in_the_words_of_the_field():
     figure = estimates.maps(np.full((4, 4), 1.5), np.full((4, 4), 1e-3), np.ones((4, 4)))
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    assert titles == ["depth, known at 100 %", "standard deviation", "all-in-focus image"]
-    assert {axes.get_ylabel() for axes in figure.axes} >= {"depth (m)", "standard deviation of depth (mm)"}
+    assert titles == ["depth, known at 100 %", "standard error", "all-in-focus image"]
+    assert {axes.get_ylabel() for axes in figure.axes} >= {"depth (m)", "standard error of depth (mm)"}

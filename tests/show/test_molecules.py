@@ -19,10 +19,10 @@ def _closed():
 
 
 def molecules(*places: tuple[float, float, float, float]) -> np.ndarray:
-    """Rows at x, y, z with a deviation, nanometres."""
+    """Rows at x, y, z with a standard error, nanometres."""
     rows = np.zeros(len(places), columns())
-    rows["x"], rows["y"], rows["z"], rows["x_deviation"] = 1e-9 * np.array(places).reshape(-1, 4).T
-    rows["y_deviation"] = rows["x_deviation"]
+    rows["x"], rows["y"], rows["z"], rows["x_error"] = 1e-9 * np.array(places).reshape(-1, 4).T
+    rows["y_error"] = rows["x_error"]
     return rows
 
 

@@ -30,7 +30,7 @@ def timed(function: Callable[..., Any], *arguments: Any, **options: Any) -> tupl
 
 def errors(result: Any) -> Mapping[Any, Any]:
     """Return the standard errors of the coefficients of a result."""
-    return getattr(result, "errors", None) or result.deviation
+    return getattr(result, "errors", None) or result.errors
 
 
 def excess(**numbers: Any) -> lm.Noise:
@@ -298,7 +298,7 @@ def movie(
 def _width(row: Any, name: str) -> float:
     """Return the standard error in a row of a table."""
     names = row.dtype.names or ()
-    return float(row[next(each for each in (f"{name}_error", f"{name}_deviation") if each in names)])
+    return float(row[next(each for each in (f"{name}_error", f"{name}_error") if each in names)])
 
 
 # Stacks of 20 x 40 x 40, 10 um deep in water under oil.
@@ -408,7 +408,7 @@ def pair(
     some = np.zeros_like(known)
     some[::8, ::16] = True
     error = getattr(found, "errors", None)
-    error = found.deviation if error is None else error
+    error = found.errors if error is None else error
     z = ((found.depth - depth) / error)[known & some]
     off = np.median(np.abs(found.depth / depth - 1)[known]) if known.any() else np.nan
     return Trial(said, z, seconds, extras={"error of depth": (float(off), 0.0)}, wrong=wrong)

@@ -2,7 +2,7 @@
 Depth from defocus with two photographs
 =======================================
 
-Two photographs at different focus give a depth map with its standard deviation, and an all-in-focus image. The
+Two photographs at different focus give a depth map with its standard error, and an all-in-focus image. The
 exact PSF is compared with the usual approximations, a uniform disc and a Gaussian.
 
 The scene is the motorcycle of the Middlebury benchmark (Scharstein et al., GCPR 2014,
@@ -42,7 +42,7 @@ photographs = [
 truth, scene = depth[part], light[part]
 
 # %%
-# Depth, standard deviation and all-in-focus image from the two photographs, the lens and the noise. Grey is
+# Depth, standard error and all-in-focus image from the two photographs, the lens and the noise. Grey is
 # unknown: areas without texture, and many pixels at depth edges, where a window sees two depths.
 
 camera = {"encoding": "linear", "noise": noise, "between": (1.9, 5.2)}
@@ -61,8 +61,8 @@ places[0, 1].set_title(f"depth found, at {100 * found.known:.0f} %", fontsize=9)
 shown = places[1, 1].imshow(truth, **span)
 places[1, 1].set_title("depth as it is", fontsize=9)
 figure.colorbar(shown, ax=places[:, 1], label="depth (m)", shrink=0.8)
-shown = places[0, 2].imshow(np.where(np.isfinite(found.deviation), 1e3 * found.deviation, np.nan), norm="log")
-places[0, 2].set_title("its deviation (mm)", fontsize=9)
+shown = places[0, 2].imshow(np.where(np.isfinite(found.errors), 1e3 * found.errors, np.nan), norm="log")
+places[0, 2].set_title("its standard error (mm)", fontsize=9)
 figure.colorbar(shown, ax=places[0, 2], shrink=0.8)
 places[1, 2].imshow(np.clip(found.sharp, 0.0, 1.0) ** (1 / 2.2), cmap="gray")
 places[1, 2].set_title("in focus everywhere", fontsize=9)

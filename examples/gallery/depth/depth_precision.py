@@ -3,7 +3,7 @@ Achievable depth precision
 ==========================
 
 The Cramér-Rao bound of the distance of a point source, from the Fisher information of its image: no unbiased
-estimate has a smaller standard deviation.
+estimate has a smaller standard error.
 """
 
 import matplotlib.pyplot as plt
@@ -29,15 +29,15 @@ focus = np.linspace(1.6, 2.6, 41)
 stops = np.geomspace(1.4, 16.0, 13)
 
 
-def deviation(f_number: float, focus_distance: float) -> float:
+def errors(f_number: float, focus_distance: float) -> float:
     """Return how well the distance of a point at 2 m can be known, metres."""
     there = lens.stopped(f_number).focused(focus_distance)
     photons = 1e4 * (2.8 / f_number) ** 2
     found = lm.fisher(there.pupil(2.0), of=unknown, photons=photons, **camera)
-    return float(found.deviation["object_distance"])
+    return float(found.errors["object_distance"])
 
 
-known = 1e3 * np.array([[deviation(stop, distance) for distance in focus] for stop in stops])
+known = 1e3 * np.array([[errors(stop, distance) for distance in focus] for stop in stops])
 
 # %%
 # Two images that share the light, focused in front of and behind the point, determine its distance everywhere.
@@ -55,11 +55,11 @@ left.set_yscale("log", base=2)
 left.set_yticks([1.4, 2, 2.8, 4, 5.6, 8, 11, 16], [f"f/{n:g}" for n in (1.4, 2, 2.8, 4, 5.6, 8, 11, 16)])
 left.set_xlabel("lens focused at (m)")
 left.set_title("a point at 2 m in one image (white: cannot be known)", fontsize=10)
-figure.colorbar(shown, ax=left, label="deviation of its distance (mm)", extend="both")
-right.semilogy(distance, 1e3 * one.deviation["object_distance"], label="one image, focused at 2 m")
-right.semilogy(distance, 1e3 * two.deviation["object_distance"], label="two with half the light, at 1.9 m and 2.1 m")
+figure.colorbar(shown, ax=left, label="standard error of its distance (mm)", extend="both")
+right.semilogy(distance, 1e3 * one.errors["object_distance"], label="one image, focused at 2 m")
+right.semilogy(distance, 1e3 * two.errors["object_distance"], label="two with half the light, at 1.9 m and 2.1 m")
 right.set_xlabel("distance of the point (m)")
-right.set_ylabel("deviation of its distance (mm)")
+right.set_ylabel("standard error of its distance (mm)")
 right.set_title("at f/2.8", fontsize=10)
 right.set_ylim(0.2, 5)
 right.set_yticks([0.2, 0.5, 1, 2, 5], ["0.2", "0.5", "1", "2", "5"])

@@ -90,7 +90,7 @@ for color, f_number in zip(("C0", "C1", "C2", "C3"), designs, strict=False):
     bounds.semilogy(1 / distance, curves[f_number], color=color, label=f"f/{f_number}")
     bounds.semilogy(1 / distance, before[f_number], "--", color=color, linewidth=1)
 bounds.set_xlabel("1 / distance (dioptres)")
-bounds.set_ylabel("least standard deviation (dioptres)")
+bounds.set_ylabel("least standard error (dioptres)")
 bounds.legend(ncols=4, loc="upper center", fontsize=9)
 best = min(designs, key=lambda n: float(jnp.mean(curves[n] ** 2)))
 f, shown = traced(best), distance[::8]

@@ -3,7 +3,7 @@ A microscope fitted to a bead
 =============================
 
 The aberrations of an objective from a stack of a 100 nm bead on the cover glass. The sample is of another index than
-stated: the score test says so, and the PSF 3 µm deep is predicted with its standard deviation.
+stated: the score test says so, and the PSF 3 µm deep is predicted with its standard error.
 """
 
 import matplotlib.pyplot as plt
@@ -45,7 +45,7 @@ print(found)
 found.plot()
 
 # %%
-# The PSF 3 µm deep along x: truth, both fits, and one standard deviation of the second.
+# The PSF 3 µm deep along x: truth, both fits, and one standard error of the second.
 
 deep = {"depth": 3e-6, "z": [-0.3e-6]}
 profiles = {
@@ -53,13 +53,13 @@ profiles = {
     "index held at 1.33": lm.psf(held.pupil(**deep), 25, pixel).values[0, 12],
     "index estimated": lm.psf(found.pupil(**deep), 25, pixel).values[0, 12],
 }
-sigma = found.psf_deviation(**deep, shape=25)[0, 12]
+sigma = found.psf_errors(**deep, shape=25)[0, 12]
 figure, axes = plt.subplots(figsize=(7.0, 3.6), layout="constrained")
 x = (np.arange(25) - 12) * pixel / 63 * 1e6
 for (name, values), style in zip(profiles.items(), ("k-", "C3--", "C0-"), strict=True):
     axes.plot(x, 100.0 * values, style, label=name)
 low, high = (100.0 * (profiles["index estimated"] + side * sigma) for side in (-1.0, 1.0))
-axes.fill_between(x, low, high, color="C0", alpha=0.3, label="one standard deviation")
+axes.fill_between(x, low, high, color="C0", alpha=0.3, label="one standard error")
 axes.set(xlabel="x (µm)", ylabel="light of a pixel (%)")
 axes.legend()
 plt.show()

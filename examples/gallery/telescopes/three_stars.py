@@ -47,12 +47,12 @@ plt.gcf().set_size_inches(10.5, 5.6)
 # Estimates beside the ground truth, with standard errors.
 
 truth = true.to_zernike()
-waves, deviations = found.in_unit("waves")
+waves, errors = found.in_unit("waves")
 for term, value in waves.items():
     expected = float(truth.get(term, 0.0)) / (2.0 * np.pi)
     name = lm.special.zernike.name(*term)
-    print(f"{name:24s} {value:+.4f} +- {deviations[term]:.4f} waves rms, in truth {expected:+.4f}")
-off = np.array([(value - truth.get(term, 0.0)) / found.deviation[term] for term, value in found.coefficients.items()])
+    print(f"{name:24s} {value:+.4f} +- {errors[term]:.4f} waves rms, in truth {expected:+.4f}")
+off = np.array([(value - truth.get(term, 0.0)) / found.errors[term] for term, value in found.coefficients.items()])
 assert found.converged
 assert np.abs(off).max() < 4.0
 

@@ -259,7 +259,7 @@ def _of_field(
         "scatter": field.scatter,
         "constants": field.constants,
         "terms": [label(name) for name in field.names],
-        "waves": {n: {"coefficients": values[k].tolist(), "deviation": errors[k].tolist()} for n, k in shown.items()},
+        "waves": {n: {"coefficients": values[k].tolist(), "errors": errors[k].tolist()} for n, k in shown.items()},
         "beads": [
             {"name": name, "row": at[0], "column": at[1], "used": bool(used), "message": one.message}
             for name, at, used, one in zip(names, places, field.used, fits, strict=True)
@@ -275,7 +275,7 @@ def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants = [], []
     for name, value in found.coefficients.items():
-        error = found.deviation[name]
+        error = found.errors[name]
         if isinstance(name, str):
             metres = name in ("coverslip", "pixel", "diameter")
             cells = with_error(*(1e6 * value, 1e6 * error) if metres else (value, error), most=9)
@@ -290,7 +290,7 @@ def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     rows = []
     for name, one, bead in zip(facts["beads"], facts["places"], found.beads, strict=True):
         shown = [
-            _beside(factor * float(np.mean(one[key])), factor * bead.deviation.get(key, 0.0))
+            _beside(factor * float(np.mean(one[key])), factor * bead.errors.get(key, 0.0))
             for key, factor in factors.items()
         ]
         rows.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))

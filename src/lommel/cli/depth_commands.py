@@ -66,10 +66,10 @@ class PhotoLens(Group, heading="Camera"):
         help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By default the "
         "ratio of their mean values.")
     f_number_error: float = documented(depth_from_defocus, "f_number_error", type=float,
-        help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard deviation of "
+        help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard error of "
         "depth. 0 if they are as stated.")
     focus_error: float = documented(depth_from_defocus, "focus_error", type=float,
-        help="Standard error of each focus distance, dioptres (1/m): part of the standard deviation of depth.")
+        help="Standard error of each focus distance, dioptres (1/m): part of the standard error of depth.")
     camera: Camera | None = CAMERA
     pixel: float | None = SQUARE_PIXEL
     encoding: str | None = option("--encoding", type=click.Choice(["srgb", "linear"]),
@@ -110,9 +110,9 @@ def depth(
     lens: Path = LENS,
     between: tuple[float, float] = BETWEEN,
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
-        help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
+        help=f"Depth map in metres; given a second time, its standard error: {suffixes('depth map')}."),
     sharp: Path | None = option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
-    figure: Path | None = plot_option("Figure of depth map, standard deviation and all-in-focus image"),
+    figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
     seen: PhotoLens = PhotoLens(),
     noisy: PhotoNoise = PhotoNoise(),
     estimation: Estimation = Estimation(),
@@ -121,14 +121,14 @@ def depth(
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
     aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
-    infinite standard deviation.
+    infinite standard error.
 
     Examples
     --------
       lommel depth near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:
-        raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
+        raise ValueError(f"--output takes the depth map and its standard error, got {len(outputs)} files")
     for path in outputs:
         photo_files.find_depth(path, "--output")
     if sharp is not None:
@@ -168,7 +168,7 @@ def depth(
         seconds = time.perf_counter() - start
         started("comparing the blur with that of other apertures")
         found.verdict  # noqa: B018 (computed here, and kept)
-        for path, values in zip(outputs, (found.depth, found.deviation), strict=False):
+        for path, values in zip(outputs, (found.depth, found.errors), strict=False):
             write_depth(path, values)
         if sharp is not None:
             _write_sharp(sharp, found)
@@ -215,7 +215,6 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     untested = verdict.findings.get("untested")
     facts |= {
         "agrees": verdict.agrees,
-        "scale_deviation": facts.pop("deviation"),
         "untested": None if untested is None else untested.numbers["what"],
     }
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
@@ -234,7 +233,7 @@ def _report(found: DefocusDepth, lenses: list[Lens], searched: str, rest: Facts)
         low, middle, high = map(format_length, facts["depth"].values())
         text = (
             f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
-            f"median {middle}, standard deviation {format_length(facts['deviation'], digits=2)}"
+            f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
         )
     height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
@@ -269,11 +268,11 @@ def precision(
     contrast: float = documented(depth_precision, "contrast", type=float,
         help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
     window: float = documented(depth_precision, "window", type=float),
-    figure: Path | None = plot_option("Figure of the standard deviation against the distance"),
+    figure: Path | None = plot_option("Figure of the standard error against the distance"),
 ) -> Report:  # fmt: skip
     """Compute the achievable depth precision (Cramer-Rao bound).
 
-    The bound is the least standard deviation of the distance of a textured surface, estimated from photos with
+    The bound is the least standard error of the distance of a textured surface, estimated from photos with
     different focus. It assumes a random texture with the power spectrum of natural scenes, and holds for every
     unbiased estimator that does not know the texture; strong edges allow better precision. Use it to choose aperture,
     focus distances and exposure before taking the photos.
@@ -305,7 +304,7 @@ def precision(
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
-    deviation = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
+    errors = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
     seconds = time.perf_counter() - start
     listed = ", ".join(format_length(each.focus_distance) for each in lenses)
     if figure is not None:
@@ -313,18 +312,18 @@ def precision(
 
         title = f"{instrument.name}\nf/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
         foci_of = [each.focus_distance for each in lenses]
-        drawn: Any = estimates.precision(distance, {"": deviation}, title, foci_of)
+        drawn: Any = estimates.precision(distance, {"": errors}, title, foci_of)
         save_figure(drawn.figure, figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
         "f_number": one.f_number,
         "distance": distance.tolist(),
-        "deviation": [each if math.isfinite(each) else None for each in deviation.tolist()],
+        "errors": [each if math.isfinite(each) else None for each in errors.tolist()],
         "seconds": seconds,
     }
     rows = []
     for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int):
-        at, error = float(distance[k]), float(deviation[k])
+        at, error = float(distance[k]), float(errors[k])
         known = math.isfinite(error)
         share = f"{100.0 * error / at:.2g} %" if known else ""
         rows.append((format_length(at), format_length(error, digits=3) if known else "inf", share))
@@ -333,7 +332,7 @@ def precision(
         "pixels of {}, {photons:g} electrons, contrast {contrast:g}, windows of {window:g} pixels rms".format(
             format_length(instrument.side), **texture
         ),
-        table_of(("distance", "standard deviation", "relative"), rows),
+        table_of(("distance", "standard error", "relative"), rows),
     ]
     return Report(facts, parts) + written([figure])
 

@@ -296,17 +296,17 @@ def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     waves, distortion = facts["waves"].values(), facts["distortion"]
     rows = [
-        [name, *(f"{at['coefficients'][j]:+.4f} +- {at['deviation'][j]:.4f}" for at in waves)]
+        [name, *(f"{at['coefficients'][j]:+.4f} +- {at['errors'][j]:.4f}" for at in waves)]
         for j, name in enumerate(facts["terms"])
     ]
     for j, name in enumerate(("rows", "columns") if distortion else ()):
         bent = distortion["pixels"].values()
-        cells = (f"{at['displacement'][j]:+.3f} +- {at['deviation'][j]:.3f}" for at in bent)
+        cells = (f"{at['displacement'][j]:+.3f} +- {at['errors'][j]:.3f}" for at in bent)
         rows.append([f"distortion of {name}, pixels", *cells])
     first = []
     if coma := facts["coma"]:
         first.append(
-            f"coma in the middle: {coma['waves']:.4f} +- {coma['deviation']:.4f} waves rms, axis at "
+            f"coma in the middle: {coma['waves']:.4f} +- {coma['error']:.4f} waves rms, axis at "
             f"{coma['degrees']:.0f} degrees from columns to rows"
         )
     if focus := facts["focus"]:
@@ -338,7 +338,7 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
             "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
             "scatter": bent.scatter,
             "pixels": {
-                name: dict(zip(("displacement", "deviation"), (part.tolist() for part in bent.at(*at)), strict=True))
+                name: dict(zip(("displacement", "errors"), (part.tolist() for part in bent.at(*at)), strict=True))
                 for name, at in positions.items()
             },
         }
@@ -350,14 +350,14 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
         "coma": coma
         and {
             "waves": coma.rms / (2.0 * math.pi),
-            "deviation": coma.error / (2.0 * math.pi),
+            "error": coma.error / (2.0 * math.pi),
             "degrees": coma.degrees,
         },
         "focus": made.focus and made.focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in made.names],
         "waves": {
-            name: {"coefficients": values.tolist(), "deviation": errors.tolist()}
+            name: {"coefficients": values.tolist(), "errors": errors.tolist()}
             for name, (values, errors) in waves.items()
         },
         "blur": plain(made.blurs),

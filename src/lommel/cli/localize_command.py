@@ -243,8 +243,8 @@ _OTHERS = {
 def _of_medians(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
     if any(value is None for value in medians.values()):
         return []
-    sides = [name for name in "xyz" if f"{name}_deviation" in medians]
-    each = ", ".join(f"{name} {format_length(medians[f'{name}_deviation'] or 0.0, digits=3)}" for name in sides)
+    sides = [name for name in "xyz" if f"{name}_error" in medians]
+    each = ", ".join(f"{name} {format_length(medians[f'{name}_error'] or 0.0, digits=3)}" for name in sides)
     return [
         ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
         ("median precision", f"{each} (Cramer-Rao bound)"),

@@ -206,21 +206,21 @@ def retrieve(
 def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
-    values, deviations = found.in_unit(unit)
-    rows = [(label(name), *with_error(value, deviations[name])) for name, value in values.items()]
+    values, errors = found.in_unit(unit)
+    rows = [(label(name), *with_error(value, errors[name])) for name, value in values.items()]
     for name in (name for name in found.coefficients if name not in values):
-        cells = with_error(found.coefficients[name], found.deviation[name])
+        cells = with_error(found.coefficients[name], found.errors[name])
         rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
     each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
     each["background"] = found.background
     blurred = any(found.blurs)
-    own = [name for name in each if blurred or name in found.deviation]
+    own = [name for name in each if blurred or name in found.errors]
     images = []
     for k, file in enumerate(files):
         if blurred:
             images.append([file, *(f"{each[name][k]:.6g}" for name in own)])
             continue
-        pairs = [with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
+        pairs = [with_error(float(each[name][k]), float(found.errors[name][k])) for name in own]
         images.append([file, *("+-".join(pair) for pair in pairs)])
     parts: list[RenderableType] = [
         table_of(("term", short, "std. error"), rows),

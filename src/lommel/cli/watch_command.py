@@ -45,19 +45,19 @@ _JUMP = 6.0  # standard errors of a block, by which the median depth of two pair
 _SOON = 25  # pairs after which compression is told, as well as at the end
 _TOP = 65535  # levels of lossless depth
 _CURVE = 4096  # levels of linear light that are encoded beforehand
-_COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "deviation (m)", "misfit", "frame time (s)", "dropped"]
+_COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
 
 
 class Seen(NamedTuple):
     """A pair of frames: its time from the first one, what was found, and how long that took; seconds.
 
     `known` is a share of the blocks, and `unfit` that of those with a depth but a misfit above the limit; `median`
-    those of depth and deviation of the former and of the misfit of both, NaN where there are none.
+    those of depth and its error of the former and of the misfit of both, NaN where there are none.
     """
 
     time: float
     depth: Map | None
-    deviation: Map | None
+    errors: Map | None
     image: Map | None
     known: float
     unfit: float
@@ -81,7 +81,7 @@ class Files:
         if self.output is not None:
             videos.find(self.output, "--output", holding="of uint8")
         if len(self.depths) > 2:
-            raise ValueError(f"--depth takes depth and its standard deviation, got {len(self.depths)} files")
+            raise ValueError(f"--depth takes depth and its standard error, got {len(self.depths)} files")
         for path in self.depths:
             videos.find(path, "--depth", holding="of uint16")
         if self.table is not None and self.table.suffix.lower() != ".csv":
@@ -106,7 +106,7 @@ class Files:
     Option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
     Option("--depth", "depths", type=OUTPUT, multiple=True,
            help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of "
-           "--depth-scale, 0 where it is not known; given a second time, its standard deviation."),
+           "--depth-scale, 0 where it is not known; given a second time, its standard error."),
     Option("--table", type=OUTPUT, help="Table with a row for each pair: .csv."),
     Option("--show/--no-show", default=None,
            help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
@@ -273,12 +273,12 @@ def _seen(
         return Seen(pair.time - first, None, None, None, 0.0, 0.0, (math.nan,) * 3, took, math.nan), fault
     image = live.sharp() if sharp else None
     took = time.perf_counter() - start
-    estimated = np.isfinite(found.deviation)
+    estimated = np.isfinite(found.errors)
     known = estimated & (found.misfit <= limit)
-    median = _median(found.depth[known]), _median(found.deviation[known]), _median(found.misfit[estimated])
-    found.depth[~known], found.deviation[~known] = np.nan, np.inf
+    median = _median(found.depth[known]), _median(found.errors[known]), _median(found.misfit[estimated])
+    found.depth[~known], found.errors[~known] = np.nan, np.inf
     share, unfit = float(known.mean()), float((estimated & ~known).mean())
-    return Seen(pair.time - first, found.depth, found.deviation, image, share, unfit, median, took, found.light), ""
+    return Seen(pair.time - first, found.depth, found.errors, image, share, unfit, median, took, found.light), ""
 
 
 def _median(values: Map) -> float:
@@ -300,9 +300,9 @@ class Tally:
 
     def jump(self, seen: Seen) -> str:
         """Return a sentence, kept as well, where most of the depth is suddenly another, as after a frame is lost."""
-        depth, deviation = seen.median[:2]
+        depth, error = seen.median[:2]
         before = self.rows[-1][2] if self.rows else math.nan
-        if abs(depth - before) > _JUMP * deviation:
+        if abs(depth - before) > _JUMP * error:
             self.jumped = (
                 f"Depth jumps at {seen.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene did, "
                 "a frame was lost, and near and far are exchanged since."
@@ -320,25 +320,25 @@ class Tally:
     def words(self, dropped: int) -> str:
         """Return the line of progress."""
         rate = self.pairs / (time.perf_counter() - self.start)
-        known, _, depth, deviation, misfit = self.rows[-1]
+        known, _, depth, error, misfit = self.rows[-1]
         text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.took[-1]:.3g} ms; dropped {dropped}"
         if known:
-            text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * deviation:.2g} mm, misfit {misfit:.2f}"
+            text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
     def found(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
         """Return the report of known share, depth and misfit over the pairs, and of the verdict of the last one."""
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
-        depth, deviation, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
-        verdict = DefocusVerdict.of(misfit, last.scale, last.deviation, last.others, last.changes)
+        depth, error, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
+        verdict = DefocusVerdict.of(misfit, last.scale, last.scale_error, last.others, last.changes)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason told at the first"]
         if share:
             lines = [
                 f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
-                f"{format_length(depth)}, standard deviation {format_length(deviation, digits=2)}"
+                f"{format_length(depth)}, standard error {format_length(error, digits=2)}"
             ]
         elif unfit:
             lines = ["no depth found that fits the frames"]
@@ -350,7 +350,7 @@ class Tally:
             )
         if self.jumped:
             lines.append(self.jumped)
-        values = {"depth": depth, "deviation": deviation, "misfit": misfit}
+        values = {"depth": depth, "error": error, "misfit": misfit}
         facts = {"known": share, "unfit": unfit, "jump": self.jumped or None} | {
             name: None if math.isnan(each) else each for name, each in values.items()
         }
@@ -408,7 +408,7 @@ class Outputs:
 
         level = f"metres per level {files.scale:g}, 0 where not known"
         self._picture = None if files.output is None else writer(files.output, "depth")
-        words = (f"depth: {level}", f"standard deviation of depth: {level}")
+        words = (f"depth: {level}", f"standard error of depth: {level}")
         self._lossless = [writer(*each) for each in zip(files.depths, words, strict=False)]
         self._table = None
         if files.table is not None:
@@ -428,7 +428,7 @@ class Outputs:
             assert self._files.table is not None
             with atomic.told_as(self._files.table):
                 self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
-        for writer, metres in zip(self._lossless, (seen.depth, seen.deviation), strict=False):
+        for writer, metres in zip(self._lossless, (seen.depth, seen.errors), strict=False):
             writer(self._levels(metres), seen.time)
         if self._colours is None:
             return False

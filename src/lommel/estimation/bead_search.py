@@ -44,14 +44,14 @@ def lowest(setup: Setup) -> float:
 
 
 class Prior(NamedTuple):
-    """What is known of a constant before: its value and standard deviation, inf for nothing."""
+    """What is known of a constant before: its value and standard error, inf for nothing."""
 
     value: float
-    deviation: float
+    error: float
 
     def pull(self, at: float) -> tuple[float, float, float]:
         """Return the deviance, the slope towards the value, and the information."""
-        square = 1.0 / self.deviation**2
+        square = 1.0 / self.error**2
         away = self.value - at
         return 0.5 * away * away * square, away * square, square
 
@@ -122,7 +122,7 @@ class BeadModel:
     tested: int = field(init=False)
 
     def __post_init__(self) -> None:
-        depth = ("depth",) if self.depths[0].deviation > 0.0 else ()
+        depth = ("depth",) if self.depths[0].error > 0.0 else ()
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)

@@ -49,7 +49,7 @@ USUAL: Mapping[str, float] = {
     "pixel": 0.01,
     "diameter": 0.1,
 }
-"""Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
+"""Standard errors of the constants that are unknowns by default; of pixel and diameter relative ones."""
 
 
 _SHOWN = {"m": (1e6, " um")}
@@ -68,14 +68,14 @@ class FittedBead:
         brightest focus without aberrations.
     depth : float
         Of its centre below the glass, metres.
-    deviation : dict of str to float
+    errors : dict of str to float
         Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, where
         estimated, "depth", "drift_row", "drift_column".
     drift : (float, float)
         How far it moves along rows and columns from the middle to the end of the stack, pixels.
     flux, background : ndarray, shape (planes,)
         Electrons of the bead, and electrons a pixel.
-    flux_deviation, background_deviation : ndarray, shape (planes,)
+    flux_errors, background_errors : ndarray, shape (planes,)
         Standard errors of these; NaN of a bead that is not used.
     moved : dict of int to (float, float)
         Planes that are not where the others are, and how far off along rows and columns, pixels: score tests beyond
@@ -92,12 +92,12 @@ class FittedBead:
     column: float
     z: float
     depth: float
-    deviation: dict[str, float]
+    errors: dict[str, float]
     drift: tuple[float, float]
     flux: Array = field(repr=False)
     background: Array = field(repr=False)
-    flux_deviation: Array = field(repr=False)
-    background_deviation: Array = field(repr=False)
+    flux_errors: Array = field(repr=False)
+    background_errors: Array = field(repr=False)
     moved: dict[int, tuple[float, float]]
     chi2: float
     used: bool
@@ -112,7 +112,7 @@ class FittedBead:
         -------
         dict
         """
-        light = ("flux", "background", "flux_deviation", "background_deviation")
+        light = ("flux", "background", "flux_errors", "background_errors")
         found: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light})
         return found
 
@@ -132,7 +132,7 @@ class BeadFit(FitReport):
     emitter : Dipole, Beam or Scalar
     coefficients : dict
         What all beads share: Zernike terms (n, m) in radians rms, and constants by name.
-    deviation : dict
+    errors : dict
         Standard error of each.
     covariance : ndarray, shape (k, k)
         Of `coefficients`, in their order.
@@ -166,7 +166,7 @@ class BeadFit(FitReport):
     diameter: float
     emitter: Dipole | Beam | Scalar = field(repr=False)
     coefficients: dict[Any, float]
-    deviation: dict[Any, float]
+    errors: dict[Any, float]
     covariance: Array
     beads: tuple[FittedBead, ...]
     tests: tuple[ScoreTest, ...]
@@ -197,8 +197,8 @@ class BeadFit(FitReport):
         """
         return self._state.setup.pupil(self.aberrations, depth, z)
 
-    def psf_deviation(self, *, depth: float, z: ArrayLike = 0.0, shape: int | tuple[int, int] = 31) -> Array:
-        """Return the standard deviation of the PSF at any depth, from the covariance of the fit.
+    def psf_errors(self, *, depth: float, z: ArrayLike = 0.0, shape: int | tuple[int, int] = 31) -> Array:
+        """Return the standard error of the PSF at any depth, from the covariance of the fit.
 
         Parameters
         ----------
@@ -247,8 +247,8 @@ class BeadFit(FitReport):
                 jacobian.append((ends[1] - ends[0]) / (high - low))
         rows = np.reshape(jacobian, (len(jacobian), -1)).astype(np.float64)
         square = np.einsum("ip,ij,jp->p", rows, self.covariance, rows)
-        deviation: Array = np.sqrt(np.maximum(square, 0.0))
-        return deviation.reshape(at.size, height, width)
+        errors: Array = np.sqrt(np.maximum(square, 0.0))
+        return errors.reshape(at.size, height, width)
 
     def plot(self, *, bead: int = 0, unit: str = "waves") -> Figure:
         """Return a matplotlib figure of planes of a bead, model, residual, and coefficients with standard errors.
@@ -277,7 +277,7 @@ class BeadFit(FitReport):
         bars = (
             [label(name) for name in names],
             [factor * self.coefficients[name] for name in names],
-            [factor * self.deviation[name] for name in names],
+            [factor * self.errors[name] for name in names],
             unit,
         )
         titles = [f"plane {k}" for k in planes]
@@ -289,7 +289,7 @@ class BeadFit(FitReport):
         for name, value in self.coefficients.items():
             unit = CONSTANTS[name].unit if isinstance(name, str) else "rad"
             factor, unit = _SHOWN.get(unit, (1.0, f" {unit}".rstrip()))
-            shown, error = with_error(factor * value, factor * self.deviation[name])
+            shown, error = with_error(factor * value, factor * self.errors[name])
             lines.append(f"  {name if isinstance(name, str) else label(name)}: {shown} +- {error}{unit}")
         return "\n".join(lines) + ">"
 
@@ -355,7 +355,7 @@ def fit_beads(
     aberrations : Wavefront, optional
         Where the search starts; its other terms are fixed.
     priors : mapping, optional
-        Constants that are unknowns: a standard deviation, or (value, standard deviation), inf for nothing known.
+        Constants that are unknowns: a standard error, or (value, standard error), inf for nothing known.
         Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
         "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
         default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is
@@ -522,7 +522,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 
 def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
-    """Return the setup at the values of priors, these, the deviation of depths, and what is to be said."""
+    """Return the setup at the values of priors, these, the standard error of depths, and what is to be said."""
     known, notes = bead_checks.available_constants(setup), list[Finding]()
     near = min(deep) <= setup.wavelength
     blind = not near and setup.objective.sample < setup.objective.NA
@@ -532,7 +532,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
             if name in given:
                 given[name] *= setup.value(name)
     if not isinstance(given, Mapping):
-        raise TypeError(f"priors must map names to standard deviations, got {validation.shown(given)}")
+        raise TypeError(f"priors must map names to standard errors, got {validation.shown(given)}")
     found, of_depth = {}, 0.0
     for name, prior in given.items():
         validation.choice("priors", name, CONSTANTS)
@@ -542,24 +542,24 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
             )
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
-            raise ValueError(f"priors[{name!r}] must be a deviation or (value, deviation), got {prior!r}")
-        stated, deviation = pair[0], float(pair[1])
-        if not deviation > 0.0:
-            raise ValueError(f"priors[{name!r}] must have a deviation above 0, got {deviation:g}")
+            raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
+        stated, error = pair[0], float(pair[1])
+        if not error > 0.0:
+            raise ValueError(f"priors[{name!r}] must have a standard error above 0, got {error:g}")
         if name != "depth":
             value = setup.value(name) if stated is None else validation.real(f"priors[{name!r}]", stated)
-            found[name], setup = Prior(value, deviation), setup.having(name, value)
+            found[name], setup = Prior(value, error), setup.having(name, value)
         elif stated is None:
-            of_depth = deviation
+            of_depth = error
         else:
-            raise ValueError("priors['depth'] must be a deviation alone: values are those of depth")
-    if all(name in found and math.isinf(found[name].deviation) for name in ("immersion", "coverslip")):
+            raise ValueError("priors['depth'] must be a standard error alone: values are those of depth")
+    if all(name in found and math.isinf(found[name].error) for name in ("immersion", "coverslip")):
         raise ValueError(
             "priors must state one of immersion and coverslip: images depend on their sum only, give a standard "
-            "deviation such as 5e-6 metres of the cover glass"
+            "standard error such as 5e-6 metres of the cover glass"
         )
     if "NA" in found and blind:
-        if math.isinf(found["NA"].deviation):
+        if math.isinf(found["NA"].error):
             raise ValueError(
                 "priors must state NA where all beads are deeper than a wavelength: of NA above the index of the "
                 "sample no such light arrives; add a bead on the glass, or leave NA out"
@@ -630,7 +630,7 @@ def _build_bead_fit(
         diameter=setup.diameter,
         emitter=setup.emitter,
         coefficients=dict(zip(joint.names, [*map(float, state.waves), *constants], strict=True)),
-        deviation=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
+        errors=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
         covariance=inverse,
         beads=beads,
         tests=tests,
@@ -709,19 +709,19 @@ def _beads(
         mean, row = expected(light, image), part.slope.shape[1] - len(model.own)
         counted, read, valid = stack.planes
         variance = np.maximum(mean + read, 0.25 * read)
-        flux_deviation, background_deviation = noise.excess * np.sqrt(scatter.T)
+        flux_errors, background_errors = noise.excess * np.sqrt(scatter.T)
         found.append(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
                 column=stack.shape[1] // 2 + place.column,
                 z=(brightest(setup, place.depth) - place.focus) / setup.step,
                 depth=place.depth,
-                deviation=errors,
+                errors=errors,
                 drift=place.drift,
                 flux=noise.excess * light[0],
                 background=noise.excess * light[1],
-                flux_deviation=flux_deviation,
-                background_deviation=background_deviation,
+                flux_errors=flux_errors,
+                background_errors=background_errors,
                 moved=bead_checks.moved_planes(*part.shifts([row, row + 1])),
                 chi2=alone.chi2_of([part])[0],
                 used=used[j],

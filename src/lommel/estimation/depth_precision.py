@@ -43,7 +43,7 @@ def depth_precision(
     window: float = 4.0,
     known_texture: bool = False,
 ) -> Numbers:
-    """Return the Cramér-Rao bound on the depth of a textured surface, as a standard deviation.
+    """Return the Cramér-Rao bound on the depth of a textured surface, as a standard error.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def depth_precision(
     Returns
     -------
     float or ndarray
-        Standard deviation of the best unbiased estimate, metres, of the shape of `distance`; inf where depth cannot
+        Standard error of the best unbiased estimate, metres, of the shape of `distance`; inf where depth cannot
         be determined: at infinity, without texture or light, and where all photographs change equally with depth.
 
     Raises
@@ -90,14 +90,14 @@ def depth_precision(
     --------
     >>> lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
     >>> pair = [lens, lens.focused(1.8)]
-    >>> deviation = lm.depth_precision(pair, [1.4, 1.5, 1.6], 4e-6, noise=lm.Noise(white=1e4, read=3))
-    >>> [f"{1e3 * each:.2f} mm" for each in deviation]
+    >>> errors = lm.depth_precision(pair, [1.4, 1.5, 1.6], 4e-6, noise=lm.Noise(white=1e4, read=3))
+    >>> [f"{1e3 * each:.2f} mm" for each in errors]
     ['1.87 mm', '1.46 mm', '1.71 mm']
     """
     pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
     surface = _surface(len(lenses), noise, photons, contrast, window, known_texture)
-    found = [_deviation(lenses, float(each), pitch, surface) for each in metres.ravel()]
+    found = [_error(lenses, float(each), pitch, surface) for each in metres.ravel()]
     return numbers(np.array(found), metres.shape)
 
 
@@ -108,15 +108,15 @@ class Foci(NamedTuple):
     ----------
     near, far : float
         Distances to focus on, metres; the far one may be infinite.
-    deviation : float
-        Standard deviation of the distance, metres, as of :func:`depth_precision`.
+    error : float
+        Standard error of the distance, metres, as of :func:`depth_precision`.
     lenses : tuple of Lens
         The lens focused at each of them.
     """
 
     near: float
     far: float
-    deviation: float
+    error: float
     lenses: tuple[Lens, Lens]
 
 
@@ -157,7 +157,7 @@ def best_foci(
     --------
     >>> lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.5, wavelength=540e-9)
     >>> best = lm.best_foci(lens, 1.5, 4e-6, noise=lm.Noise(white=1e4, read=3))
-    >>> f"{best.near:.2f} m and {best.far:.2f} m: {1e3 * best.deviation:.2f} mm"
+    >>> f"{best.near:.2f} m and {best.far:.2f} m: {1e3 * best.error:.2f} mm"
     '1.33 m and 1.76 m: 1.44 mm'
     """
     from scipy.optimize import minimize
@@ -175,7 +175,7 @@ def best_foci(
 
     def cost(spans: Array) -> float:
         pair = focused(spans)
-        return math.inf if pair is None else _deviation(pair, metres, pitch, surface)
+        return math.inf if pair is None else _error(pair, metres, pitch, surface)
 
     starts = [np.log([each, each]) for each in _SPANS]
     first = min(starts, key=cost)
@@ -221,8 +221,8 @@ def _surface(
     return _Surface(light, read / noise.excess, contrast, window, validation.truth("known_texture", known))
 
 
-def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
-    """Return the standard deviation of one distance, metres."""
+def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
+    """Return the standard error of one distance, metres."""
     lit = np.flatnonzero(surface.light)
     if math.isinf(distance) or not surface.contrast or not lit.size:
         return math.inf

@@ -71,7 +71,7 @@ class Distortion(FitReport):
 
         Returns
         -------
-        displacement, deviation : ndarray, shape ``(..., 2)``
+        displacement, errors : ndarray, shape ``(..., 2)``
             By rows and by columns, pixels.
 
         Raises

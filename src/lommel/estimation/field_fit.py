@@ -165,7 +165,7 @@ class FieldFit(FitReport):
 
         Returns
         -------
-        coefficients, deviation : ndarray, shape ``(..., k)``
+        coefficients, errors : ndarray, shape ``(..., k)``
             Radians rms, in the order of `names`.
 
         Raises

@@ -685,8 +685,8 @@ class WholeField:
         expected = max(total.sum() * share, 1.0)
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
-        chi2, deviation = square.sum() / expected, math.sqrt(spread.sum() * share) / expected
-        made = Scores(np.array([deviance.sum()]), whole[None], boxed, np.array([chi2]), np.array([deviation]))
+        chi2, errors = square.sum() / expected, math.sqrt(spread.sum() * share) / expected
+        made = Scores(np.array([deviance.sum()]), whole[None], boxed, np.array([chi2]), np.array([errors]))
         if self.best is None or made.deviance[0] < self.best[1].deviance[0]:
             self.best = x.copy(), made
         return made

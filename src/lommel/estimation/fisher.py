@@ -27,7 +27,7 @@ from lommel.recorded.noise import Noise
 class Information:
     """Fisher information of images about parameters, and the Cramér-Rao bound that follows from it.
 
-    No unbiased estimate from the same images has a standard deviation below :attr:`deviation`; maximum likelihood
+    No unbiased estimate from the same images has a standard error below :attr:`errors`; maximum likelihood
     comes close to it with enough light. Rows and columns of the matrices are in the order of `names`.
 
     Attributes
@@ -42,7 +42,7 @@ class Information:
         Inverse of `matrix`, the bound on the covariance of estimates. Infinite on the diagonal for unidentifiable
         parameters, and off it for two of which only a combination is identifiable.
     correlation : ndarray, shape ``stack + (k, k)``
-        The covariance over both standard deviations; its limit for unidentifiable parameters.
+        The covariance over both standard errors; its limit for unidentifiable parameters.
     """
 
     names: tuple[Name, ...]
@@ -106,22 +106,22 @@ class Information:
         )
 
     @property
-    def deviation(self) -> dict[Name, Numbers]:
-        """Cramér-Rao bound on each parameter as a standard deviation, shape of the stack; inf if unidentifiable."""
+    def errors(self) -> dict[Name, Numbers]:
+        """Cramér-Rao bound on the standard error of each parameter, shape of the stack; inf if unidentifiable."""
         variance = np.diagonal(self.covariance, axis1=-2, axis2=-1)
         return {name: numbers(np.sqrt(variance[..., k]), variance.shape[:-1]) for k, name in enumerate(self.names)}
 
     @property
     def unidentifiable(self) -> tuple[Name, ...]:
         """Names of the parameters that at least one of the scenes does not determine."""
-        return tuple(name for name, deviation in self.deviation.items() if np.isinf(deviation).any())
+        return tuple(name for name, errors in self.errors.items() if np.isinf(errors).any())
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, a pair (n, m) as a list, an infinite number as None (JSON has none)."""
         found: dict[str, Any] = {
             "names": [list(name) if isinstance(name, tuple) else name for name in self.names],
             "units": [self.units[name] for name in self.names],
-            "deviation": plain([*self.deviation.values()]),
+            "errors": plain([*self.errors.values()]),
         }
         return found | {name: plain(getattr(self, name)) for name in ("matrix", "covariance", "correlation")}
 
@@ -129,24 +129,23 @@ class Information:
         stack = self.matrix.shape[:-2]
         width = max(len(str(name)) for name in self.names)
         lines = [
-            f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}"
-            for name, value in self.deviation.items()
+            f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}" for name, value in self.errors.items()
         ]
         return "\n  ".join([f"<{type(self).__name__}{f' of a stack of {stack}' if stack else ''}", *lines]) + ">"
 
 
 def _over_deviations(covariance: Array) -> Array:
     """Return the correlation of a covariance; 0 beside vanishing variances, and 1 on the diagonal."""
-    deviation = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
-    deviation = np.where(deviation > 0.0, deviation, 1.0)
-    found = np.clip(covariance / deviation[..., None] / deviation[..., None, :], -1.0, 1.0)
+    errors = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+    errors = np.where(errors > 0.0, errors, 1.0)
+    found = np.clip(covariance / errors[..., None] / errors[..., None, :], -1.0, 1.0)
     return np.asarray(np.where(np.eye(found.shape[-1], dtype=bool), 1.0, found))
 
 
-def _shown(deviation: Array, unit: str) -> str:
-    """Return the least and the largest of the standard deviations of a stack as text."""
-    known = deviation[np.isfinite(deviation)]
-    missing = deviation.size - known.size
+def _shown(errors: Array, unit: str) -> str:
+    """Return the least and the largest of the standard errors of a stack as text."""
+    known = errors[np.isfinite(errors)]
+    missing = errors.size - known.size
     if not known.size:
         return "unidentifiable"
     least, most = float(known.min()), float(known.max())
@@ -156,7 +155,7 @@ def _shown(deviation: Array, unit: str) -> str:
     else:
         low, high = f"{least:.3g}", f"{most:.3g} {unit}".rstrip()
     text = high if least == most else f"{low} to {high}"
-    return f"+- {text}" + (f", unidentifiable in {missing} of {deviation.size}" if missing else "")
+    return f"+- {text}" + (f", unidentifiable in {missing} of {errors.size}" if missing else "")
 
 
 _UNITS: dict[Name, str] = {
@@ -193,7 +192,7 @@ def fisher(
     ----------
     pupil : Pupil, ObjectivePupil or a sequence of these
         Pupil of the image. A stack stands for as many scenes with one image each, and gives arrays of standard
-        deviations. A sequence of pupils stands for several images of one scene, such as at several foci, whose
+        errors. A sequence of pupils stands for several images of one scene, such as at several foci, whose
         information adds; stacks in it broadcast and are scenes again.
     shape, pixel, method, center, integrate, threads
         As of :func:`lommel.psf`.
@@ -230,10 +229,10 @@ def fisher(
     -----
     The mean of a pixel is ``mu = photons h + background`` electrons, h being the PSF, and its information is
     ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With fine
-    pixels in a wide window, without background and read noise, the standard deviation of the centre of an Airy disc
+    pixels in a wide window, without background and read noise, the standard error of the centre of an Airy disc
     is ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). Unidentifiable
     parameters, such as the defocus of an image in focus, which does not change to first order, have the standard
-    deviation inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. The bound is
+    error inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. The bound is
     local: it ignores ambiguities between distant values, such as a defocus and its negative.
 
     Examples

@@ -179,13 +179,13 @@ class FocalModel:
         parts = {name: getattr(self, name)[places] for name in ("vergence", "transfer", "noise", "folded")}
         return replace(self, **parts)
 
-    def uncertain(self, deviation: Array) -> Self:
+    def uncertain(self, errors: Array) -> Self:
         """Return the model of frames of which depth is known within a standard error, in candidates, (vergences,).
 
         Transfer functions are means over it, and how far they differ from these is noise.
         """
         places = np.arange(len(self.vergence))
-        away = (places - places[:, None]) / np.maximum(deviation, 1e-3)[:, None]
+        away = (places - places[:, None]) / np.maximum(errors, 1e-3)[:, None]
         share = np.exp(-0.5 * away**2)
         share /= share.sum(axis=1, keepdims=True)
 

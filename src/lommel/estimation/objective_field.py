@@ -82,7 +82,7 @@ class ObjectiveField(FitReport):
 
         Returns
         -------
-        coefficients, deviation : ndarray, shape ``(..., k)``
+        coefficients, errors : ndarray, shape ``(..., k)``
             Radians rms, in the order of `names`.
 
         Raises
@@ -282,7 +282,7 @@ class _Joined:
         prior, mean = np.zeros(len(self.scale)), np.zeros(len(self.scale))
         for j, name in enumerate(self.constants, self.waves):
             given = fits[0]._priors[name]
-            prior[j] = (self.scale[j] / given.deviation) ** 2
+            prior[j] = (self.scale[j] / given.error) ** 2
             mean[j] = given.value / self.scale[j]
         self.information = posterior - np.diag(prior)
         vectors = np.einsum("nij,nj->ni", posterior, values) - prior * mean

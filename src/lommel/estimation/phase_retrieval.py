@@ -76,7 +76,7 @@ class Retrieval(FitReport):
     coefficients : dict of name to float
         Parameters that all images share: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
         given wavelength), "f_number", "obscuration", "wavelength" in metres.
-    deviation : dict of name to float or ndarray
+    errors : dict of name to float or ndarray
         Standard error of each, and, without `blur`, of "flux", "background" and, where estimated, "row", "column",
         shape (n,); inf where the images do not determine it. See `reliable`.
     covariance : ndarray, shape (k, k)
@@ -123,7 +123,7 @@ class Retrieval(FitReport):
     twin: Wavefront | None = field(repr=False)
     pupil: Pupil | ObjectivePupil = field(repr=False)
     coefficients: dict[Name, float]
-    deviation: dict[Name, Any]
+    errors: dict[Name, Any]
     covariance: Array
     units: dict[Name, str]
     chi2: float
@@ -150,7 +150,7 @@ class Retrieval(FitReport):
 
         Returns
         -------
-        coefficients, deviation : dict of name to float
+        coefficients, errors : dict of name to float
 
         Raises
         ------
@@ -160,7 +160,7 @@ class Retrieval(FitReport):
         length = validation.choice("unit", unit, zernike_tables.UNITS) in LENGTHS
         factor = radians_per("metres" if length else unit, self.pupil.wavelength) * LENGTHS.get(unit, 1.0)
         terms = [name for name in self.coefficients if name not in _UNITS]
-        errors = {name: self.deviation[name] / factor for name in terms}
+        errors = {name: self.errors[name] / factor for name in terms}
         return {name: self.coefficients[name] / factor for name in terms}, errors
 
     def save(self, path: str | PathLike[str]) -> None:
@@ -187,7 +187,7 @@ class Retrieval(FitReport):
                 continue
             order, index = name.split() if isinstance(name, str) else ("nm", "")
             term = zernike.term(int(index), order) if isinstance(name, str) else name
-            errors[int(zernike.index_of(*term, "noll"))] = self.deviation[name] / (2.0 * np.pi)
+            errors[int(zernike.index_of(*term, "noll"))] = self.errors[name] / (2.0 * np.pi)
         zernike_tables.save_table(path, table, errors)
 
     def plot(self, *, unit: str = "radians", names: Sequence[str] | None = None) -> Figure:
@@ -227,7 +227,7 @@ class Retrieval(FitReport):
 
     def _rows(self, sign: str) -> list[tuple[str, str]]:
         values = self.coefficients.items()
-        return [(label(n), f"{c:.4g} {sign} {self.deviation[n]:.2g} {self.units[n]}") for n, c in values]
+        return [(label(n), f"{c:.4g} {sign} {self.errors[n]:.2g} {self.units[n]}") for n, c in values]
 
 
 def retrieve(
@@ -572,7 +572,7 @@ def _retrieval(
         twin=model.wavefront(model.even_part_negated(x)[0]) if model.sign_ambiguous else None,
         pupil=carrying(model.pupil, wavefront, **optics),
         coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
-        deviation=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
+        errors=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
         covariance=inverse[:shared, :shared],
         units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *own_errors)},
         chi2=chi2,
@@ -612,7 +612,7 @@ def _of_blurred(
         twin=twin,
         pupil=lens,
         coefficients=dict(zip(found.names, found.coefficients[:, 0].tolist(), strict=True)),
-        deviation=dict(zip(found.names, errors.tolist(), strict=True)),
+        errors=dict(zip(found.names, errors.tolist(), strict=True)),
         covariance=found.covariance,
         units=dict.fromkeys(found.names, "rad"),
         chi2=found.chi2,

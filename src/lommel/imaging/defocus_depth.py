@@ -51,11 +51,11 @@ class DefocusDepth:
     ----------
     depth : ndarray, shape (height, width)
         Distance from the lens, metres; NaN where depth cannot be determined.
-    deviation : ndarray, shape (height, width)
+    errors : ndarray, shape (height, width)
         Its standard error, metres; inf where depth cannot be determined.
     misfit : ndarray, shape (height, width)
         Residual difference of the photographs at the estimated depth, relative to the noise: 1 where registration and
-        noise model hold, more at depth edges, at borders and where something moved. The deviation includes it.
+        noise model hold, more at depth edges, at borders and where something moved. The standard error includes it.
     candidates : ndarray, shape (count,)
         Candidate distances, metres.
     exposures : tuple of float
@@ -65,7 +65,7 @@ class DefocusDepth:
     """
 
     depth: Array
-    deviation: Array
+    errors: Array
     misfit: Array
     candidates: Array
     exposures: tuple[float, ...]
@@ -76,7 +76,7 @@ class DefocusDepth:
     @property
     def known(self) -> float:
         """Fraction of the pixels whose depth is known."""
-        return float(np.isfinite(self.deviation).mean())
+        return float(np.isfinite(self.errors).mean())
 
     @cached_property
     def verdict(self) -> DefocusVerdict:
@@ -96,12 +96,11 @@ class DefocusDepth:
         Returns
         -------
         dict
-            What the verdict has, its `deviation` as `scale_deviation`; the shape, the number of candidates, the
+            What the verdict has; the shape, the number of candidates, the
             exposures, the fraction that is known, and there the percentiles of depth and the median of its standard
             error, metres; None where these are not finite.
         """
-        facts, inner = self.verdict.to_dict(), np.isfinite(self.deviation)
-        facts["scale_deviation"] = facts.pop("deviation")
+        facts, inner = self.verdict.to_dict(), np.isfinite(self.errors)
         ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
         mine: dict[str, Any] = plain(
             {
@@ -110,7 +109,7 @@ class DefocusDepth:
                 "exposures": self.exposures,
                 "known": self.known,
                 "depth": ends and dict(zip(("5 %", "50 %", "95 %"), ends, strict=True)),
-                "deviation": float(np.median(self.deviation[inner])) if inner.any() else None,
+                "error": float(np.median(self.errors[inner])) if inner.any() else None,
             }
         )
         return facts | mine
@@ -120,18 +119,18 @@ class DefocusDepth:
         write_depth(Path(path), self.depth)
 
     def plot(self) -> Figure:
-        """Draw depth, standard deviation and the all-in-focus image on a figure of matplotlib."""
+        """Draw depth, its standard error and the all-in-focus image on a figure of matplotlib."""
         light = to_light("sharp", self.sharp, self.encoding, np.float64) if self.known else None
-        return estimates.maps(self.depth, self.deviation, light)
+        return estimates.maps(self.depth, self.errors, light)
 
     def __repr__(self) -> str:
         if not self.known:
             return "<DefocusDepth: no depth is known>"
-        inner = np.isfinite(self.deviation)
+        inner = np.isfinite(self.errors)
         low, high = np.percentile(self.depth[inner], [5.0, 95.0])
         return (
             f"<DefocusDepth: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
-            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm>"
+            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm>"
         )
 
 
@@ -218,11 +217,11 @@ def depth_from_defocus(
     whatever the texture, so a wrong assumption about the texture does not bias it (compare Subbarao and Surya 1994,
     doi:10.1007/BF02028349, and Favaro and Soatto 2005, doi:10.1109/TPAMI.2005.43). Transfer functions are those of a
     scene that is continuous: of the optics and the pixel, without aliases, which are noise. The filters are those of
-    :class:`lommel.imaging.LiveDepth`, between whose blocks energies are interpolated. The deviation follows from the
-    curvature of the energy at its minimum, the noise and the size of the window, and grows with the misfit, with the
-    slope of the depth map and next to its edges; compare :func:`lommel.depth_precision`. It has a part of errors that
-    are stated of lenses, which shift whole surfaces; without these it holds for lenses exactly as stated. Depth
-    is NaN where its deviation exceeds a sixth of the range in 1 / distance, where another candidate costs hardly
+    :class:`lommel.imaging.LiveDepth`, between whose blocks energies are interpolated. The standard error follows from
+    the curvature of the energy at its minimum, the noise and the size of the window, and grows with the misfit, with
+    the slope of the depth map and next to its edges; compare :func:`lommel.depth_precision`. It has a part of errors
+    that are stated of lenses, which shift whole surfaces; without these it holds for lenses exactly as stated. Depth
+    is NaN where its standard error exceeds a sixth of the range in 1 / distance, where another candidate costs hardly
     more, where the best candidate is the first or the last, and where half of a window or more is within the blur of
     the border or of unknown pixels.
 
@@ -296,9 +295,9 @@ def depth_from_defocus(
     task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _LEAST_VARIANCE * mean)
     engine = FocalEngine(task, FocalLight(mean, read, exposed, CONTRAST))
-    position, deviation, misfit = _search(engine, images, valid, progress)
+    position, spread, misfit = _search(engine, images, valid, progress)
     step = float(vergence[1] - vergence[0])
-    found, errors = vergence[0] + step * position.astype(np.float64), step * deviation
+    found, errors = vergence[0] + step * position.astype(np.float64), step * spread
     stated = f_number_error
     if f_number_error or focus_error:
         foci = [1.0 / lens.focus_distance for lens in lenses]
@@ -310,7 +309,7 @@ def depth_from_defocus(
             errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
         )
         lost = inner & (errors > engine.known)
-        found[lost], errors[lost], deviation[lost] = math.nan, math.inf, math.inf
+        found[lost], errors[lost], spread[lost] = math.nan, math.inf, math.inf
         if len(shared) > 1:
             stated = math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -327,7 +326,7 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    judge = partial(judged, engine, images, valid, deviation, misfit, found, stated)
+    judge = partial(judged, engine, images, valid, spread, misfit, found, stated)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
 
 

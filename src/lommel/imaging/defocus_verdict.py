@@ -59,7 +59,7 @@ class DefocusVerdict(FitReport):
         as stated; NaN where nothing is known.
     scale : float
         Difference of the blurs over that of the lenses, as by apertures so much larger; NaN where it is not tested.
-    deviation : float
+    scale_error : float
         Standard error of the scale, 0.02 or more; inf where it is not tested.
     others : tuple of float
         Other scales that fit as well; all of them where the scale is not tested, as that of the lenses is among them.
@@ -70,7 +70,7 @@ class DefocusVerdict(FitReport):
 
     misfit: float
     scale: float
-    deviation: float
+    scale_error: float
     others: tuple[float, ...] = ()
     changes: tuple[float, float] = (math.nan, math.nan)
 
@@ -79,7 +79,7 @@ class DefocusVerdict(FitReport):
         cls,
         misfit: float,
         scale: float = math.nan,
-        deviation: float = math.inf,
+        scale_error: float = math.inf,
         others: tuple[float, ...] = (),
         changes: tuple[float, float] = (math.nan, math.nan),
         *,
@@ -89,7 +89,7 @@ class DefocusVerdict(FitReport):
 
         Parameters
         ----------
-        misfit, scale, deviation, others, changes
+        misfit, scale, scale_error, others, changes
             As the attributes.
         stated : float
             Standard error of the scale by those that are stated of the lenses.
@@ -140,13 +140,13 @@ class DefocusVerdict(FitReport):
         else:
             agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
         what = ["which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"]
-        off = min(abs(each - 1.0) / math.hypot(deviation, stated) for each in (scale, *others))
-        of = f"{scale:.2f} +- {deviation:.2f}"
-        size = {"scale": scale, "error": deviation}
+        off = min(abs(each - 1.0) / math.hypot(scale_error, stated) for each in (scale, *others))
+        of = f"{scale:.2f} +- {scale_error:.2f}"
+        size = {"scale": scale, "error": scale_error}
         untested = math.isnan(scale) or (bool(others) and off <= _SURE)
         if untested:
             if not math.isnan(scale):
-                scale, deviation, others = math.nan, math.inf, (scale, *others)
+                scale, scale_error, others = math.nan, math.inf, (scale, *others)
             alike = ", ".join(f"{each:.2f}" for each in others)
             what.insert(0, "the size of blur" + (f" ({alike} of what the lenses state fit alike)" if others else ""))
         elif off > _SURE:
@@ -185,7 +185,7 @@ class DefocusVerdict(FitReport):
             summary=summary,
             misfit=misfit,
             scale=scale,
-            deviation=deviation,
+            scale_error=scale_error,
             others=others,
             changes=changes,
         )
@@ -203,25 +203,25 @@ def judged(
     engine: FocalEngine,
     images: Values,
     valid: NDArray[np.bool_],
-    deviation: Values,
+    errors: Values,
     misfit: Values,
     vergence: Array,
     stated: float = 0.0,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of the first.
 
-    `valid` are the pixels that are known, `deviation` the standard errors of depth, in any unit and infinite where it
+    `valid` are the pixels that are known, `errors` the standard errors of depth, in any unit and infinite where it
     is not known, `misfit` their misfits and `vergence` what was found, 1 / m, all of shape (height, width); `stated`
     is the standard error of the scale by those of the lenses.
     """
-    known = np.isfinite(deviation)
+    known = np.isfinite(errors)
     if not known.any():
         return DefocusVerdict.of(math.nan)
     left = float(np.median(misfit[known]))
     at = vergence[known].astype(np.float64)
     by_f_number, *by_foci = np.median(-engine.by_lenses(at) / at**2, axis=1).tolist()
     of = partial(DefocusVerdict.of, left, changes=(0.01 * by_f_number, 0.01 * sum(by_foci)), stated=stated)
-    weight = np.where(known, 1.0 / np.maximum(deviation, 1e-6) ** 2, 0.0)
+    weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
     found = _scales(engine, images, valid, weight)
     if not found:
         return of()

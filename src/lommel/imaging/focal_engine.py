@@ -152,7 +152,7 @@ class FocalEngine:
     def design_error(self) -> float:
         """Largest bias of the filters by themselves within the range, in standard errors of a window."""
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
-        found = [np.abs(one.bias / one.deviation)[inner].max() for one in self.channels]
+        found = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
         return float(max(found)) * math.sqrt(self._pixels) / self.binning
 
     def by_lenses(self, vergence: Array) -> Array:
@@ -209,7 +209,7 @@ class FocalEngine:
         for channel, spectrum in enumerate(task.spectra):
             model = task.model(self.light, channel)
             targets = [self._target(task.lenses[0].focused(each), spectrum, model) for each in foci]
-            model = model.uncertain(tables.deviation * self.binning / math.sqrt(self._pixels))
+            model = model.uncertain(tables.errors * self.binning / math.sqrt(self._pixels))
             self.images.append(SharpTables(model, taps, degree, targets))
 
     def stream(self, shape: tuple[int, int], *, images: bool = False) -> FocalStream:

@@ -113,7 +113,7 @@ class FocalTables:
         designed for.
     of_curvature : ndarray, shape (c,)
         Variance of half of the second derivative by noise alone.
-    bias, deviation, bound : ndarray, shape (c,)
+    bias, errors, bound : ndarray, shape (c,)
         Of a texture as designed for, in candidates, by one pixel's information: bias, standard error, Cramér-Rao
         bound.
     light : FocalLight
@@ -135,7 +135,7 @@ class FocalTables:
     steepness: Array
     of_curvature: Array
     bias: Array
-    deviation: Array
+    errors: Array
     bound: Array
     light: FocalLight
     white: Array
@@ -204,7 +204,7 @@ def focal_tables(
     best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
     for taps, degree, left, median, most_over in _TRIED:
         made = made_of(models[best], Taps.of(taps), degree, left, squares[best])
-        over = (made.deviation / made.bound)[inner]
+        over = (made.errors / made.bound)[inner]
         if np.median(over) <= median and over.max() <= most_over:
             break
     return made
@@ -309,7 +309,7 @@ def _tables(
         found.steepness,
         found.of_curvature,
         found.bias,
-        found.deviation,
+        found.errors,
         _bound(model),
         light,
         model.white,
@@ -338,7 +338,7 @@ class _Statistics(NamedTuple):
     steepness: Array
     of_curvature: Array
     bias: Array
-    deviation: Array
+    errors: Array
 
     @classmethod
     def of(cls, model: FocalModel, filters: Array, overlap: Array) -> Self:

@@ -37,7 +37,7 @@ class LiveDepthMap:
     ----------
     depth : ndarray of float32, shape (height // 4, width // 4)
         Distance from the lens, metres; NaN where it is not known.
-    deviation : ndarray of float32
+    errors : ndarray of float32
         Its standard error, metres; inf where it is not known.
     misfit : ndarray of float32
         What is left of the difference of the frames at the best depth, over that of noise: 1 where registration and
@@ -50,7 +50,7 @@ class LiveDepthMap:
     """
 
     depth: NDArray[np.float32]
-    deviation: NDArray[np.float32]
+    errors: NDArray[np.float32]
     misfit: NDArray[np.float32]
     exposures: tuple[float, ...]
     light: float
@@ -58,16 +58,16 @@ class LiveDepthMap:
     @property
     def known(self) -> float:
         """Fraction of the blocks whose depth is known."""
-        return float(np.isfinite(self.deviation).mean())
+        return float(np.isfinite(self.errors).mean())
 
     def __repr__(self) -> str:
-        inner = np.isfinite(self.deviation)
+        inner = np.isfinite(self.errors)
         if not inner.any():
             return "<LiveDepthMap: no depth is known>"
         low, high = np.percentile(self.depth[inner], [5.0, 95.0])
         return (
             f"<LiveDepthMap: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
-            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm, misfit {np.nanmedian(self.misfit[inner]):.2f}>"
+            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm, misfit {np.nanmedian(self.misfit[inner]):.2f}>"
         )
 
 
@@ -193,7 +193,7 @@ class LiveDepth:
             for mean in _levels(light, form.channels)
         ]
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
-        self._depth, self._deviation, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
+        self._depth, self._errors, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
         self._gains = np.zeros((len(lenses), 6), dtype=np.float32)
@@ -258,9 +258,9 @@ class LiveDepth:
         if self._smooth:
             self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._offset)
         level.stream.take(planes, self._gains, self._offset, limit, mask)
-        level.stream.depths(self._depth, self._deviation, self._misfit)
+        level.stream.depths(self._depth, self._errors, self._misfit)
         self._last = _Taken(level, stored, full, mask)
-        return LiveDepthMap(self._depth, self._deviation, self._misfit, exposures, light)
+        return LiveDepthMap(self._depth, self._errors, self._misfit, exposures, light)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the tables to a file for cameras without Python: ``lommel_live_new`` of the C interface reads it.
@@ -350,12 +350,12 @@ class LiveDepth:
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
         images = np.where(valid, light, 0.0)[None]
-        deviation, misfit, vergence = (
+        errors, misfit, vergence = (
             np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
-            for each in (self._deviation / self._depth**2, self._misfit, 1.0 / self._depth)
+            for each in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
-        deviation = np.where(np.isnan(deviation), np.inf, deviation)
-        return judged(level.engine, images, valid, deviation, misfit, vergence)
+        errors = np.where(np.isnan(errors), np.inf, errors)
+        return judged(level.engine, images, valid, errors, misfit, vergence)
 
     def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, which must not have changed since.

@@ -243,7 +243,7 @@ def read_depth(
 
 
 def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
-    """Write a depth map, or its standard deviation, in single precision, for :func:`lommel.imaging.read_depth`.
+    """Write a depth map, or its standard error, in single precision, for :func:`lommel.imaging.read_depth`.
 
     The file is written under a temporary name and moved into place.
 

@@ -83,7 +83,7 @@ class Microscope:
         Measured phase at `wavelength`, added to that of the layers.
     camera : Camera, or None
         Camera, if the file names one.
-    deviations : mapping
+    errors : mapping
         Standard errors of what was fitted, by name: "noll 5" in waves rms, "sample" and other constants in the
         unit of :func:`lommel.fit_beads`.
 
@@ -109,7 +109,7 @@ class Microscope:
     integrate: bool | None = None
     aberrations: Wavefront | None = None
     camera: Camera | None = None
-    deviations: Mapping[str, float] = field(default_factory=dict)
+    errors: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
@@ -164,7 +164,7 @@ class Microscope:
             With its objective, pixel, aberrations and standard errors; depth and planes stay.
         """
         errors: dict[str, float] = {}
-        for name, error in found.deviation.items():
+        for name, error in found.errors.items():
             if isinstance(name, str):
                 errors[name] = error
             else:
@@ -176,7 +176,7 @@ class Microscope:
             wavelength=found.wavelength,
             pixel=found.pixel,
             aberrations=found.aberrations,
-            deviations=errors,
+            errors=errors,
         )
 
     def save(self, path: str | PathLike[str]) -> None:
@@ -324,7 +324,7 @@ class _File(Section):
     sample: _Sample
     emission: _Emission
     aberrations: _Aberrations = _Aberrations()
-    deviations: dict[str, Annotated[Number, Field(ge=0)]] = Field(default_factory=dict)
+    errors: dict[str, Annotated[Number, Field(ge=0)]] = Field(default_factory=dict)
     stack: _Stack | None = None
     sensor: Sensor
 
@@ -390,9 +390,9 @@ def _text(of: Microscope) -> str:
         terms = dict(sorted(terms.items()))
         section("aberrations.zernike", order="noll", unit="waves", normalization="rms")
         lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms.items()) + " }")
-    if of.deviations:
-        section("deviations")
-        lines.extend(f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.deviations.items())
+    if of.errors:
+        section("errors")
+        lines.extend(f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items())
     return "\n".join(lines) + "\n"
 
 
@@ -427,7 +427,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
     ``[emission.beam]`` with polarization, for light focused into the sample; ``[aberrations.zernike]``, the
     measured wavefront, at the wavelength of the emission unless it states its own, as in
-    :func:`lommel.load_instrument`; ``[deviations]``, standard errors of
+    :func:`lommel.load_instrument`; ``[errors]``, standard errors of
     what was fitted, by name; ``[stack]`` planes, step and
     origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
     is one plane at the brightest focus; ``[sensor]`` camera, shape and integrate as of a lens, or pixel, on the
@@ -487,7 +487,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         file.sample.depth,
         emitter=file.emission.made(),
         aberrations=None if table is None else zernike_section.wavefront(table, file.emission.wavelength),
-        deviations=file.deviations,
+        errors=file.errors,
         **stack,
         **dict(file.sensor),
     )

@@ -29,8 +29,8 @@ _MOST_TEMPLATES = 20000
 
 
 @dataclass(frozen=True, eq=False)
-class Deviation:
-    """Standard deviations by the Cramer-Rao bound, in the units of the estimates; inf where undetermined."""
+class MoleculeErrors:
+    """Standard errors by the Cramer-Rao bound, in the units of the estimates; inf where undetermined."""
 
     row: Array
     column: Array
@@ -39,10 +39,10 @@ class Deviation:
     background: Array
 
     def __repr__(self) -> str:
-        return f"<Deviation of {len(self.row)} molecules>"
+        return f"<MoleculeErrors of {len(self.row)} molecules>"
 
 
-_NAMES = tuple(each.name for each in fields(Deviation))
+_NAMES = tuple(each.name for each in fields(MoleculeErrors))
 _FURTHER = ("log_likelihood", "discrepancy", "state", "steps")
 
 
@@ -60,8 +60,8 @@ class Molecules:
         Electrons in an infinite window.
     background : ndarray, shape (n,) or (n, channels)
         Electrons per pixel, at least 0.01.
-    deviation : Deviation
-        Standard deviations of all of these by the Cramer-Rao bound at the estimate.
+    errors : MoleculeErrors
+        Standard errors of all of these by the Cramer-Rao bound at the estimate.
     log_likelihood : ndarray, shape (n,)
         Logarithm of the likelihood, less that of a mean equal to the counts in every pixel.
     discrepancy : ndarray, shape (n,)
@@ -81,7 +81,7 @@ class Molecules:
     z: Array
     photons: Array
     background: Array
-    deviation: Deviation
+    errors: MoleculeErrors
     log_likelihood: Array
     discrepancy: Array
     state: NDArray[np.int32]
@@ -102,7 +102,7 @@ class Molecules:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
         parts = {name: getattr(self, name)[which] for name in (*_NAMES, *_FURTHER)}
         return Molecules(
-            **parts, deviation=Deviation(**{name: getattr(self.deviation, name)[which] for name in _NAMES})
+            **parts, errors=MoleculeErrors(**{name: getattr(self.errors, name)[which] for name in _NAMES})
         )
 
     def replaced(self, which: NDArray[np.intp], others: Molecules) -> Molecules:
@@ -120,14 +120,16 @@ class Molecules:
         Molecules
         """
 
-        def joined(of: Molecules | Deviation, by: Molecules | Deviation, names: Sequence[str]) -> dict[str, Any]:
+        def joined(
+            of: Molecules | MoleculeErrors, by: Molecules | MoleculeErrors, names: Sequence[str]
+        ) -> dict[str, Any]:
             made = {name: getattr(of, name).copy() for name in names}
             for name, values in made.items():
                 values[which] = getattr(by, name)
             return made
 
-        deviation = Deviation(**joined(self.deviation, others.deviation, _NAMES))
-        return Molecules(**joined(self, others, (*_NAMES, *_FURTHER)), deviation=deviation)
+        errors = MoleculeErrors(**joined(self.errors, others.errors, _NAMES))
+        return Molecules(**joined(self, others, (*_NAMES, *_FURTHER)), errors=errors)
 
     def to_csv(self, path: str | PathLike[str]) -> None:
         """Write everything as a table with a row for each molecule, in pixels, metres and electrons.
@@ -158,7 +160,7 @@ class Molecules:
 
     def _columns(self) -> list[tuple[str, Array]]:
         own = [(name, getattr(self, name)) for name in _NAMES]
-        own += [(f"{name}_deviation", getattr(self.deviation, name)) for name in _NAMES]
+        own += [(f"{name}_error", getattr(self.errors, name)) for name in _NAMES]
         return [*own, ("log_likelihood", self.log_likelihood), ("discrepancy", self.discrepancy)]
 
     def __repr__(self) -> str:
@@ -213,7 +215,7 @@ def fit(
         the table, or with a discrepancy above 2.5. 1 to 20.
     background : {"flat", "tilted"}, default "flat"
         Background of a box: the same in all pixels, or with slopes along rows and columns, two unknowns more, which
-        takes away the shift of positions in an uneven background; deviations are 2 to 4 % larger.
+        takes away the shift of positions in an uneven background; standard errors are 2 to 4 % larger.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
@@ -233,10 +235,10 @@ def fit(
     The mean of a pixel is ``mu = photons h + background``, h being the table's image, and its counts are taken as
     Poisson's with the mean ``mu + read**2``, shifted (Huang et al. 2013, doi:10.1038/nmeth.2488). Fisher scoring with
     damping (Smith et al. 2010, doi:10.1038/nmeth.1449) ends where no estimate would move by 0.01 of its standard
-    deviation. It starts at the most similar of a bank of images all over z and 1.5 pixels to all sides: boxes
+    error. It starts at the most similar of a bank of images all over z and 1.5 pixels to all sides: boxes
     should be around molecules, not around the brightest part of their images. Pixels of a negative ``counts +
     read**2``, as with a wrong offset, are not those of the model and make the `discrepancy` large. Systematic errors
-    due to the table are below 1e-3 of the deviation for 10^4 photons and ``tol=1e-4``; those of a wrong PSF
+    due to the table are below 1e-3 of the standard error for 10^4 photons and ``tol=1e-4``; those of a wrong PSF
     are not known here: beads tell.
 
     Examples
@@ -249,7 +251,7 @@ def fit(
     >>> table = lm.localize.Table(pupil, shape=15, pixel=6.5e-6, z=(-0.6e-6, 0.6e-6))
     >>> image = 2000 * table(7.3, 6.8, 0.2e-6) + 10
     >>> found = lm.localize.fit(table, np.random.default_rng(1).poisson(image)[None])
-    >>> abs(found.z[0] - 0.2e-6) < 4 * found.deviation.z[0]
+    >>> abs(found.z[0] - 0.2e-6) < 4 * found.errors.z[0]
     np.True_
     """
     validation.integer("starts", starts, least=1, most=20)
@@ -270,7 +272,7 @@ def fit(
     tilted = validation.choice("background", background, BACKGROUNDS) == "tilted"
     per = 4 if tilted else 2
     unknown, done = 3 + per * len(boxes), 0
-    values, deviations, likely = np.empty((total, unknown)), np.empty((total, unknown)), np.empty((total, 2))
+    values, errors, likely = np.empty((total, unknown)), np.empty((total, unknown)), np.empty((total, 2))
     state = np.empty((total, 2), np.int32)
     for own, mine in groups:
         fitter = _fitter(tuple(own), matrices.tobytes())
@@ -282,20 +284,20 @@ def fit(
             ]
             light, read = (list(each) for each in zip(*pairs, strict=True))
             made = fitter.fit(light, read, offsets[part], starts, tilted, count)
-            values[part], deviations[part], likely[part], state[part] = made
+            values[part], errors[part], likely[part], state[part] = made
             done += len(part)
             if progress is not None:
                 progress(done, total)
     if places is not None:
         values[:, :2] += places[0]
     for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
-        for light_of in (values, deviations):
+        for light_of in (values, errors):
             light_of[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
-    return _molecules(values, deviations, likely, state, several, per)
+    return _molecules(values, errors, likely, state, several, per)
 
 
 def _molecules(
-    values: Array, deviations: Array, likely: Array, state: NDArray[np.int32], several: bool, per: int
+    values: Array, errors: Array, likely: Array, state: NDArray[np.int32], several: bool, per: int
 ) -> Molecules:
     def parts(of: Array) -> dict[str, Any]:
         light = [of[:, k::per] if several else of[:, k] for k in (3, 4)]
@@ -303,7 +305,7 @@ def _molecules(
 
     return Molecules(
         **parts(values),
-        deviation=Deviation(**parts(deviations)),
+        errors=MoleculeErrors(**parts(errors)),
         log_likelihood=-0.5 * likely[:, 0],
         discrepancy=likely[:, 1].copy(),
         state=state[:, 0].copy(),

@@ -1,4 +1,4 @@
-"""Tables of localisations of a movie: positions, light, standard deviations, with what files of them state."""
+"""Tables of localisations of a movie: positions, light, standard errors, with what files of them state."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _ESTIMATES = ("x", "y", "z", "photons", "background")
-_COLUMNS = (*_ESTIMATES, *(f"{name}_deviation" for name in _ESTIMATES))
+_COLUMNS = (*_ESTIMATES, *(f"{name}_error" for name in _ESTIMATES))
 _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 
 DOUBTFUL = 3.0
 """Discrepancy from which on the image of a molecule is not of the model: noise exceeds it in some of 1000."""
-MEDIANS = ("photons", "background", "x_deviation", "y_deviation", "z_deviation", "discrepancy")
+MEDIANS = ("photons", "background", "x_error", "y_error", "z_error", "discrepancy")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,7 +39,7 @@ class Localizations(FitReport):
     table : structured ndarray, shape (n,)
         ``frame``, from 0; ``x``, ``y`` in the sample from the outer corner of the first pixel, along columns and
         rows, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons a pixel; the Cramer-Rao
-        standard deviations of these five, ``x_deviation`` and so on; ``sigma_x``, ``sigma_y``, the standard
+        standard errors of these five, ``x_error`` and so on; ``sigma_x``, ``sigma_y``, the standard
         deviations of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the
         fit; ``score`` of the spot; ``state``, an index into ``states``. ``pandas.DataFrame(found.table)`` makes
         a data frame.
@@ -111,7 +111,7 @@ class Localizations(FitReport):
         numbers, recording = super().to_dict(), self.recording
         del numbers["recording"]
         kept, flat = self.table[self.kept], recording.along == "none"
-        names = [name for name in MEDIANS if not (flat and name == "z_deviation")]
+        names = [name for name in MEDIANS if not (flat and name == "z_error")]
         medians = {name: float(np.median(kept[name])) if kept.size else None for name in names}
         return numbers | {
             "frames": recording.frames,

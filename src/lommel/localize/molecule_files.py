@@ -67,9 +67,9 @@ _THUNDERSTORM: dict[str, tuple[str, Callable[[Rows], Values]]] = {
     "offset [photon]": ("%.4f", lambda rows: rows["background"]),
     "bkgstd [photon]": ("%.4f", lambda rows: np.sqrt(rows["background"])),
     "uncertainty_xy [nm]": (
-        "%.3f", lambda rows: 1e9 * np.sqrt(0.5 * (rows["x_deviation"] ** 2 + rows["y_deviation"] ** 2))
+        "%.3f", lambda rows: 1e9 * np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2))
     ),
-    "uncertainty_z [nm]": ("%.3f", lambda rows: 1e9 * rows["z_deviation"]),
+    "uncertainty_z [nm]": ("%.3f", lambda rows: 1e9 * rows["z_error"]),
     "discrepancy": ("%.3f", lambda rows: rows["discrepancy"]),
 }  # fmt: skip
 _Z = ("z [nm]", "uncertainty_z [nm]")
@@ -130,9 +130,9 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
             for name in ("x", "y"):
                 found[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
                 found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
-                found[f"lp{name}"] = rows[f"{name}_deviation"] / recording.pixel
+                found[f"lp{name}"] = rows[f"{name}_error"] / recording.pixel
             if recording.along != "none":
-                found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_deviation"]
+                found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_error"]
             left = memoryview(found.tobytes())
             with atomic.told_as(path):
                 while left:  # a disk that is nearly full takes a part

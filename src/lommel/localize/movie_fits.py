@@ -17,7 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.localize.checks import TILTED, Checks
 from lommel.localize.detection import Spots, box_pixels, find_in, frame_counts
-from lommel.localize.fitting import BACKGROUNDS, STATES, Deviation, Molecules, fit
+from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
 from lommel.localize.table import Table
@@ -247,15 +247,15 @@ def _localizations(
     for name in ("discrepancy", "log_likelihood", "state"):
         rows[name] = getattr(found, name)
     sides = {"row": "y", "column": "x"}
-    for name in (each.name for each in fields(Deviation)):
+    for name in (each.name for each in fields(MoleculeErrors)):
         to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
         rows[to] = (getattr(found, name) + shift) * scale
-        rows[f"{to}_deviation"] = getattr(found.deviation, name) * scale
+        rows[f"{to}_error"] = getattr(found.errors, name) * scale
     heights, along_y, along_x = widths
     rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
     if recording.along == "none":
         rows["state"][(found.state == STATES.index("border")) & np.isin(found.z, table.z)] = 0
-        rows["z"] = rows["z_deviation"] = np.nan
+        rows["z"] = rows["z_error"] = np.nan
     ends = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
     left = spots.borders, spots.overlapping, spots.saturated, spots.left_out, ends
     return Localizations(rows, recording, len(spots), *left)

@@ -311,8 +311,8 @@ def refined(
     found, _ = _minimum(course(rough, _STEPS, faster), start, wide, (least + wide, most - wide), rough.known)
     found, errors = _minimum(course(fine, _MORE, 1.0), found, apart, (least + apart, most - apart), fine.known)
     found = np.clip(found, least, most)
-    values, deviations = (dict(zip(names, each.tolist(), strict=True)) for each in (found, errors))
-    return _with(model, names, found), values, deviations
+    values, own = (dict(zip(names, each.tolist(), strict=True)) for each in (found, errors))
+    return _with(model, names, found), values, own
 
 
 def _start(model: DepthModel, name: str) -> float:

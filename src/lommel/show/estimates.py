@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 _UNKNOWN = "0.55"  # the colour of what is not known
 
 
-def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
-    """Draw depth and its standard deviation (metres, NaN grey), and the light of the sharp image, side by side."""
+def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
+    """Draw depth and its standard error (metres, NaN grey), and the light of the sharp image, side by side."""
     height, width = depth.shape
     count = 2 if light is None else 3
     side = 4.4
@@ -29,19 +29,19 @@ def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
         figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
     )
     axes: Any = figure.subplots(1, count)
-    known = np.isfinite(deviation)
+    known = np.isfinite(errors)
     low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
     shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
     figure.colorbar(shown, ax=axes[0], label="depth (m)", extend="both", shrink=0.85)
     axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=10)
     norm: Any = None
-    millimetres = np.where(known, 1e3 * deviation, np.nan)
+    millimetres = np.where(known, 1e3 * errors, np.nan)
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])
         norm = library("matplotlib.colors", *USER).LogNorm(*(ends * [0.99, 1.01]))
     shown = axes[1].imshow(millimetres, cmap=COLOURS, norm=norm, interpolation="nearest")
-    figure.colorbar(shown, ax=axes[1], label="standard deviation of depth (mm)", extend="both", shrink=0.85)
-    axes[1].set_title("standard deviation", fontsize=10)
+    figure.colorbar(shown, ax=axes[1], label="standard error of depth (mm)", extend="both", shrink=0.85)
+    axes[1].set_title("standard error", fontsize=10)
     if light is not None:
         top = float(np.percentile(light, 99.5))
         within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
@@ -53,7 +53,7 @@ def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
 
 
 def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Sequence[float] = ()) -> Axes:
-    """Draw standard deviations of depth over the distance (metres, logarithmic); infinite ones are gaps.
+    """Draw standard errors of depth over the distance (metres, logarithmic); infinite ones are gaps.
 
     Dotted lines mark the focus distances `foci` that are within the range.
     """
@@ -65,7 +65,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
         # Poles would leave no room for what matters.
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
-    axes.set(xlabel="distance (m)", ylabel="standard deviation of depth (mm)")
+    axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
     axes.set_title(fitted(title, axes, 10), fontsize=10)
     axes.grid(which="both", alpha=0.3)
     for focus in foci:
@@ -96,7 +96,7 @@ def fit(
     titles: Sequence[str],
 ) -> Figure:
     """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms in a unit."""
-    names, values, deviations, unit = found
+    names, values, errors, unit = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
     figure: Figure = pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
@@ -117,7 +117,7 @@ def fit(
     pictures.colorbar(left, ax=axes[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
-    finite = [d if np.isfinite(d) else 0.0 for d in deviations]
+    finite = [d if np.isfinite(d) else 0.0 for d in errors]
     drawn.bar(at, values, color="C0", alpha=0.6)
     drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=3)
     drawn.axhline(0.0, color="0.5", linewidth=0.8)

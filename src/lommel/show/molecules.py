@@ -50,7 +50,7 @@ def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, col
     light = np.zeros((4, height, width))
     down, across = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
     inside = (down >= 0) & (down < height) & (across >= 0) & (across < width)
-    spread = np.sqrt(0.5 * (rows["x_deviation"] ** 2 + rows["y_deviation"] ** 2)) / side
+    spread = np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2)) / side
     nearest = np.abs(np.log(_WIDTHS) - np.log(np.maximum(spread, 1e-6))[:, None]).argmin(axis=1)
     for k in np.unique(nearest[inside]):
         mine = inside & (nearest == k)

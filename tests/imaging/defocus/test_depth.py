@@ -13,9 +13,9 @@ from scenes import averaged
 
 def errors(found, distance):
     """The errors of 1 / distance where depth is known, over their standard errors."""
-    known = np.isfinite(found.deviation)
+    known = np.isfinite(found.errors)
     u = 1.0 / found.depth[known]
-    return (u - 1.0 / distance) / (found.deviation[known] * u**2)
+    return (u - 1.0 / distance) / (found.errors[known] * u**2)
 
 
 def robust(z):
@@ -36,16 +36,16 @@ def whole(images):
 @pytest.mark.parametrize("distance", [1.4, 1.6])
 def test_a_plane_is_found_as_well_as_can_be_with_the_deviation_told(distance):
     found = lm.imaging.depth_from_defocus(shoot(texture(seed=3), distance, PAIR, seed=30), PAIR, PIXEL, **CAMERA)
-    assert np.isfinite(found.deviation[10:-10, 10:-10]).mean() > 0.95
+    assert np.isfinite(found.errors[10:-10, 10:-10]).mean() > 0.95
     z = errors(found, distance)
     assert abs(np.median(z)) < 0.6
     assert 0.75 < robust(z) < 1.25
     seen = averaged(texture(seed=3))
     contrast = float(seen.std() / seen.mean())  # of structures of two pixels and more
     bound = lm.depth_precision(PAIR, distance, PIXEL, noise=NOISE, photons=5e3, contrast=contrast)
-    known = np.isfinite(found.deviation)
+    known = np.isfinite(found.errors)
     assert np.std(found.depth[known]) < 1.3 * bound
-    assert np.median(found.deviation[known]) == pytest.approx(bound, rel=0.3)
+    assert np.median(found.errors[known]) == pytest.approx(bound, rel=0.3)
 
 
 @pytest.fixture(scope="module")
@@ -72,9 +72,9 @@ def test_errors_stated_of_lenses_are_what_lenses_that_are_wrong_do(near_focus):
 
     def added(**errors):
         more = found(**errors)
-        known = np.isfinite(plain.deviation) & np.isfinite(more.deviation)
+        known = np.isfinite(plain.errors) & np.isfinite(more.errors)
         assert np.array_equal(more.depth[known], plain.depth[known])
-        by = np.sqrt(more.deviation[known] ** 2 - plain.deviation[known] ** 2) / plain.depth[known] ** 2
+        by = np.sqrt(more.errors[known] ** 2 - plain.errors[known] ** 2) / plain.depth[known] ** 2
         return float(np.median(by))
 
     def moved(lenses):
@@ -92,9 +92,9 @@ def test_depth_that_errors_of_lenses_leave_unknown_is_not_known(near_focus):
     assert found(focus_error=0.2).known == 0.0
     same = [given[0], given[0].stopped(4.0)]
     both = found(same, focus_error=0.003), found(same)
-    known = np.isfinite(both[0].deviation)
+    known = np.isfinite(both[0].errors)
     u = [1.0 / one.depth[known] for one in both]
-    by = np.sqrt((both[0].deviation[known] * u[0] ** 2) ** 2 - (both[1].deviation[known] * u[1] ** 2) ** 2)
+    by = np.sqrt((both[0].errors[known] * u[0] ** 2) ** 2 - (both[1].errors[known] * u[1] ** 2) ** 2)
     assert np.median(by) == pytest.approx(0.003, rel=0.02)  # of one focus, whose error is that of all depths
 
 
@@ -127,7 +127,7 @@ def test_where_a_photograph_is_nearly_sharp_on_large_pixels_there_is_no_bias():
 def test_without_texture_there_is_no_depth():
     flat = np.full((144 * 8, 144 * 8), 0.5)
     found = lm.imaging.depth_from_defocus(shoot(flat, 1.5, PAIR), PAIR, PIXEL, **CAMERA)
-    assert np.all(np.isinf(found.deviation))
+    assert np.all(np.isinf(found.errors))
     assert np.all(np.isnan(found.depth))
     assert found.known == 0.0
     with pytest.raises(ValueError, match="no depth is known"):
@@ -136,8 +136,8 @@ def test_without_texture_there_is_no_depth():
     scene = texture()
     scene[pixels(np.s_[None:None], np.s_[56:None])] = 0.5
     found = lm.imaging.depth_from_defocus(shoot(scene, 1.5, PAIR), PAIR, PIXEL, **CAMERA)
-    assert np.isfinite(found.deviation[12:-12, 12:36]).mean() > 0.95
-    assert np.isfinite(found.deviation[:, 68:]).mean() < 0.02
+    assert np.isfinite(found.errors[12:-12, 12:36]).mean() > 0.95
+    assert np.isfinite(found.errors[:, 68:]).mean() < 0.02
 
 
 def test_what_is_beyond_the_range_is_not_said_to_be_within(images):
@@ -151,7 +151,7 @@ def test_dark_areas_beside_bright_texture_have_no_depth():
     scene = texture(side=176)
     scene[pixels(np.s_[None:None], np.s_[60:None])] = 0.1
     found = lm.imaging.depth_from_defocus(shoot(scene, 1.6, fast), fast, PIXEL, **CAMERA)
-    assert np.isfinite(found.deviation[:, 84:]).mean() < 0.03
+    assert np.isfinite(found.errors[:, 84:]).mean() < 0.03
 
 
 def test_the_deviation_grows_with_the_misfit(images, whole):
@@ -159,7 +159,7 @@ def test_the_deviation_grows_with_the_misfit(images, whole):
     inner = np.s_[12:-12, 12:-12]
     assert np.median(whole.misfit[inner]) == pytest.approx(1.0, abs=0.1)
     assert np.median(moved.misfit[inner]) > 3.0
-    assert np.median(moved.deviation[inner] / whole.deviation[inner]) > 2.0
+    assert np.median(moved.errors[inner] / whole.errors[inner]) > 2.0
 
 
 @pytest.mark.quick
@@ -168,12 +168,12 @@ def test_unknown_pixels_have_no_depth_and_spoil_none(images, whole):
     holed[0][30:50, 30:50] = np.nan
     holed[1][10, 60] = 3.0
     found = lm.imaging.depth_from_defocus(holed, PAIR, PIXEL, saturation=2.0, **CAMERA)
-    assert np.all(np.isinf(found.deviation[32:48, 32:48]))
+    assert np.all(np.isinf(found.errors[32:48, 32:48]))
     assert np.isnan(found.depth[40, 40])
     away = np.s_[68:-8, 8:-8]
-    both = np.isfinite(found.deviation[away]) & np.isfinite(whole.deviation[away])
+    both = np.isfinite(found.errors[away]) & np.isfinite(whole.errors[away])
     assert both.mean() > 0.95
-    assert (np.abs(found.depth - whole.depth)[away] / whole.deviation[away])[both].max() < 0.5
+    assert (np.abs(found.depth - whole.depth)[away] / whole.errors[away])[both].max() < 0.5
     assert np.isfinite(found.sharp).all()
     assert np.abs(errors(found, 1.5)).max() < 8.0
 
@@ -193,7 +193,7 @@ def test_three_photographs_of_three_foci_are_better_than_two(whole):
     lenses = [*PAIR, LENS.focused(1.55)]
     three = lm.imaging.depth_from_defocus(shoot(texture(), 1.5, lenses), lenses, PIXEL, **CAMERA)
     assert 0.7 < robust(errors(three, 1.5)) < 1.3
-    assert np.median(three.deviation) < np.median(whole.deviation)
+    assert np.median(three.errors) < np.median(whole.errors)
 
 
 def test_two_apertures_tell_depth_and_exposures_are_measured():
@@ -205,7 +205,7 @@ def test_two_apertures_tell_depth_and_exposures_are_measured():
     found = lm.imaging.depth_from_defocus(images, lenses, PIXEL, **camera)
     assert found.exposures == pytest.approx(light, rel=5e-3)
     assert 0.6 < robust(errors(found, 1.6)) < 1.4
-    assert np.nanmedian(found.deviation) < 0.02
+    assert np.nanmedian(found.errors) < 0.02
     stated = lm.imaging.depth_from_defocus(images, lenses, PIXEL, exposures=light, **camera)
     assert stated.exposures == pytest.approx(light)
     assert np.nanmax(np.abs(stated.depth - found.depth)) < 5e-3
@@ -222,10 +222,8 @@ def test_colours_have_their_own_blur_and_one_depth(whole):
     found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
     assert 0.7 < robust(errors(found, 1.5)) < 1.3
     assert abs(np.median(errors(found, 1.5))) < 0.6
-    known = np.isfinite(found.deviation) & np.isfinite(whole.deviation)
-    assert np.median(found.deviation[known]) == pytest.approx(
-        np.median(whole.deviation[known]) / np.sqrt(3.0), rel=0.25
-    )
+    known = np.isfinite(found.errors) & np.isfinite(whole.errors)
+    assert np.median(found.errors[known]) == pytest.approx(np.median(whole.errors[known]) / np.sqrt(3.0), rel=0.25)
     assert found.sharp.shape == images[0].shape
     with pytest.raises(ValueError, match="drop the alpha"):
         lm.imaging.depth_from_defocus([np.dstack([one, one[..., :1]]) for one in images], PAIR, PIXEL, **CAMERA)
@@ -254,7 +252,7 @@ def test_integers_in_srgb_are_what_their_light_is():
     stored = [from_light(one, "srgb", np.uint16) for one in images]
     linear = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
     found = lm.imaging.depth_from_defocus(stored, PAIR, PIXEL, **(CAMERA | {"encoding": "srgb"}))
-    known = np.isfinite(linear.deviation) & np.isfinite(found.deviation)
+    known = np.isfinite(linear.errors) & np.isfinite(found.errors)
     assert known[10:-10, 10:-10].mean() > 0.9
     assert np.median(np.abs(found.depth - linear.depth)[known]) < 1e-4
     assert found.sharp.dtype == np.uint16
@@ -375,11 +373,11 @@ def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
     found = lm.imaging.depth_from_defocus(images, fast, PIXEL, **CAMERA)
     truth = np.broadcast_to(1.0 / u.reshape(-1, 8).mean(axis=1), images[0].shape)
     ridge = np.abs(np.arange(128) - 63.5) > 8
-    known = np.isfinite(found.deviation) & ridge
+    known = np.isfinite(found.errors) & ridge
     error = (found.depth - truth)[known]
     assert known[24:-24, 24:-24].mean() > 0.75
-    assert 0.5 < 1.4826 * np.median(np.abs(error / found.deviation[known])) < 1.4
-    assert abs(np.median(error / found.deviation[known])) < 0.5
+    assert 0.5 < 1.4826 * np.median(np.abs(error / found.errors[known])) < 1.4
+    assert abs(np.median(error / found.errors[known])) < 0.5
 
 
 def test_the_fewest_candidates_that_may_be_asked_for_will_do():

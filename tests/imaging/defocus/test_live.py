@@ -40,9 +40,9 @@ def frames(lenses: list[ThinLens], distance: float, kind: str = "leaves", light:
 
 
 def errors(found: object, distance: float) -> np.ndarray:
-    known = np.isfinite(found.deviation)
+    known = np.isfinite(found.errors)
     u = 1.0 / found.depth[known].astype(np.float64)
-    return (u - 1.0 / distance) / (found.deviation[known] * u**2)
+    return (u - 1.0 / distance) / (found.errors[known] * u**2)
 
 
 def test_the_lens_is_that_of_the_formulas():
@@ -58,7 +58,7 @@ def test_the_lens_is_that_of_the_formulas():
 def test_planes_are_where_they_are_and_as_far_off_as_is_told(mild, kind, distance):
     found = mild(*frames(MILD, distance, kind))
     z = errors(found, distance)
-    inner = np.isfinite(found.deviation[4:-4, 4:-4])
+    inner = np.isfinite(found.errors[4:-4, 4:-4])
     assert inner.mean() > 0.9
     assert abs(np.median(z)) < 0.6
     assert 0.75 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.2
@@ -71,7 +71,7 @@ def test_planes_are_where_they_are_and_as_far_off_as_is_told(mild, kind, distanc
 def test_a_fast_lens_is_as_true(fast, distance, kind):
     found = fast(*frames(FAST, distance, kind))
     z = errors(found, distance)
-    assert np.isfinite(found.deviation[8:-8, 8:-8]).mean() > 0.8
+    assert np.isfinite(found.errors[8:-8, 8:-8]).mean() > 0.8
     assert abs(np.median(z)) < 0.6
     assert 0.5 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.2
     assert np.mean(np.abs(z) > 3.0) < 0.03
@@ -104,10 +104,10 @@ def test_beside_an_edge_of_depth_errors_are_as_told_or_it_is_not_known(mild):
     for axis in (0, 1):
         for away in (-2, -1, 1, 2):
             edge |= np.roll(inside, away, axis=axis) != inside
-    known = np.isfinite(found.deviation) & edge
+    known = np.isfinite(found.errors) & edge
     assert known.sum() > 0.5 * edge.sum()
     u = 1.0 / found.depth[known]
-    z = (u - 1.0 / truth[known]) / (found.deviation[known] * u**2)
+    z = (u - 1.0 / truth[known]) / (found.errors[known] * u**2)
     assert 1.4826 * np.median(np.abs(z)) < 1.5
 
 
@@ -145,11 +145,11 @@ def test_the_sharp_image_is_as_good_as_a_filter_that_knows_the_scene(request, le
 def test_more_frames_colours_and_small_types_are_taken(mild):
     pair = frames(MILD, 1.5)
     before_ = mild(*pair)
-    depth, deviation = before_.depth.copy(), before_.deviation.copy()
+    depth, least = before_.depth.copy(), before_.errors.copy()
     assert mild(*(one.astype(np.float32) for one in pair)).depth == pytest.approx(depth, nan_ok=True)
     three = made(thin(8.0, (1.35, 1.8, 1.55)))
     found = three(*frames(thin(8.0, (1.35, 1.8, 1.55)), 1.5))
-    assert np.nanmedian(found.deviation) < np.nanmedian(deviation)
+    assert np.nanmedian(found.errors) < np.nanmedian(least)
     assert abs(np.median(errors(found, 1.5))) < 0.6
     colour = made(MILD, shape=(SIDE, SIDE, 3), light=3 * LIGHT, sharp=True)
     thirds = [
@@ -158,7 +158,7 @@ def test_more_frames_colours_and_small_types_are_taken(mild):
     ]
     found = colour(*(np.stack(one, axis=2) for one in thirds))
     assert abs(np.median(errors(found, 1.5))) < 0.6
-    assert np.nanmedian(found.deviation) < np.nanmedian(deviation)
+    assert np.nanmedian(found.errors) < np.nanmedian(least)
     assert colour.sharp().shape == (SIDE, SIDE, 3)
     bytes_ = [np.clip((one.astype(float) - 100.0) / 40.0, 0, 254).astype(np.uint8) for one in pair]
     eight = made(MILD, noise=lm.Noise(white=40.0, read=12.0))
@@ -168,32 +168,32 @@ def test_more_frames_colours_and_small_types_are_taken(mild):
 def test_what_is_full_or_masked_is_left_out(mild):
     pair = frames(MILD, 1.5)
     whole = mild(*pair)
-    depth, deviation = whole.depth.copy(), whole.deviation.copy()
+    depth, errors = whole.depth.copy(), whole.errors.copy()
     clipped = [one.copy() for one in pair]
     clipped[1][60:68, 40:48] = 65535
     found = mild(*clipped)
-    assert np.isinf(found.deviation[15:17, 10:12]).all()
+    assert np.isinf(found.errors[15:17, 10:12]).all()
     away = np.s_[:, 22:]
     np.testing.assert_allclose(found.depth[away], depth[away], equal_nan=True, rtol=1e-5)
     mask = np.ones((SIDE, SIDE), dtype=bool)
     mask[60:68, 40:48] = False
     masked = mild(*pair, known=mask)
-    assert np.isinf(masked.deviation[15:17, 10:12]).all()
+    assert np.isinf(masked.errors[15:17, 10:12]).all()
     nan = [one.astype(np.float32) for one in pair]
     nan[0][60:68, 40:48] = np.nan
-    assert np.array_equal(np.isinf(mild(*nan).deviation), np.isinf(masked.deviation))
-    assert np.isfinite(deviation[15:17, 10:12]).all()
+    assert np.array_equal(np.isinf(mild(*nan).errors), np.isinf(masked.errors))
+    assert np.isfinite(errors[15:17, 10:12]).all()
 
 
 def test_the_answer_does_not_depend_on_threads_offsets_or_calls(mild):
     pair = frames(MILD, 1.6)
     one = mild(*pair)
-    kept = one.depth.copy(), one.deviation.copy(), one.misfit.copy()
+    kept = one.depth.copy(), one.errors.copy(), one.misfit.copy()
     again = mild(*pair)
-    for a, b in zip(kept, (again.depth, again.deviation, again.misfit), strict=True):
+    for a, b in zip(kept, (again.depth, again.errors, again.misfit), strict=True):
         assert np.array_equal(a, b, equal_nan=True)
     many = made(MILD, threads=3)(*pair)
-    for a, b in zip(kept, (many.depth, many.deviation, many.misfit), strict=True):
+    for a, b in zip(kept, (many.depth, many.errors, many.misfit), strict=True):
         assert np.array_equal(a, b, equal_nan=True)
     assert again.depth is one.depth
     # Black levels that are stated wrong by ten electrons change next to nothing.
@@ -257,7 +257,7 @@ def test_levels_of_light_are_chosen_by_the_frames():
         found = live(*frames(MILD, 1.5, light=light))
         z = errors(found, 1.5)
         assert found.light == pytest.approx(light, rel=0.02)
-        assert np.isfinite(found.deviation[4:-4, 4:-4]).mean() > 0.85
+        assert np.isfinite(found.errors[4:-4, 4:-4]).mean() > 0.85
         assert 0.75 < 1.4826 * np.median(np.abs(z)) < 1.3
 
 

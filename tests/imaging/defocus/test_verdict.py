@@ -40,7 +40,7 @@ def test_lenses_as_they_are_agree_with_frames(pair):
     assert found.agrees
     assert found.findings.codes == ("untested",)
     assert found.misfit == pytest.approx(1.0, abs=0.1)
-    assert abs(found.scale - 1.0) < 2.0 * found.deviation < 0.1
+    assert abs(found.scale - 1.0) < 2.0 * found.scale_error < 0.1
     assert found.status == "converged"
     assert "blurs differ as the lenses state" in found.message
     assert found.to_dict()["findings"][0]["numbers"]["what"][0].startswith("which image is focused nearer")
@@ -50,9 +50,9 @@ def test_lenses_as_they_are_agree_with_frames(pair):
 def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
     found = live(pair, lenses(f_number)).verdict()
     assert not found.agrees
-    assert abs(found.scale - scale) < 2.5 * found.deviation
+    assert abs(found.scale - scale) < 2.5 * found.scale_error
     assert not found.converged
-    assert found.findings.get("lens_scale").numbers == {"scale": found.scale, "error": found.deviation}
+    assert found.findings.get("lens_scale").numbers == {"scale": found.scale, "error": found.scale_error}
 
 
 def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
@@ -94,7 +94,7 @@ def test_scales_that_fit_are_held_against_that_of_the_lens(scales, code, severit
     assert found.agrees == (severity == "note")
     assert math.isnan(found.scale) == open_
     assert ("the size of blur (" in found.message) == open_
-    again = lm.imaging.DefocusVerdict.of(1.0, found.scale, found.deviation, found.others)
+    again = lm.imaging.DefocusVerdict.of(1.0, found.scale, found.scale_error, found.others)
     assert again.findings.text == found.findings.text
 
 

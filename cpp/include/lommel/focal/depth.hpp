@@ -29,7 +29,7 @@ struct FocalCandidates {
 
 // What is known of one block.
 struct FocalPlace {
-    float position, deviation, misfit;  // in candidates; NaN and infinite where not known
+    float position, error, misfit;  // in candidates; NaN and infinite where not known
 };
 
 class FocalSearch {
@@ -210,7 +210,7 @@ class FocalSearch {
             }
             variance = std::max(variance, moment / std::max(total, 1e-3f));
         }
-        found.deviation = std::sqrt(variance);
+        found.error = std::sqrt(variance);
         return found;
     }
 

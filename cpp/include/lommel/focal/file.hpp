@@ -166,7 +166,7 @@ class FocalCamera {
     std::size_t across() const { return stream_->across(); }
 
     // Frames of 8 or 16 bits a pixel, rows `stride` pixels apart. std::invalid_argument where one holds no light.
-    void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* deviation, float* misfit) {
+    void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
         for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -208,8 +208,8 @@ class FocalCamera {
         for (std::size_t i = 0; i < down() * across(); ++i) {
             const float vergence = start + step * places[i].position;
             depth[i] = 1.0f / vergence;
-            deviation[i] =
-                vergence > 0.0f ? places[i].deviation * step / (vergence * vergence) : std::numeric_limits<float>::infinity();
+            errors[i] =
+                vergence > 0.0f ? places[i].error * step / (vergence * vergence) : std::numeric_limits<float>::infinity();
             misfit[i] = places[i].misfit;
         }
         taken_ = true;

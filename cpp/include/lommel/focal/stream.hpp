@@ -385,7 +385,7 @@ class FocalStream {
             for (std::size_t y = down() * s / strips; y < down() * (s + 1) / strips; ++y) {
                 for (std::size_t x = 0; x < across(); ++x) {
                     const FocalPlace& here = places_[y * across() + x];
-                    float doubt = here.deviation;
+                    float doubt = here.error;
                     if (std::isfinite(doubt)) {
                         doubt = std::sqrt(doubt * doubt +
                                           rough(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(x), reach));
@@ -396,9 +396,9 @@ class FocalStream {
         });
         for (std::size_t i = 0; i < places_.size(); ++i) {
             FocalPlace& here = places_[i];
-            here.deviation = filled_[i];
-            if (!(here.deviation <= given.largest && here.position >= given.low && here.position <= given.high)) {
-                here.deviation = std::numeric_limits<float>::infinity();
+            here.error = filled_[i];
+            if (!(here.error <= given.largest && here.position >= given.low && here.position <= given.high)) {
+                here.error = std::numeric_limits<float>::infinity();
                 here.position = std::numeric_limits<float>::quiet_NaN();
             }
         }
@@ -417,13 +417,13 @@ class FocalStream {
                 const auto known = [&](std::ptrdiff_t i, std::ptrdiff_t j) -> const FocalPlace* {
                     const bool inside = i >= 0 && j >= 0 && i < rows && j < columns;
                     const FocalPlace* const one = inside ? &places_[static_cast<std::size_t>(i * columns + j)] : nullptr;
-                    return one && std::isfinite(one->deviation) ? one : nullptr;
+                    return one && std::isfinite(one->error) ? one : nullptr;
                 };
                 const FocalPlace *const a = known(y - dy, x - dx), *const b = known(y + dy, x + dx);
-                float noise = here.deviation * here.deviation, bend = 0.0f;
+                float noise = here.error * here.error, bend = 0.0f;
                 if (a && b) {
                     const float change = 0.5f * (b->position - a->position);
-                    const float theirs = a->deviation * a->deviation + b->deviation * b->deviation;
+                    const float theirs = a->error * a->error + b->error * b->error;
                     if (away == reach && (dy == 0 || dx == 0)) {
                         slope += std::max(0.0f, change * change - 0.25f * theirs);
                     }
@@ -432,7 +432,7 @@ class FocalStream {
                 } else if (a || b) {
                     const FocalPlace& one = a ? *a : *b;
                     bend = one.position - here.position;
-                    noise += one.deviation * one.deviation;
+                    noise += one.error * one.error;
                 }
                 bent = std::max(bent, bend * bend - 4.0f * noise);
             }
@@ -445,7 +445,7 @@ class FocalStream {
     void fill() {
         Level& finest = levels_[0];
         for (std::size_t i = 0; i < places_.size(); ++i) {
-            const bool known = std::isfinite(places_[i].deviation);
+            const bool known = std::isfinite(places_[i].error);
             finest.values[i] = known ? places_[i].position : 0.0f;
             finest.weights[i] = known ? 1.0f : 0.0f;
         }

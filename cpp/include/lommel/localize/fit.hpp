@@ -39,7 +39,7 @@ struct Counts {
 // Unknowns are row, column and z, then photons, background and, where it is tilted, its slopes along rows and columns, of each
 // channel.
 struct Fitted {
-    std::array<double, most_unknown> value{}, deviation{};
+    std::array<double, most_unknown> value{}, errors{};
     double deviance =
         std::numeric_limits<double>::infinity();  // twice the logarithm of the likelihood below that of the counts
     double discrepancy = 0.0;  // Pearson's chi2 less its expectation, over its standard deviation
@@ -55,7 +55,7 @@ struct Limits {
 namespace localize {
 
 constexpr double least_background = 0.01;  // electrons
-constexpr double settled = 0.01;  // of a deviation, that nothing moves by any more
+constexpr double settled = 0.01;  // of a standard error, that nothing moves by any more
 constexpr double noise = 1e-6;  // of a deviance, a sum of floats
 constexpr double singular = 1e-6;  // pivots of sums of floats over the diagonal: what is less may be 0
 constexpr int most_steps = 50;
@@ -397,14 +397,14 @@ class MoleculeFit {
         }
         if (dark || !localize::factor(unknown_, a)) {
             found.state = FitState::undetermined;
-            found.deviation.fill(std::numeric_limits<double>::infinity());
+            found.errors.fill(std::numeric_limits<double>::infinity());
             return;
         }
         for (std::size_t k = 0; k < unknown_; ++k) {
             double unit[most_unknown] = {};
             unit[k] = 1.0;
             localize::solve(unknown_, a, unit);
-            found.deviation[k] = std::sqrt(unit[k]);
+            found.errors[k] = std::sqrt(unit[k]);
         }
         for (std::size_t k = 0; k < 3; ++k) {
             if (found.value[k] <= limits_.low[k] || found.value[k] >= limits_.high[k]) {

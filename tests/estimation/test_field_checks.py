@@ -9,6 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.blur.mixtures import Shape
+from lommel.estimation import field_fit
 from lommel.estimation.star_readout import OTHER_BLURS, StarReadout
 from tests.world.camera import Camera
 from tests.world.optics import Telescope
@@ -18,9 +19,12 @@ PLACES = [(60 + 110 * (k // 4), 60 + 110 * (k % 4)) for k in range(12)]
 WAVES = ((4, 0.4), (8, 0.5))
 
 
-def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, place=0.0):
+def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, dimmed=0.0):
     """Return mean electrons of 12 stars; the slope of their sky differs from star to star."""
-    transfer, draw = through(Telescope(600e-9, 8.0, 0.3).transfer(waves), blur), np.random.default_rng(8)
+    transfer, draw = (
+        through(Telescope(600e-9, 8.0, 0.3, dimmed=dimmed).transfer(waves), blur),
+        np.random.default_rng(8),
+    )
     rows = np.arange(21)[:, None] - 10.0
     made = [
         flux * transfer.image(21, 4.5e-6, *(10 + draw.uniform(-0.5, 0.5, 2))) + 50.0 + slope * np.sin(k) * rows
@@ -63,14 +67,48 @@ def test_what_is_missing_is_named_first(more, name, size):
     if size is not None:
         one = fit.findings.get("other_explanation").numbers[name]
         assert abs(abs(one["size"][0]) - size) < 4 * one["errors"][0]
-        # The sign is that of the map that is given, not of its twin.
-        if name == "noll 5 astigmatism 45":
-            assert (one["size"][0] > 0.0) == (fit.coefficients[0, 0] > 0.0)
+
+
+@pytest.mark.parametrize("seed", [0, 1])  # of the noise; with the second the search ends in the twin of the map
+def test_the_sign_of_what_is_missing_is_that_of_the_map_that_is_given(seed):
+    fit = fitted(images(waves=(*WAVES, (5, 0.1))), seed)
+    assert fit.coefficients[0, 0] > 0.0
+    assert fit.findings.get("other_explanation").numbers["noll 5 astigmatism 45"]["size"][0] == pytest.approx(
+        0.1, abs=0.02
+    )
 
 
 def test_a_wrong_obscuration_is_told():
     pupil = lm.Pupil(obscuration=0.34, wavelength=600e-9, f_number=8.0)
     assert seen(fitted(images(), pupil=pupil))[0] == "obscuration"
+
+
+def test_an_amplitude_that_falls_towards_the_edge_is_told():
+    fit = fitted(images(dimmed=0.15))
+    assert seen(fit)[0] == "apodization"
+    one = fit.findings.get("other_explanation").numbers["apodization"]
+    assert one["size"][0] == pytest.approx(0.15, abs=0.03 + 4 * one["errors"][0])
+
+
+def test_blur_that_varies_over_the_field_is_told():
+    made = [images(blur=(("gaussian", 0.7 + 0.4 * (row - 225.0) / 250.0),))[k] for k, (row, _) in enumerate(PLACES)]
+    fit = fitted(np.array(made))
+    assert seen(fit)[0] == "blur that varies over the field"
+    one = fit.findings.get("other_explanation").numbers["blur that varies over the field"]
+    # Variances of columns, then of rows, per half of the field, whose rows are 400: 2 * 0.7 * 0.4 * 200 / 250.
+    assert one["size"] == pytest.approx([0.0, 0.45], abs=0.15)
+
+
+def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
+    run, given = field_fit._run, images()
+    plain = fitted(given)
+
+    def ended_with_another_blur(search, *rest):
+        run(search, *rest)
+        search.stars = search.first.shaped(Shape.turbulent())
+
+    monkeypatch.setattr(field_fit, "_run", ended_with_another_blur)
+    assert fitted(given).blurs == plain.blurs
 
 
 def test_another_shape_of_blur_is_told_where_the_blur_is_stated():

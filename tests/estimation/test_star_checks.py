@@ -16,10 +16,22 @@ WAVES = ((4, 0.3), (5, -0.2), (8, 0.25))
 TERMS = ["noll 4", "noll 5", "noll 8"]
 
 
-def recorded(waves=WAVES, *, sigma=0.0, slope=0.0, longer=1.0, squeezed=1.0, blocked=0.2, lost=0.0, seed=0):
+def recorded(
+    waves=WAVES,
+    *,
+    sigma=0.0,
+    slope=0.0,
+    longer=1.0,
+    squeezed=1.0,
+    blocked=0.2,
+    dimmed=0.0,
+    lost=0.0,
+    seed=0,
+    foci=(0.0, 3.0),
+):
     """Return images of a star at two foci; what is not in the model is said by the arguments."""
-    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, blocked), np.random.default_rng(3), []
-    for known in (0.0, 3.0):
+    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed), np.random.default_rng(3), []
+    for known in foci:
         transfer = telescope.transfer(waves, defocus=2 * known * longer)
         transfer = transfer.times(air.gaussian(transfer.radius, sigma * 2.4e-6))
         image = 5e4 * transfer.image(29, 2.4e-6, *(14 + draw.uniform(-0.3, 0.3, 2))) + 20.0 + slope * np.arange(29.0)
@@ -55,6 +67,8 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
         ({"longer": 1.05}, "defocus", 0.05),
         ({"squeezed": 1.02}, "f_number", 0.16),
         ({"blocked": 0.23}, "obscuration", 0.03),
+        ({"dimmed": 0.1}, "apodization", 0.1),
+        ({"waves": (*WAVES, (22, 0.04))}, "noll 22 secondary spherical", 0.04),
         ({"lost": 0.3}, "non-linear gain", 0.3),
     ],
 )
@@ -76,6 +90,15 @@ def test_what_is_estimated_is_no_candidate():
 def test_one_focus_has_no_defoci_that_could_be_longer():
     fit = found(recorded()[:1], defocus=0.0)
     assert "defocus" not in seen(fit)
+
+
+def test_a_wrong_defocus_of_one_image_is_told_of_that_image():
+    fit = found(recorded(foci=(-3.0, 0.15, 3.0)), defocus=[-3.0, 0.0, 3.0])
+    name, one = next(iter(seen(fit).items()))
+    assert name == "defocus of image 2"
+    assert one["size"][0] == pytest.approx(0.15, abs=0.03 + 3 * one["errors"][0])
+    right = found(recorded(foci=(-3.0, 0.0, 3.0)), defocus=[-3.0, 0.0, 3.0])
+    assert right.reliable
 
 
 def test_slopes_of_the_background_are_those_of_each_image():

@@ -94,13 +94,17 @@ def autocorrelation(fields: Iterable[tuple[float, np.ndarray]], share: np.ndarra
 
 @dataclass(frozen=True)
 class Telescope:
-    """A round, obscured aperture with crossed vanes, their width in radii; scalar, in focus where C_d is 0."""
+    """A round, obscured aperture with crossed vanes, their width in radii; scalar, in focus where C_d is 0.
+
+    Its amplitude falls by exp(-dimmed rho^2).
+    """
 
     wavelength: float = 1.0
     f_number: float = 1.0
     obscuration: float = 0.0
     vanes: float = 0.0
     side: int = 128
+    dimmed: float = 0.0
 
     @property
     def cutoff(self) -> float:
@@ -111,7 +115,7 @@ class Telescope:
         """Return the transfer function of a wavefront, C_d (radians at the edge) and a screen of phases."""
         share, rho, theta = aperture(self.side, self.obscuration, self.vanes)
         phase = sum((size * zernike(j, rho, theta) for j, size in waves), start=defocus * rho**2 + screen)
-        return autocorrelation([(1.0, np.exp(1j * phase))], share, self.cutoff)
+        return autocorrelation([(1.0, np.exp(1j * phase - self.dimmed * rho**2))], share, self.cutoff)
 
 
 @cache

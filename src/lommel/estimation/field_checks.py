@@ -15,13 +15,16 @@ from lommel.estimation.star_checks import (
     BLURS,
     GRADIENT,
     Lacking,
+    apodized,
     candidates_of,
     lacking_blurs,
     lacking_constant,
     lacking_constants,
     lacking_gain,
+    lacking_light,
     lacking_slopes,
     lacking_terms,
+    uneven_blur,
 )
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
@@ -47,7 +50,7 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     gain that is not linear. Blurs and slopes that are too small to be seen move coefficients: they are marginalized.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
-    lacking = _lacking(model, x)
+    lacking = _lacking(model, x, places)
     images = [image for one in lacking for image in one.images]
     values, slopes = model.images(x)
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[3], images)[1]
@@ -83,7 +86,7 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
     return tuple(replace(test, size=-test.size) if test.name in even else test for test in tests)
 
 
-def _lacking(model: WholeField, x: Array) -> list[Lacking]:
+def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     """Return what stars of a field may lack, but for polynomials of a higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())
@@ -95,10 +98,14 @@ def _lacking(model: WholeField, x: Array) -> list[Lacking]:
     found = [*lacking_terms(terms, [phase * image for image in made[1 : 1 + len(terms)]])]
     for name, slope in zip(constants, made[1 + len(terms) : 1 + len(every)], strict=True):
         factor = flux if isinstance(name, str) else phase
-        found.append(lacking_constant(name, stars.one.pupil, factor * slope, np.tile(stars.known, r)))
+        found += lacking_constant(name, stars.one.pupil, factor * slope, stars.known)
+    if pupils := [one for light in stars.lights if (one := apodized(light.pupil)) is not None]:
+        other = stars.through(pupils).images(model.chosen, *parts, fast=True, slopes="none")[0]
+        found.append(lacking_light(flux * made[0], flux * other))
     if blurred := made[1 + len(every) :]:
         blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
         found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.shapes[0].names)
+        found.append(uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:
         found.append(lacking_slopes(r * e, stars.shape, e))
     found.append(lacking_gain(stars.expected(made[0], parts[3]).reshape(made[0].shape)))

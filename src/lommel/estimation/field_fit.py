@@ -746,18 +746,20 @@ def _answer(
     known: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the answer of a search."""
-    stars, one = search.stars, search.stars.one
     held_out = math.nan
     outcome: Outcome | None = state.get("outcome")
     if outcome is not None:
-        search.places, search.degree, search.stars = outcome.places, outcome.degree, outcome.found.model.of
+        search.places, search.degree = outcome.places, outcome.degree
         found, lost, held_out = outcome.found, outcome.lost, outcome.held_out[0]
     else:
         assert search.latest is not None
         assert search.latest.best is not None
         x, scores = search.latest.best
         found = Found(search.latest, x, scores, settled=False)
-        lost = np.setdiff1d(np.arange(stars.count), search.latest.chosen)
+        lost = np.setdiff1d(np.arange(search.stars.count), search.latest.chosen)
+    # The best search need not be the last, which may have ended with another shape of blur.
+    stars = search.stars = found.model.of
+    one = stars.one
     polynomials, degree = found.polynomials(), search.degree
     # What is fixed beside them: of the pupil one wavefront, of a map those of its positions.
     fixed_of = None if start is None else _fixed_of(start, chip, one)

@@ -169,6 +169,12 @@ class FieldStars:
         found.further = names
         return found
 
+    def through(self, pupils: Sequence[Pupil]) -> FieldStars:
+        """Return the same stars through other apertures, one for each wavelength."""
+        found = copy(self)
+        found.lights = [light._replace(pupil=one) for light, one in zip(self.lights, pupils, strict=True)]
+        return found
+
     def leave_out(self, stars: NDArray[np.intp], pixels: NDArray[np.bool_]) -> None:
         """Leave out pixels (r * e, height, width) of rows of stars, here and in all that share these images."""
         kept = ~pixels.reshape(len(stars), self.exposures, self.pixels)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -24,10 +25,15 @@ from lommel.special import zernike
 
 _TERM = 0.1  # radians rms: the size that a missing term may have
 _WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a wider one
+_VARIED = 0.3  # pixels^2 of a blur, by which it may differ from the middle to the edge of the field
 _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
+_DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
+_MOST_FOCI = 9  # of which that is tested
+APODIZED = 0.1  # exponent of the amplitude at the edge of the pupil, minus its logarithm
 _SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
+_UNEVEN = "blur that varies over the field"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
 GRADIENT = "background gradient"
 _GAIN = "non-linear gain"
@@ -39,11 +45,13 @@ _WORDS = {
     ),
     _WINGS: ("another shape of blur: share of light that is blurred twice as far", ""),
     _HALO: ("another shape of blur: share of light that is blurred four times as far", ""),
+    _UNEVEN: ("blur that varies over the field: variance per half of it, columns and rows", " pixels^2"),
     GRADIENT: ("backgrounds that slope", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
     "f_number": ("an f-number larger than stated by", ""),
     "obscuration": ("an obscuration larger than stated by", ""),
     "defocus": ("known defoci larger than stated by a share of", ""),
+    "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
 
 
@@ -72,12 +80,29 @@ def lacking_constants(pupil: Pupil | ObjectivePupil, known: Array, estimated: Se
     return (*found, *([(2, 0)] if np.ptp(known) > 0.0 else []))
 
 
-def lacking_constant(name: Name, pupil: Pupil | ObjectivePupil, slope: Array, known: Array) -> Lacking:
-    """Return such a constant, of derivatives of electrons by it, or by the defocus of images with `known` ones."""
-    if name == (2, 0):
-        return Lacking("defocus", _CONSTANTS["defocus"], (slope * known[:, None, None],))
-    size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-    return Lacking(str(name), size, (slope,))
+def lacking_constant(name: Name, pupil: Pupil | ObjectivePupil, slope: Array, known: Array) -> Iterator[Lacking]:
+    """Yield such a constant, of derivatives of electrons by it, or by the defocus of images with `known` ones."""
+    if name != (2, 0):
+        size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
+        yield Lacking(str(name), size, (slope,))
+        return
+    each = np.tile(known, len(slope) // len(known))[:, None, None]
+    yield Lacking("defocus", _CONSTANTS["defocus"], (slope * each,))
+    if 2 < len(known) <= _MOST_FOCI:  # of two, either is what the other is
+        for k, one in enumerate(_alone(len(known), slope)):
+            yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
+
+
+def apodized(pupil: Pupil | ObjectivePupil) -> Pupil | None:
+    """Return a pupil of which the amplitude falls towards the edge, None where that is not tested."""
+    if isinstance(pupil, Pupil) and pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
+        return replace(pupil, apodization=pupil.apodization + APODIZED)
+    return None
+
+
+def lacking_light(image: Array, other: Array) -> Lacking:
+    """Return an amplitude that falls towards the edge, of electrons and those of the pupil that is `apodized`."""
+    return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
 def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[Lacking]:
@@ -87,6 +112,11 @@ def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool)
     yield Lacking(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
     yield Lacking(_WINGS, _SHARE, _alone(exposures, blurs["wings"]))
     yield Lacking(_HALO, _SHARE, _alone(exposures, blurs["halo"]))
+
+
+def uneven_blur(image: Array, places: Array, exposures: int) -> Lacking:
+    """Return a blur that varies over the field, of derivatives of electrons by it, at places (r * e, 2)."""
+    return Lacking(_UNEVEN, _VARIED, _alone(exposures, *(image * each[:, None, None] for each in places.T)))
 
 
 def lacking_slopes(images: int, shape: tuple[int, int], exposures: int) -> Lacking:
@@ -144,7 +174,9 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     by = [flux * slope.values for slope in further]
     lacking = [*lacking_terms(terms, by[: len(terms)])]
     for name, slope in zip(constants, by[len(terms) :], strict=True):
-        lacking.append(lacking_constant(name, pupil, slope, known))
+        lacking += lacking_constant(name, pupil, slope, known)
+    if (other := apodized(pupil)) is not None and plan.method is None:
+        lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = _reader(grid.shape, model.pixel / scale, grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)

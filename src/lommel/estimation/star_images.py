@@ -108,11 +108,15 @@ def _inverse(directions: Array) -> Array:
 
 
 def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
-    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these and others."""
+    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these and others.
+
+    Of those of rotational symmetry up to four: they pass for spherical aberration.
+    """
     if not solved:
         return ()
     last = max(n for n, _ in solved) + _ORDERS
-    every = ((n, m) for n in range(2, last + 1) for m in range(-n, n + 1, 2))
+    orders = range(2, last + _ORDERS + 1)
+    every = ((n, m) for n in orders for m in range(-n, n + 1, 2) if n <= last or m == 0)
     return tuple(term for term in every if term not in solved and term not in others)
 
 

@@ -271,9 +271,9 @@ def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
         words = []
         for each, error in zip(several, errors, strict=True):
             if isinstance(each, Seeing):
-                width = FWHM / each.coherence(each.wavelength) / focal_length / _ARCSEC
+                width = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
                 outer = "" if each.outer_scale is None else f", outer scale {each.outer_scale:.0f} m"
-                words.append(f"seeing of {width:.3f} +- {width * error / each.r0:.3f} arcsec (FWHM{outer})")
+                words.append(f"seeing of {width:.3f} +- {width * error / each.r0:.3f} arcsec (FWHM at 500 nm{outer})")
             elif isinstance(each, Jitter):
                 words.append(f"{each.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
         said.append(" and ".join(words) or "none")

@@ -457,11 +457,12 @@ def fit_field(
     are divided by a polynomial of degree 4 at most through the white of all.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders, polynomials of the next degree, blur of another shape or in one direction, a background that
-    slopes, a gain that is not linear, another f-number or obscuration, other defoci. What the stars favour beyond
-    chance is in doubt ("other_explanation"), but for backgrounds that slope, which are estimated. Blurs and slopes
-    that may be there and are not seen are marginalized: `coefficients` and their errors hold for a variance of 0.1
-    pixels^2 in one direction, 30 % of the light in wings and 1 electron per pixel, one standard deviation each;
+    to two radial orders (spherical ones up to four), polynomials of the next degree, blur of another shape, in one
+    direction or uneven over the field, a background that slopes, a gain that is not linear, another f-number,
+    obscuration or amplitude at the edge of the pupil, other defoci of all exposures or of one. What the stars favour
+    beyond chance is in doubt ("other_explanation"), but for backgrounds that slope, which are estimated. Blurs and
+    slopes that may be there and are not seen are marginalized: `coefficients` and their errors hold for a variance of
+    0.1 pixels^2 in one direction, 30 % of the light in wings and 1 electron per pixel, one standard deviation each;
     `model` is without them.
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;

@@ -103,7 +103,7 @@ class Retrieval(FitReport):
     psf : PSF
         Of the images, a stack (n, height, width); fractions of all light, before `blurs`.
     blurs : tuple of tuples of blurs
-        Of each image, as :func:`lommel.psf` takes it; empty where the images were fitted without.
+        Of each image, as :func:`lommel.psf` takes it; of images that were fitted without, an empty tuple each.
     blur_errors : tuple of tuples of float
         Standard errors of r0 of seeing, or of sigma of jitter, of each; 0 where given.
     images, model, residual : ndarray, shape (n, height, width)
@@ -334,8 +334,9 @@ def retrieve(
     answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders, blur, backgrounds that slope, a gain that is not linear, another f-number or obscuration,
-    other defoci.
+    to two radial orders (spherical ones up to four), blur, backgrounds that slope, a gain that is not linear, another
+    f-number, obscuration or amplitude at the edge of the pupil, defoci longer by a share, of three images and more
+    another defocus of each. A wrong sign of all known defoci negates the even terms, and nothing tells it.
     What the images favour beyond chance is named, and the answer is in doubt ("other_explanation").
 
     Examples

@@ -63,7 +63,7 @@ class Finding:
     Parameters
     ----------
     code : str
-        One of :data:`lommel.fit.CODES`, such as "misfit".
+        One of ``lommel.fit.CODES``, such as "misfit".
     severity : {"error", "doubt", "note"}
         An "error" makes a result one that did not converge, a "doubt" one that is not reliable; a "note" takes
         nothing back.

@@ -200,6 +200,37 @@ def chordal_images(
     return made._replace(slopes=slopes)
 
 
+class NodeAverages(NamedTuple):
+    """Averages over pixels from samples at nodes of their window."""
+
+    values: Array  # (n, height, width)
+    bound: Array  # (n,), on the error of a sample over the largest one
+    brightest: Array  # (n,), the largest sample
+
+
+def chordal_averages(
+    stack: DiskStack,
+    window: Window,
+    nodes: tuple[Array, Array],
+    weights: tuple[Array, Array],
+    tol: float,
+    threads: int,
+    *,
+    single: bool,
+    if_cheaper: bool = False,
+) -> NodeAverages:
+    """Return averages over pixels from samples at `nodes`, v of rows and columns about the middle of the window.
+
+    Samples are within `tol` of the largest one, of `single` precision or double. `weights` are those of the nodes in
+    rows and in columns of pixels, (height, nodes) and (width, nodes).
+    """
+    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((2, len(stack.edge)))
+    compute: Callable[..., float] = _core.chordal_averages
+    asked = (*window.center, window.step, tol, threads, *nodes, *weights, single, if_cheaper, values, numbers)
+    _require(compute(*stack, *asked), tol, "the largest value in the window")
+    return NodeAverages(values, *numbers)
+
+
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:
     """Return nanoseconds that images are likely to take by :func:`chordal_images` and by :func:`series_images`.
 

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, Pixels, Wanted
-from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan
+from lommel.core.engine import NodeAverages, chordal_averages, chordal_gradient, chordal_images, chordal_plan
 from lommel.methods.method import Method, Shortcut
 from lommel.methods.nijboer_zernike import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+
+if TYPE_CHECKING:
+    from lommel.methods.pixels.window_nodes import WindowNodes
 
 
 @dataclass(frozen=True)
@@ -97,7 +100,28 @@ class ChordalGauss(Method[Pupil]):
             stack, window = disk_stack(some), window_of(some, pixels)
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
-        return disk_images(sampled, pupil, grid, self.tol, wanted)
+        def at_nodes(
+            some: Pupil,
+            pixels: Grid,
+            nodes: tuple[WindowNodes, WindowNodes],
+            tol: float,
+            threads: int,
+            *,
+            single: bool,
+        ) -> NodeAverages:
+            places, weights = zip(*((axis.places, axis.weights) for axis in nodes), strict=True)
+            return chordal_averages(
+                disk_stack(some),
+                window_of(some, pixels),
+                places,
+                weights,
+                tol,
+                threads,
+                single=single,
+                if_cheaper=self._if_cheaper,
+            )
+
+        return disk_images(sampled, pupil, grid, self.tol, wanted, at_nodes)
 
     def gradient(
         self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0

@@ -28,6 +28,7 @@ from lommel.methods.method import FieldMethod, Shortcut
 from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
+    from lommel.methods.pixels.averaging import NodeSample
     from lommel.optics.pupil import Pupil
 
 
@@ -167,7 +168,12 @@ def window_of(pupil: Pupil, grid: Grid) -> Window:
 
 
 def disk_images(
-    sampled: Callable[[Pupil, Grid, float, Wanted], Images], pupil: Pupil, grid: Grid, tol: float, wanted: Wanted
+    sampled: Callable[[Pupil, Grid, float, Wanted], Images],
+    pupil: Pupil,
+    grid: Grid,
+    tol: float,
+    wanted: Wanted,
+    at_nodes: NodeSample[Pupil] | None = None,
 ) -> Images:
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
     if not grid.integrate:
@@ -177,4 +183,4 @@ def disk_images(
     def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
         return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)
 
-    return averaged_images(sampled, pupil, grid, tol, wanted, far=far)
+    return averaged_images(sampled, pupil, grid, tol, wanted, far=far, at_nodes=at_nodes)

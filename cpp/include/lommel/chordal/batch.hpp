@@ -39,6 +39,8 @@ struct ChordalScratch {
     Doubles coefficients;
     Values chords, row, inner, intensity;
     Values kept[2], factored, factors, fields;  // where derivatives are wanted
+    Values lines;  // where averages are
+    Doubles sums;
 };
 
 // The disks of an aperture: the whole one, and the obscured one, whose U is subtracted `area` times where that is not 0.

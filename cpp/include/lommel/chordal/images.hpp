@@ -63,6 +63,12 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
+    // Averages over pixels: samples at nodes are within the tolerance, and are not stored.
+    ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer)
+        : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
+          more_(), degree_(0), area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads),
+          states_(stack.count), nodes_(&nodes) {}
+
     void run();
 
     // The same where that is likely to take less time than the series; otherwise throws LimitExceeded before images are begun.
@@ -222,6 +228,7 @@ class ChordalRenderer {
     struct Batch {
         std::size_t first, here;
         std::array<ChordalTables<Real>, 2> disks;
+        std::shared_ptr<const NodeWeights<Real>> weights;  // where averages are wanted
     };
 
     template <class Real>
@@ -237,7 +244,11 @@ class ChordalRenderer {
                 const bool same = last != nullptr && last->disks[disk].terms->is(count, in);
                 return same ? last->disks[disk] : tables<Real>(count, radius, in);
             };
-            Batch<Real> next{group.first, group.here, {made(0, group.far, 1.0), {}}};
+            Batch<Real> next{group.first, group.here, {made(0, group.far, 1.0), {}}, nullptr};
+            if (nodes_ != nullptr) {
+                const bool same = last != nullptr && last->weights->side == in.side;
+                next.weights = same ? last->weights : std::make_shared<const NodeWeights<Real>>(*nodes_, in);
+            }
             if (area_ > 0.0) {
                 next.disks[1] = made(1, group.near, stack_.obscuration);
             }
@@ -248,12 +259,13 @@ class ChordalRenderer {
         parallel_for(batches.size(), worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
             const Batch<Real>& batch = batches[b];
-            run_batch<Real>({level, stack_, pending + batch.first, batch.here, area_, batch.disks, scratch});
+            run_batch<Real>({level, stack_, pending + batch.first, batch.here, area_, batch.disks, scratch},
+                            batch.weights.get());
         });
     }
 
     template <class Real>
-    void run_batch(const ChordalBatch<Real>& batch) {
+    void run_batch(const ChordalBatch<Real>& batch, const NodeWeights<Real>* weights) {
         using Kernels = ChordKernels<Real>;
         const std::size_t lanes = batch.lanes(), width = columns_.count, pixels = rows_.count * width, here = batch.here;
         const std::size_t vectors = batch.vectors();
@@ -267,12 +279,18 @@ class ChordalRenderer {
         scratch.fields.resize(More::wanted ? 2 * pixels * lanes : 0);
         Real* intensity = scratch.intensity.data();
         alignas(64) Real peaks[most_pupils] = {};
+        if (weights != nullptr) {
+            scratch.lines.resize(weights->vectors * node_block * lanes);
+            scratch.sums.assign((1 + weights->height) * weights->vectors * lanes, 0.0);
+        }
         batch.pupil_fields(More::keeps_nodes, [&](std::size_t y, const Real* u) {
             Kernels::intensities(batch.level, u, vectors, intensity, peaks);
             if constexpr (More::wanted) {
                 std::copy_n(u, 2 * width * lanes, scratch.fields.data() + y * 2 * width * lanes);
             }
-            if (answer_.images != nullptr && batch.lone()) {
+            if (weights != nullptr) {
+                add_averages(batch, *weights, y, intensity);
+            } else if (answer_.images != nullptr && batch.lone()) {
                 Kernels::store_row(batch.level, intensity, scale[0], width,
                                    answer_.images + batch.pupils[0] * pixels + y * width);
             } else if (answer_.images != nullptr) {
@@ -286,6 +304,9 @@ class ChordalRenderer {
         if (batch.lone()) {
             peaks[0] = *std::max_element(peaks, peaks + lanes);
         }
+        if (weights != nullptr) {
+            store_averages(batch, *weights);
+        }
         bool any = false;
         for (std::size_t lane = 0; lane < here; ++lane) {
             any = finish(batch, batch.pupils[lane], static_cast<double>(peaks[lane])) || any;
@@ -295,6 +316,38 @@ class ChordalRenderer {
                 more_.follow(batch, scale, [&](std::size_t p, std::size_t degree) {
                     return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0), error_of(batch, p, degree)};
                 });
+            }
+        }
+    }
+
+    // What a row of samples adds to averages: those of the row come first in the scratch.
+    template <class Real>
+    static void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y,
+                             const Real* intensity) {
+        using Kernels = ChordKernels<Real>;
+        const std::size_t lanes = batch.lanes(), at = y % node_block, line = weights.vectors * lanes;
+        double* const sums = batch.scratch.sums.data();
+        std::fill_n(sums, line, 0.0);
+        Kernels::average_along(batch.level, weights, intensity, sums);
+        for (std::size_t v = 0; v < weights.vectors; ++v) {
+            std::transform(sums + v * lanes, sums + (v + 1) * lanes, batch.scratch.lines.data() + (v * node_block + at) * lanes,
+                           [](double sum) { return static_cast<Real>(sum); });
+        }
+        if (at == node_block - 1 || y + 1 == weights.rows) {
+            Kernels::average_down(batch.level, weights, y - at, batch.scratch.lines.data(), sums + line);
+        }
+    }
+
+    template <class Real>
+    void store_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights) const {
+        const std::size_t lanes = batch.lanes(), size = weights.height * weights.width;
+        for (std::size_t lane = 0; lane < (batch.lone() ? 1 : batch.here); ++lane) {
+            double* to = nodes_->averages + batch.pupils[lane] * size;
+            for (std::size_t y = 0; y < weights.height; ++y) {
+                const double* const from = batch.scratch.sums.data() + (1 + y) * weights.vectors * lanes;
+                for (std::size_t x = 0; x < weights.width; ++x) {
+                    *to++ = std::max(0.0, batch.lone() ? from[x] : from[x * lanes + lane]);
+                }
             }
         }
     }
@@ -336,13 +389,27 @@ class ChordalRenderer {
         if constexpr (sizeof(T) == sizeof(float)) {
             costs_.first += nanoseconds<float>(pending.data(), singles);
         }
+        if (nodes_ != nullptr) {
+            const double down = static_cast<double>(nodes_->height), across = static_cast<double>(nodes_->width);
+            costs_.first +=
+                0.035 * count * across * static_cast<double>(rows_.count) * (static_cast<double>(columns_.count) + down);
+        }
         const bool weighed = weighed_;
         weighed_ = false;
         costs_.second = SeriesCost::declined + SeriesCost::least * count;
         if (weighed && costs_.first <= costs_.second) {
             return;
         }
-        const DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
+        DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
+        if (nodes_ != nullptr) {  // a filter takes about so many samples more along each axis
+            constexpr double more = 1.3;
+            const double width = rows_.high() - rows_.low();
+            window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
+            window.width = static_cast<std::size_t>(more * static_cast<double>(columns_.count));
+            window.step = width / static_cast<double>(window.height);
+            window.row = -rows_.low() / window.step;
+            window.column = -columns_.low() / window.step;
+        }
         // Of many, some stand for all.
         const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
         costs_.second = SeriesCost::declined;
@@ -394,6 +461,7 @@ class ChordalRenderer {
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
+    const PixelNodes* nodes_ = nullptr;  // where averages are wanted
     bool weighed_ = false, only_costs_ = false;  // whether to weigh, and no more than that
     std::pair<double, double> costs_;
 };

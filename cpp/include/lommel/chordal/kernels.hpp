@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "lommel/base/simd.hpp"
+#include "lommel/chordal/averages.hpp"
 #include "lommel/chordal/factors.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
@@ -32,6 +33,8 @@ struct ChordKernels {
     static void intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top);
     static void subtract(Level level, const Real* inner, std::size_t count, Real* u);
     static void scale(Level level, const Real* u, Real area, std::size_t count, Real* inner);
+    static void average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums);
+    static void average_down(Level level, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums);
     static void times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
                               Real* to);
     static void slopes(Level level, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top);
@@ -92,6 +95,18 @@ void ChordKernels<Real>::subtract(Level level, const Real* inner, std::size_t co
 template <class Real>
 void ChordKernels<Real>::scale(Level level, const Real* u, Real area, std::size_t count, Real* inner) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::scale(isa, u, area, count, inner); });
+}
+template <class Real>
+void ChordKernels<Real>::average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        weights.side > 1 ? lommel::average_along<true>(isa, weights, samples, sums)
+                         : lommel::average_along<false>(isa, weights, samples, sums);
+    });
+}
+template <class Real>
+void ChordKernels<Real>::average_down(Level level, const NodeWeights<Real>& weights, std::size_t from, const Real* lines,
+                                      double* sums) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::average_down(isa, weights, from, lines, sums); });
 }
 template <class Real>
 void ChordKernels<Real>::times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,

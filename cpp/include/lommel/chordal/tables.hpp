@@ -143,15 +143,16 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window: distances from the axis in pixels, those at +v and -v as one.
+// Rows or columns of a window: distances from the axis in pixels, or in v, those at +v and -v as one.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;
-    double center;
+    double center;  // of pixels; 0 of nodes, whose places are given
     std::vector<double> at;
     std::vector<std::size_t> plus, minus;  // the pixels at +at and at -at
 
-    WindowAxis(std::size_t pixels, double axis) : count(pixels), center(axis) {
+    WindowAxis(std::size_t pixels, double axis)
+        : count(pixels), center(axis), low_(-axis), high_(static_cast<double>(pixels - 1) - axis) {
         for (std::size_t j = 0; j < pixels; ++j) {
             const double here = static_cast<double>(j) - axis, mirrored = axis - here;
             const bool paired = here != 0.0 && mirrored >= 0.0 && mirrored <= static_cast<double>(pixels - 1) &&
@@ -164,9 +165,23 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    bool operator==(const WindowAxis& other) const { return count == other.count && center == other.center; }
-    double low() const { return -center; }
-    double high() const { return static_cast<double>(count - 1) - center; }
+    // Of nodes, rising; they are pairs where all have others on the other side of the axis.
+    explicit WindowAxis(const std::vector<double>& places)
+        : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
+        const bool mirrored =
+            std::equal(places.begin(), places.end(), places.rbegin(), [](double a, double b) { return a == -b; });
+        for (std::size_t j = mirrored ? count / 2 : 0; j < count; ++j) {
+            at.push_back(places[j]);
+            plus.push_back(j);
+            minus.push_back(mirrored && places[j] != 0.0 ? count - 1 - j : none);
+        }
+    }
+    bool operator==(const WindowAxis& other) const { return count == other.count && center == other.center && at == other.at; }
+    double low() const { return low_; }
+    double high() const { return high_; }
+
+   private:
+    double low_, high_;
 };
 
 // The kernel in the precision of the sums, at the nodes: cos and sin of v_y y for each pair of chords at +-x, and of v_x x.

@@ -14,15 +14,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
 from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
-from lommel.core.engine import FarPixels, average_samples
+from lommel.core.engine import FarPixels, NodeAverages, average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.transfer_rule import modulus_rule
+from lommel.methods.pixels.window_nodes import WindowNodes, window_nodes
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -38,6 +39,7 @@ _WORTH = 0.85  # of the samples that whole ones a pixel take
 
 
 P = TypeVar("P", bound=BasePupil)
+P_contra = TypeVar("P_contra", bound=BasePupil, contravariant=True)
 Function = Callable[[Array], Array]
 
 
@@ -136,12 +138,78 @@ Far = Callable[[P, Grid, float, float, int], FarPixels]
 Band = tuple[float, float]
 
 
+class NodeSample(Protocol[P_contra]):
+    """Averages over pixels from samples at the nodes of rows and columns, within a tolerance of the largest one."""
+
+    def __call__(
+        self,
+        pupil: P_contra,
+        grid: Grid,
+        nodes: tuple[WindowNodes, WindowNodes],
+        tol: float,
+        threads: int,
+        /,
+        *,
+        single: bool,
+    ) -> NodeAverages:
+        """Return them."""
+
+
 class Averages(NamedTuple):
     """Averages over pixels of the flattened stack."""
 
     values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k terms, and along y and x if wanted
     error: Array  # (1 + k, n), bounds over peak; that of I for values once they are stored
     peak: Array  # (n,)
+
+
+_NODES = 8  # of which the products are summed in single precision, where samples have that
+_ROUNDED = 0.4  # of what is allowed, that such sums may cost averages
+
+
+def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
+    """Return the intensity averaged over each pixel from samples at nodes of the window, with bounds below `tol`.
+
+    None where the window has none, or where that fails.
+    """
+    if wanted.terms or wanted.powers or not pupil.within_disc:
+        return None
+    step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
+    lowest = least_average(step)
+    tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    if tol_stored <= 0.0:
+        return None
+    err_samples, err_response = _first_errors(tol_stored, step)
+    # Rounded, so that pupils with about the same peaks share nodes.
+    err_response *= 2.0 ** math.floor(math.log2(_EASIER * pupil.likely_strehl))
+    for _ in range(3):
+        rows, columns = (window_nodes(step, side, err_response) for side in grid.shape)
+        if rows is None or columns is None:
+            return None
+        gain = rows.gain * columns.gain
+        tol_samples = err_samples / gain
+        # Of products within blocks, of the weights and of a sum along rows; as large as the largest sample at most.
+        lost = (2 * _NODES + 5) * 2.0**-24 * gain
+        single = tol_samples >= _SINGLE and lost <= _ROUNDED * 2.0 * err_samples
+        try:
+            made = sample(pupil, grid, (rows, columns), tol_samples, wanted.threads, single=single)
+        except ToleranceError:
+            return None
+        tops, off = made.values.max(axis=(1, 2)), made.bound * made.brightest
+        longest = max(rows.places.size, columns.places.size)
+        rounding = (lost if single else 0.0) + (2 * longest + 8) * 2.0**-53 * gain
+        error = max(rows.error, columns.error)
+        err_own = (2.0 + error) * error + rounding * (made.brightest + off)
+        peak = tops if normalize else np.maximum(tops, lowest * (made.brightest - off))
+        if not peak.min() > 0:
+            return None
+        relative = (gain * off + err_own) / peak
+        bounds = stored(normalized_error(relative) if normalize else relative, dtype)
+        if largest(bounds) <= tol:
+            return Averages(made.values[None], bounds[None], peak)
+        err_samples /= max(2.0, float((gain * off / peak).max()) / (0.5 * tol_stored))
+        err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
+    return None
 
 
 def averaged(
@@ -325,11 +393,14 @@ def averaged_images(
     wanted: Wanted,
     band: Band | None = None,
     far: Far[P] | None = None,
+    at_nodes: NodeSample[P] | None = None,
 ) -> Images:
     """Return finished images of samples or, where `grid` integrates, of :func:`averaged` pixels, some by `far`."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
-    made = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
+    made = None if at_nodes is None else averaged_at_nodes(at_nodes, pupil, grid, tol, wanted)
+    if made is None and far is not None:
+        made = _near_and_far(sample, far, pupil, grid, tol, wanted)
     return finished(averaged(sample, pupil, grid, tol, wanted, band) if made is None else made, wanted)
 
 

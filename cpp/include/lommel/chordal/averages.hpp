@@ -1,0 +1,159 @@
+// Averages over pixels from samples at nodes of a window, pupils side by side in vector lanes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/chordal/tables.hpp"
+#include "lommel/chordal/transform.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+namespace lommel {
+
+// Samples of a window at nodes along rows and columns, and what each weighs in the averages of pixels: down[pixel][node], and
+// across[pixel][node].
+struct PixelNodes {
+    WindowAxis rows, columns;
+    std::size_t height, width;  // pixels
+    const double *down, *across;
+    double* averages;  // [pupil][row of pixels][column]
+};
+
+// Nodes in v about the middle of a window, as about the axis. One that is near the middle is moved there by a tilt of the pupils,
+// so that nodes on either side share work.
+inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
+                                   const std::array<const double*, 2>& weights, double* averages) {
+    constexpr double near = 2.0;  // pixels
+    DiskWindow centred = window;
+    std::array<std::vector<double>, 2> about = places;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double middle = 0.5 * static_cast<double>((axis == 0 ? window.height : window.width) - 1);
+        double& at = axis == 0 ? centred.row : centred.column;
+        if (std::abs(at - middle) <= near) {
+            at = middle;
+            continue;
+        }
+        for (double& v : about[axis]) {
+            v += (middle - at) * window.step;
+        }
+    }
+    if (centred.row != window.row || centred.column != window.column) {
+        std::vector<double> centers;
+        for (std::size_t p = 0; p < stack.count; ++p) {
+            centers.insert(centers.end(), {window.row, window.column});
+        }
+        stack.tilt_to(centers.data(), centred);
+        stack.shrink();
+    }
+    return {WindowAxis(about[0]), WindowAxis(about[1]), window.height, window.width, weights[0], weights[1], averages};
+}
+
+// Sums over so many nodes are in the precision of samples, all others in double precision.
+constexpr std::size_t node_block = 8;
+
+// The weights in the precision of sums, as kernels take them.
+template <class Real>
+struct NodeWeights {
+    using Values = std::vector<Real, AlignedAllocator<Real>>;
+
+    std::size_t height, width, rows, columns;  // of pixels, and of nodes
+    std::size_t side;                          // pupils a vector, or 1 where its lanes are columns of one
+    std::size_t vectors;                       // of a row of pixels
+    Values across;  // [tile of pixels][node][pixel of the tile]; of one pupil [node][vector of pixels]
+    Values down;    // [block of nodes][tile of pixels][node of the block][pixel of the tile]
+
+    NodeWeights(const PixelNodes& nodes, const ChordLanes& in)
+        : height(nodes.height), width(nodes.width), rows(nodes.rows.count), columns(nodes.columns.count), side(in.side),
+          vectors(in.vectors(width)), across(columns * vectors * in.side),
+          down((rows + node_block - 1) / node_block * node_block * height) {
+        if (side > 1) {
+            for (std::size_t k = 0; k < columns; ++k) {
+                for (std::size_t pixel = 0; pixel < width; ++pixel) {
+                    across[k * vectors * side + pixel] = static_cast<Real>(nodes.across[pixel * columns + k]);
+                }
+            }
+        } else {
+            lay(nodes.across, width, columns, 0, columns, columns, across.data());
+        }
+        for (std::size_t from = 0; from < rows; from += node_block) {
+            lay(nodes.down, height, rows, from, std::min(rows, from + node_block), node_block, down.data() + from * height);
+        }
+    }
+
+   private:
+    static void lay(const double* weights, std::size_t pixels, std::size_t nodes, std::size_t from, std::size_t to,
+                    std::size_t room, Real* into) {
+        for_tiles(pixels, column_tile, [&](std::size_t first, std::size_t size) {
+            for (std::size_t k = from; k < to; ++k) {
+                for (std::size_t r = 0; r < size; ++r) {
+                    into[first * room + (k - from) * size + r] = static_cast<Real>(weights[(first + r) * nodes + k]);
+                }
+            }
+        });
+    }
+};
+
+// Adds a vector of sums, in the precision of these, to others in double precision.
+template <class I, class Real, class V>
+LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    Real part[lanes];
+    store(part, sum);
+    for (std::size_t p = 0; p < lanes; p += I::lanes) {
+        store(to + p, load<typename I::pack>(to + p) + widened<I>(part + p));
+    }
+}
+
+// What a row of samples makes of each pixel, added to sums[vector of pixels][lane]: of pupils side by side [node][lane], of one
+// pupil [node], and as many pixels side by side.
+template <bool Lone, class I, class Real>
+LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t nodes = weights.columns, apart = weights.vectors * lanes;
+    for (std::size_t from = 0; from < nodes; from += node_block) {
+        const std::size_t here = std::min(node_block, nodes - from);
+        for_fixed_tiles<column_tile>(weights.vectors, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            V sum[R][1] = {};
+            if constexpr (Lone) {
+                for (std::size_t k = from; k < from + here; ++k) {
+                    const V sample = splat<V>(samples[k]);
+                    for (std::size_t r = 0; r < R; ++r) {
+                        sum[r][0] = sum[r][0] + load<V>(weights.across.data() + k * apart + (first + r) * lanes) * sample;
+                    }
+                }
+            } else {
+                multiply<R, 1>(weights.across.data() + first * nodes + from * R, samples + from * lanes, here, sum);
+            }
+            for (std::size_t r = 0; r < R; ++r) {
+                add_widened<I, Real>(isa, sum[r][0], sums + (first + r) * lanes);
+            }
+        });
+    }
+}
+
+// Adds lines of a block of nodes from `from` on, [vector][node of the block], to sums[row of pixels][vector][lane].
+template <class I, class Real>
+LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t here = std::min(node_block, weights.rows - from);
+    for (std::size_t v = 0; v < weights.vectors; ++v) {
+        for_fixed_tiles<column_tile>(weights.height, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            V sum[R][1] = {};
+            multiply<R, 1>(weights.down.data() + from * weights.height + first * node_block, lines + v * node_block * lanes,
+                           here, sum);
+            for (std::size_t r = 0; r < R; ++r) {
+                add_widened<I, Real>(isa, sum[r][0], sums + ((first + r) * weights.vectors + v) * lanes);
+            }
+        });
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,119 @@
+r"""Nodes of a window: few samples, shared by all of its pixels, that give the average over each.
+
+Pixels of pitch a, their middles at X_j, fill a window of half width L. At nodes x_k within it a pixel has weights c
+with
+
+.. math:: r_j(w) = \sum_k c_{jk} e^{i w x_k} - \mathrm{sinc}(a w / 2)\, e^{i w X_j}
+
+small for ``|w| <= 2``, where light has frequencies; there are about as many as the Shannon number of the window,
+``4 L / pi``, less than half of what a filter takes that is the same for all pixels, and reaches beyond the window.
+Nodes are the zeros of a prolate spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001,
+doi:10.1088/0266-5611/17/4/315), which no bound depends on; weights are by least squares.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.methods.pixels.transfer_rule import modulus_rule
+
+_LARGEST = 450.0  # bandwidth 2 L: larger windows have filters
+_GAIN = 2.0  # sum of the magnitudes of weights, from which on more nodes are tried
+_TRIED = 8  # numbers of nodes, two more each
+
+
+class WindowNodes(NamedTuple):
+    """Nodes along one axis of a window, and the weights of its pixels."""
+
+    places: Array  # (n,), v about the middle of the window, rising, of either sign
+    weights: Array  # (pixels, n)
+    error: float  # bound on the mean error of the response, that the largest transfer function of a disc weighs
+    gain: float  # largest sum of magnitudes of the weights of a pixel
+
+
+@lru_cache(maxsize=64)
+def window_nodes(step: float, pixels: int, error: float) -> WindowNodes | None:
+    """Return nodes for pixels of pitch `step` in v, off by `error` in the mean at most.
+
+    None where the window is too large, or its pixels so small that weights of either sign would magnify errors.
+    """
+    bandwidth = step * pixels
+    if bandwidth > _LARGEST:
+        return None
+    count = bandwidth * 2.0 / math.pi + math.log(bandwidth + 3.0) * math.log(0.3 / error) / math.pi**2
+    least = 2 * max(2, math.floor(0.5 * count))
+    made = (_weighed(step, pixels, least + 2 * k) for k in range(_TRIED))
+    return next((one for one in made if one.error <= error and one.gain <= _GAIN), None)
+
+
+@lru_cache(maxsize=64)
+def _weighed(step: float, pixels: int, count: int) -> WindowNodes:
+    """Return so many nodes, even, with weights and bounds."""
+    half = 0.5 * step * pixels
+    x = half * prolate_zeros(count, 2.0 * half)
+    middles: Array = step * (np.arange(pixels, dtype=np.float64) - 0.5 * (pixels - 1))
+    # As of filters, r is entire, of type L, and all but 1e-17 of it a polynomial in w of such a degree. Weights that
+    # are even make its real part, which is even, and odd ones its imaginary part.
+    degree = math.ceil(2.36 * half) + 48
+    each = 2 ** (degree.bit_length() - 2)  # degrees that share a rule
+    at, rule = modulus_rule(each * math.ceil(degree / each))
+    w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
+    root = np.sqrt(rule)[:, None]
+    parts = list[Array]()
+    squares, most = np.zeros(pixels), np.zeros(pixels)
+    for wave in (np.cos, np.sin):
+        basis, aim = root * 2.0 * wave(np.outer(at, x)), root * _wanted(wave, at, step, middles)
+        c = np.asarray(np.linalg.lstsq(basis, aim, rcond=1e-13)[0], np.float64)
+        parts.append(c)
+        squares += ((basis @ c - aim) ** 2).sum(axis=0)
+        off = np.abs(2.0 * wave(np.outer(w, x)) @ c - _wanted(wave, w, step, middles)).max(axis=0)
+        most = np.hypot(most, off)
+    even, odd = parts
+    weights = np.concatenate([(even - odd)[::-1], even + odd]).T
+    gain = float(np.abs(weights).sum(axis=1).max())
+    rounding = 2.0**-52 * (count + 3) * gain
+    largest = math.sqrt(2.0) * (float(most.max()) + 2.0 * rounding) + 1e-17
+    mean = float(np.sqrt(squares.max())) + 4.0 * rounding + 1e-17
+    # One of the two factors of an average is off by this in the mean, the other at most by `largest`.
+    return WindowNodes(
+        np.concatenate([-x[::-1], x]), np.ascontiguousarray(weights), (1.0 + 0.5 * largest) * mean, gain
+    )
+
+
+def _wanted(wave: np.ufunc, w: Array, step: float, middles: Array) -> Array:
+    return np.asarray(np.sinc(0.5 * step / math.pi * w)[:, None] * wave(np.outer(w, middles)))
+
+
+def prolate_zeros(degree: int, bandwidth: float) -> Array:
+    """Return the positive zeros of the prolate spheroidal function of an even degree, rising.
+
+    The function is a sum of even Legendre polynomials whose coefficients are an eigenvector of a symmetric matrix of
+    three diagonals (Xiao, Rokhlin and Yarvin 2001, section 3).
+    """
+    from scipy.linalg import eigh_tridiagonal
+
+    k = 2.0 * np.arange((degree + 60) // 2 + math.ceil(0.35 * bandwidth))
+    square = bandwidth * bandwidth
+    diagonal = k * (k + 1.0) + (2.0 * k * (k + 1.0) - 1.0) / ((2.0 * k + 3.0) * (2.0 * k - 1.0)) * square
+    beside = (k + 2.0) * (k + 1.0) / ((2.0 * k + 3.0) * np.sqrt((2.0 * k + 1.0) * (2.0 * k + 5.0))) * square
+    which = (degree // 2, degree // 2)
+    vector = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=which)[1][:, 0]
+    terms = np.zeros(2 * k.size)
+    terms[::2] = vector * np.sqrt(k + 0.5)
+    x = np.sin(np.linspace(0.0, 0.5 * math.pi, 8 * degree))
+    values = np.polynomial.legendre.legval(x, terms)
+    left = np.flatnonzero(np.signbit(values[:-1]) != np.signbit(values[1:]))
+    low, high, below, above = x[left], x[left + 1], values[left], values[left + 1]
+    # By the rule of false position, twice, which is exact enough: no bound depends on where nodes are.
+    for _ in range(2):
+        middle = (low * above - high * below) / (above - below)
+        value = np.polynomial.legendre.legval(middle, terms)
+        same = np.signbit(value) == np.signbit(below)
+        low, below = np.where(same, middle, low), np.where(same, value, below)
+        high, above = np.where(same, high, middle), np.where(same, above, value)
+    return np.asarray((low * above - high * below) / (above - below))

@@ -1,0 +1,151 @@
+"""Nodes of a window: their response against quadrature, and averages against sums of samples within each pixel."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.special import pro_ang1
+
+import lommel as lm
+from lommel.core import engine
+from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.methods.pixels import averaging
+from lommel.methods.pixels.window_nodes import prolate_zeros, window_nodes
+from lommel.optics.grid import Grid
+
+
+def chords(w):
+    """Return the autocorrelation of the disc, of area 1, summed along the other axis."""
+    t, weight = np.polynomial.legendre.leggauss(400)
+    low, high = w - 1.0, np.ones_like(w)
+    s = 0.5 * (high - low)[:, None] * t + 0.5 * (high + low)[:, None]
+    product = np.sqrt(np.maximum(1 - s * s, 0.0) * np.maximum(1 - (s - w[:, None]) ** 2, 0.0))
+    return 4 / np.pi**2 * 0.5 * (high - low) * (product @ weight)
+
+
+@pytest.mark.parametrize(("degree", "bandwidth"), [(4, 2.0), (8, 5.0), (12, 8.0), (16, 12.0)])
+def test_nodes_are_zeros_of_a_prolate_function(degree, bandwidth):
+    zeros = prolate_zeros(degree, bandwidth)
+    assert zeros.size == degree // 2
+    beside = np.array([pro_ang1(0, degree, bandwidth, x)[0] for x in np.concatenate([zeros - 1e-4, zeros + 1e-4])])
+    assert (beside[: zeros.size] * beside[zeros.size :] < 0).all()
+
+
+@pytest.mark.parametrize("pixels", [1, 2, 5, 9, 16])
+@pytest.mark.parametrize("step", [2.0, math.pi, 8.3, 15.0])
+@pytest.mark.parametrize("error", [1e-5, 1e-8])
+def test_the_mean_error_of_the_response_is_at_most_what_is_stated(pixels, step, error):
+    nodes = window_nodes(step, pixels, error)
+    assert nodes.error <= error
+    w = np.linspace(0.0, 2.0, 6001)
+    middles = step * (np.arange(pixels) - 0.5 * (pixels - 1))
+    response = np.exp(1j * np.outer(w, nodes.places)) @ nodes.weights.T
+    off = np.abs(response - np.sinc(step * w / (2 * np.pi))[:, None] * np.exp(1j * np.outer(w, middles)))
+    mean = 2.0 * np.trapezoid(off * chords(w)[:, None], w, axis=0)
+    assert (mean <= nodes.error).all()
+    assert mean.max() >= 0.05 * nodes.error  # no bound that anything would be below
+    assert nodes.gain == pytest.approx(np.abs(nodes.weights).sum(axis=1).max(), rel=1e-12)
+    assert (np.abs(nodes.places) <= 0.5 * step * pixels).all()
+    assert (
+        0
+        <= nodes.places.size - 2 * step * pixels / np.pi
+        <= 6 + 1.1 * math.log(step * pixels + 3) * -math.log10(error)
+    )
+
+
+def test_windows_that_are_too_large_or_too_fine_have_none():
+    assert window_nodes(8.3, 65, 1e-6) is None
+    assert window_nodes(0.5, 200, 1e-6) is None
+
+
+def by_samples(pupil, grid, count):
+    """Return averages by Gauss's rule of samples within each pixel, of 1e-10 of the peak."""
+    x, weight = np.polynomial.legendre.leggauss(count)
+    row, column = grid.center
+    total = 0.0
+    for y, of_y in zip(0.5 * x, 0.5 * weight, strict=True):
+        for across, of_x in zip(0.5 * x, 0.5 * weight, strict=True):
+            at = (row - y, column - across)
+            made = lm.psf(
+                pupil, grid.shape, grid.pixel, center=at, method=lm.NijboerZernike(1e-10), normalize="strehl"
+            )
+            total = total + of_y * of_x * made.values
+    return total
+
+
+def question(seed):
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(1, 6))
+    sizes = rng.normal(size=(count, 12)) * 2 * np.pi * 10.0 ** rng.uniform(-1.7, -0.2) / math.sqrt(12)
+    wavefront = lm.Wavefront.zernike({j + 4: sizes[:, j] for j in range(12)}, order="noll")
+    pupil = lm.Pupil(wavefront, obscuration=(0.0, 0.35)[seed % 2], apodization=(0.0, 0.0, 0.7)[seed % 3])
+    shape = tuple(int(n) for n in rng.integers(1, 8, 2))
+    middle = [(n - 1) / 2 for n in shape]
+    center = (
+        tuple(n // 2 for n in shape),
+        tuple(c + d for c, d in zip(middle, rng.uniform(-1.5, 1.5, 2), strict=True)),
+        tuple(rng.uniform(c - 1, c + 1, count) for c in middle),
+        (middle[0] + 4.3, middle[1] - 0.4),
+    )[seed % 4]
+    return (
+        pupil,
+        Grid(shape, 10.0 ** rng.uniform(-0.1, 0.6), center=center, integrate=True),
+        10.0 ** rng.uniform(-8, -2),
+    )
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_averages_at_nodes_are_within_their_bound(seed):
+    pupil, grid, tol = question(seed)
+    dtype = np.float32 if tol > 1e-5 else np.float64
+    made = lm.psf(
+        pupil, grid.shape, grid.pixel, center=grid.center, integrate=True, method=lm.ChordalGauss(tol), dtype=dtype,
+        normalize="strehl",
+    )  # fmt: skip
+    exact = by_samples(pupil, grid, 8 + int(2.2 * np.pi * grid.pixel))
+    # Bounds are over the largest average that there is, also beyond the window.
+    wide = [41 + 2 * (n // 2) for n in grid.shape]
+    middle = [(w - n) // 2 + np.asarray(c) for w, n, c in zip(wide, grid.shape, grid.center, strict=True)]
+    around = lm.psf(pupil, tuple(wide), grid.pixel, center=tuple(middle), integrate=True, normalize="strehl")
+    peak = np.maximum(exact.max(axis=(1, 2)), around.values.max(axis=(1, 2)))
+    assert (np.abs(made.values - exact).max(axis=(1, 2)) <= np.asarray(made.error_bound) * peak + 2e-10).all()
+    assert np.max(made.error_bound) <= tol
+
+
+@pytest.mark.parametrize("count", [1, 40])
+@pytest.mark.parametrize("single", [False, True])
+def test_sums_are_those_of_samples_in_either_precision(count, single):
+    rng = np.random.default_rng(8)
+    wavefront = lm.Wavefront.zernike({j: rng.normal(size=count) for j in (4, 5, 8)}, order="noll")
+    pupil, grid = lm.Pupil(wavefront), Grid((6, 11), 1.0, integrate=True)
+    rows, columns = (window_nodes(math.pi, side, 1e-9) for side in grid.shape)
+    window = window_of(pupil, grid)
+    places, weights = (rows.places, columns.places), (rows.weights, columns.weights)
+    tol = 1e-3 if single else 1e-11
+    made = engine.chordal_averages(disk_stack(pupil), window, places, weights, tol, 1, single=single)
+    exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, tol=1e-9, normalize="strehl").values
+    off = np.abs(made.values - exact).max(axis=(1, 2))
+    assert (off <= rows.gain * columns.gain * made.bound * made.brightest + 1e-6 * single + 3e-9).all()
+    assert (off.max() > 1e-12) or not single
+
+
+def test_windows_that_have_nodes_take_no_filter(monkeypatch):
+    monkeypatch.setattr(averaging, "averaged", None)
+    pupil = lm.Pupil(lm.Wavefront.zernike({8: np.ones(3)}, order="noll"))
+    for tol in (1e-3, 1e-8):
+        assert lm.psf(pupil, 9, 2.65, integrate=True, tol=tol).error_bound <= tol
+
+
+def test_weights_and_nodes_that_do_not_fit_are_refused():
+    pupil, grid = lm.Pupil(lm.Wavefront.zernike({8: np.ones(2)}, order="noll")), Grid(3, 1.0, integrate=True)
+    nodes = window_nodes(math.pi, 3, 1e-6)
+    asked = disk_stack(pupil), window_of(pupil, grid)
+    for places, weights in (
+        ((nodes.places[::-1].copy(), nodes.places), (nodes.weights, nodes.weights)),
+        ((nodes.places, nodes.places), (nodes.weights[:2].copy(), nodes.weights)),
+        ((nodes.places[1:].copy(), nodes.places), (nodes.weights, nodes.weights)),
+    ):
+        with pytest.raises(Exception, match="node"):
+            engine.chordal_averages(*asked, places, weights, 1e-6, 1, single=False)

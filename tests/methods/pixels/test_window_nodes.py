@@ -10,6 +10,7 @@ from scipy.special import pro_ang1
 
 import lommel as lm
 from lommel.core import engine
+from lommel.core.answers import Wanted
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import averaging
 from lommel.methods.pixels.window_nodes import prolate_zeros, window_nodes
@@ -136,6 +137,34 @@ def test_windows_that_have_nodes_take_no_filter(monkeypatch):
     pupil = lm.Pupil(lm.Wavefront.zernike({8: np.ones(3)}, order="noll"))
     for tol in (1e-3, 1e-8):
         assert lm.psf(pupil, 9, 2.65, integrate=True, tol=tol).error_bound <= tol
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-7])
+def test_the_bound_has_all_of_its_terms(tol):
+    pupil, grid, asked = (
+        lm.Pupil(lm.Wavefront.zernike({8: np.ones(1)}, order="noll")),
+        Grid(5, 2.0, integrate=True),
+        [],
+    )
+
+    def made(pupil, grid, nodes, tol, threads, /, *, single):
+        asked.append((nodes[0], tol, single))
+        return engine.NodeAverages(np.full((1, 5, 5), 0.1), np.full(1, tol), np.full(1, 0.5))
+
+    wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
+    found = averaging.averaged_at_nodes(made, pupil, grid, tol, wanted)
+    nodes, of_samples, single = asked[-1]
+    gain = nodes.gain**2
+    terms = [
+        gain * of_samples * 0.5,
+        (2 + nodes.error) * nodes.error,
+        0.5 * gain * (2 * nodes.places.size + 8) * 2.0**-53,
+    ]
+    assert single == (tol == 1e-3)
+    if single:
+        terms.append(0.5 * gain * 21 * 2.0**-24)
+    assert found.error[0, 0] >= sum(terms) / 0.1
+    assert found.error[0, 0] == pytest.approx(sum(terms) / 0.1, rel=1e-3)
 
 
 def test_weights_and_nodes_that_do_not_fit_are_refused():

@@ -22,7 +22,7 @@ from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import FarPixels, NodeAverages, average_samples
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.methods.pixels.transfer_rule import modulus_rule
+from lommel.methods.pixels.transfer_rule import mean_rule
 from lommel.methods.pixels.window_nodes import WindowNodes, window_nodes
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -59,8 +59,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     times = np.where(x > 0.0, 2.0, 1.0)
     basis, wanted = times * wave(np.outer(w, x)), response(w)
     if in_disc:
-        each = 2 ** (degree.bit_length() - 2)  # degrees that share a rule
-        at, weights = modulus_rule(each * math.ceil(degree / each))
+        at, weights = mean_rule(degree)
         root = np.sqrt(weights)
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
     else:
@@ -174,9 +173,8 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
     """
     if wanted.terms or wanted.powers or not pupil.within_disc:
         return None
-    step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
-    lowest = least_average(step)
-    tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    step, normalize, lowest = grid.step(pupil), wanted.scale is None, least_average(grid.step(pupil))
+    tol_stored = _before_storing(tol, wanted)
     if tol_stored <= 0.0:
         return None
     err_samples, err_response = _first_errors(tol_stored, step)
@@ -204,7 +202,7 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
         if not peak.min() > 0:
             return None
         relative = (gain * off + err_own) / peak
-        bounds = stored(normalized_error(relative) if normalize else relative, dtype)
+        bounds = _once_stored(relative, wanted)
         if largest(bounds) <= tol:
             return Averages(made.values[None], bounds[None], peak)
         err_samples /= max(2.0, float((gain * off / peak).max()) / (0.5 * tol_stored))
@@ -251,10 +249,9 @@ def _averaged(
 ) -> Averages:
     # What varies faster than I is I of larger pixels.
     faster, ceiling = (1.0, pupil.amplitude**2) if band is None else band
-    step, dtype, normalize = faster * grid.step(pupil), wanted.dtype, wanted.scale is None
+    step, normalize = faster * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
-    # Values divided by their own largest one are off by twice as much.
-    tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    tol_stored = _before_storing(tol, wanted)
     err_samples, err_response = _first_errors(tol_stored, step)
     in_disc = band is None and not gradients and widest == _WIDEST and step <= _SHORT and pupil.within_disc
     if in_disc:
@@ -293,7 +290,7 @@ def _averaged(
         if not peak.min() > 0:
             break
         relative = (err_given[0] + err_own) / peak
-        bounds = stored(normalized_error(relative) if normalize else relative, dtype)
+        bounds = _once_stored(relative, wanted)
         if largest(bounds) <= tol:
             errors = np.empty(err_given.shape)
             errors[0] = bounds
@@ -313,6 +310,17 @@ def _averaged(
             err_samples /= too_large
         err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
     raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
+
+
+def _before_storing(tol: float, wanted: Wanted) -> float:
+    """Return what averages may be off by, for images to be within a tolerance once they are stored."""
+    # Values divided by their own largest one are off by twice as much.
+    return (0.4 if wanted.scale is None else 1.0) * (tol - (1.0 + tol) * storing(wanted.dtype))
+
+
+def _once_stored(off: Array, wanted: Wanted) -> Array:
+    """Return what images are off by once they are stored, of averages that are off by so much of their peak."""
+    return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
 
 def _first_errors(aim: float, step: float) -> tuple[float, float]:
@@ -347,11 +355,11 @@ def _near_and_far(
     sample: Sample[P], far: Far[P], pupil: P, grid: Grid, tol: float, wanted: Wanted
 ) -> Averages | None:
     """Return averages, of samples near the axis alone; None where that is not likely to take less time."""
-    step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
+    step = grid.step(pupil)
     most = farthest(step, grid.shape)
     if wanted.terms or wanted.powers or most == 0.0:
         return None
-    room = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    room = _before_storing(tol, wanted)
     if room <= 0.0:
         return None
     asked = _SHARE * room
@@ -377,7 +385,7 @@ def _near_and_far(
         except ToleranceError:
             return None  # of the whole window there may be a bound
         off = away.error / near.peak
-        bounds = stored(normalized_error(off) if normalize else off, dtype)
+        bounds = _once_stored(off, wanted)
         if bounds.max() <= tol:
             away.values[:, inside[0], inside[1]] = near.values[0]
             return Averages(away.values[None], np.maximum(near.error, bounds), near.peak)

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.methods.pixels.transfer_rule import modulus_rule
+from lommel.methods.pixels.transfer_rule import mean_rule
 
 _LARGEST = 450.0  # bandwidth 2 L: larger windows have filters
 _GAIN = 2.0  # sum of the magnitudes of weights, from which on more nodes are tried
@@ -60,8 +60,7 @@ def _weighed(step: float, pixels: int, count: int) -> WindowNodes:
     # As of filters, r is entire, of type L, and all but 1e-17 of it a polynomial in w of such a degree. Weights that
     # are even make its real part, which is even, and odd ones its imaginary part.
     degree = math.ceil(2.36 * half) + 48
-    each = 2 ** (degree.bit_length() - 2)  # degrees that share a rule
-    at, rule = modulus_rule(each * math.ceil(degree / each))
+    at, rule = mean_rule(degree)
     w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
     root = np.sqrt(rule)[:, None]
     parts = list[Array]()

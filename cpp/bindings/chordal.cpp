@@ -343,7 +343,8 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_averages", &averages_in<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(),
-          "Averages over pixels from samples at nodes within a tolerance; of these bounds over their peaks, and the peaks.");
+          "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, and the largest "
+          "samples.");
     m.def("chordal_averages", &averages_in<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(), "The same, each around an axis of its own.");

@@ -204,7 +204,7 @@ class NodeAverages(NamedTuple):
     """Averages over pixels from samples at nodes of their window."""
 
     values: Array  # (n, height, width)
-    bound: Array  # (n,), on the error of a sample over the largest one
+    error: Array  # (n,), bounds on the error of the field U at the nodes
     brightest: Array  # (n,), the largest sample
 
 
@@ -221,8 +221,8 @@ def chordal_averages(
 ) -> NodeAverages:
     """Return averages over pixels from samples at `nodes`, v of rows and columns about the middle of the window.
 
-    Samples are within `tol` of the largest one, of `single` precision or double. `weights` are those of the nodes in
-    rows and in columns of pixels, (height, nodes) and (width, nodes).
+    The field U is within `tol` at the nodes, of `single` precision where that allows it. `weights` are those of the
+    nodes in rows and in columns of pixels, (height, nodes) and (width, nodes).
     """
     values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((2, len(stack.edge)))
     compute: Callable[..., float] = _core.chordal_averages

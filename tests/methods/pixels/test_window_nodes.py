@@ -128,8 +128,10 @@ def test_sums_are_those_of_samples_in_either_precision(count, single):
     made = engine.chordal_averages(disk_stack(pupil), window, places, weights, tol, 1, single=single)
     exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, tol=1e-9, normalize="strehl").values
     off = np.abs(made.values - exact).max(axis=(1, 2))
-    assert (off <= rows.gain * columns.gain * made.bound * made.brightest + 1e-6 * single + 3e-9).all()
-    assert (off.max() > 1e-12) or not single
+    assert (made.error <= tol).all()
+    of_samples = made.error * (2 * np.sqrt(made.brightest) + made.error)
+    assert (off <= rows.gain * columns.gain * of_samples + 1e-6 * single + 3e-9).all()
+    assert off.max() < (1e-5 if single else 3e-9)
 
 
 def test_windows_that_have_nodes_take_no_filter(monkeypatch):
@@ -149,22 +151,31 @@ def test_the_bound_has_all_of_its_terms(tol):
 
     def made(pupil, grid, nodes, tol, threads, /, *, single):
         asked.append((nodes[0], tol, single))
-        return engine.NodeAverages(np.full((1, 5, 5), 0.1), np.full(1, tol), np.full(1, 0.5))
+        values = np.zeros((1, 5, 5))
+        values[0, 2, 2] = 0.1
+        return engine.NodeAverages(values, np.full(1, 0.9 * tol), np.full(1, 0.2))
 
     wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
     found = averaging.averaged_at_nodes(made, pupil, grid, tol, wanted)
-    nodes, of_samples, single = asked[-1]
-    gain = nodes.gain**2
-    terms = [
-        gain * of_samples * 0.5,
-        (2 + nodes.error) * nodes.error,
-        0.5 * gain * (2 * nodes.places.size + 8) * 2.0**-53,
-    ]
+    nodes, of_field, single = asked[-1]
     assert single == (tol == 1e-3)
-    if single:
-        terms.append(0.5 * gain * 21 * 2.0**-24)
-    assert found.error[0, 0] >= sum(terms) / 0.1
-    assert found.error[0, 0] == pytest.approx(sum(terms) / 0.1, rel=1e-3)
+    gain, light = nodes.gain**2, 1.001 * nodes.spread**2 * 0.1  # less than all of the brightest sample
+    assert light < 0.2 * gain
+    rounding = (2 * nodes.places.size + 11) * 2.0**-53 + (24 * 2.0**-24 if single else 0.0)
+    of_samples = 0.9 * of_field * (2 * math.sqrt(gain * light) + 0.9 * of_field * gain)
+    total = of_samples + (2 + nodes.error) * nodes.error + rounding * light
+    assert found.error[0, 0] == pytest.approx(total / 0.1, rel=1e-6)
+
+
+def test_samples_weighed_by_moduli_are_below_what_averages_tell():
+    rng = np.random.default_rng(2)
+    for step, pixels in ((2.0, 3), (3.1, 12), (8.3, 5), (12.6, 9)):
+        nodes = window_nodes(step, pixels, 1e-6)
+        samples = rng.random((nodes.places.size,) * 2) ** 8
+        averages = nodes.weights @ samples @ nodes.weights.T
+        moduli = np.abs(nodes.weights) @ samples @ np.abs(nodes.weights).T
+        assert moduli.max() <= nodes.spread**2 * averages.sum() * (1 + 1e-12)
+        assert 1.0 <= nodes.spread < 1.3
 
 
 def test_weights_and_nodes_that_do_not_fit_are_refused():

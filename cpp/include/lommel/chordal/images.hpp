@@ -51,6 +51,8 @@ struct ChordalBudget {
     // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked; of
     // tolerance and that peak, on U and its rounding, where single precision may do yet.
     static constexpr double again = 0.3, least = 1e-3, found = 0.47;
+    // Of the error of U that is asked of samples at nodes; a batch that shares its tables rounds more than each of it.
+    static constexpr double of_nodes = 0.85;
 };
 
 // `More` is what follows images: their derivatives, or nothing.
@@ -63,7 +65,7 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
-    // Averages over pixels: samples at nodes are within the tolerance, and are not stored.
+    // Averages over pixels from samples at nodes, which are not stored: the tolerance is that of U, which bounds are of.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer)
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
           more_(), degree_(0), area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads),
@@ -437,7 +439,8 @@ class ChordalRenderer {
         State& s = states_[p];
         s.peak = peak;
         const bool divide = answer_.scales[p] == 0.0;
-        s.relative = finished_error<T>(relative_error(peak, error_of(batch, p, 0)), divide, true);
+        const double error = error_of(batch, p, 0);
+        s.relative = nodes_ != nullptr ? error : finished_error<T>(relative_error(peak, error), divide, true);
         if (!(s.relative <= tol_)) {
             return false;
         }
@@ -476,6 +479,10 @@ void ChordalRenderer<T, More>::run() {
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
         const double dim = some ? ChordalBudget::some_dim : 1.0;
+        if (nodes_ != nullptr) {
+            s.in_single = ChordalBudget::of_nodes * tol_;
+            return s.error = s.in_single;
+        }
         s.in_single = (large ? ChordalBudget::dim_single : dim) * ChordalBudget::single * tol_ * peak;
         return s.error = (large ? ChordalBudget::dim : dim) * ChordalBudget::field * tol_ * peak;
     };
@@ -536,11 +543,11 @@ void ChordalRenderer<T, More>::run() {
         for (const std::size_t p : pending) {
             State& s = states_[p];
             more = more && !s.at_rounding;
-            const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
+            const double wanted = (nodes_ != nullptr ? ChordalBudget::again : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
             // Double precision alone may do, or, at first, single precision for the peak that was found.
             s.error =
                 std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
-            s.in_single = ChordalBudget::found * tol_ * std::sqrt(s.peak);
+            s.in_single = nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : ChordalBudget::found * tol_ * std::sqrt(s.peak);
             s.single = s.single && !s.again;
             s.again = true;
             const std::size_t from = p * stack_.terms.size();

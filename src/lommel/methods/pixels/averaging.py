@@ -138,7 +138,7 @@ Band = tuple[float, float]
 
 
 class NodeSample(Protocol[P_contra]):
-    """Averages over pixels from samples at the nodes of rows and columns, within a tolerance of the largest one."""
+    """Averages over pixels from fields at the nodes of rows and columns, each within a tolerance."""
 
     def __call__(
         self,
@@ -163,7 +163,6 @@ class Averages(NamedTuple):
 
 
 _NODES = 8  # of which the products are summed in single precision, where samples have that
-_ROUNDED = 0.4  # of what is allowed, that such sums may cost averages
 
 
 def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
@@ -177,35 +176,39 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
     tol_stored = _before_storing(tol, wanted)
     if tol_stored <= 0.0:
         return None
+    # A pixel holds no more than the peak.
     err_samples, err_response = _first_errors(tol_stored, step)
+    err_samples *= min(1.0, pupil.likely_strehl / min(4.0 * lowest, 1.0))
     # Rounded, so that pupils with about the same peaks share nodes.
     err_response *= 2.0 ** math.floor(math.log2(_EASIER * pupil.likely_strehl))
     for _ in range(3):
         rows, columns = (window_nodes(step, side, err_response) for side in grid.shape)
         if rows is None or columns is None:
             return None
-        gain = rows.gain * columns.gain
-        tol_samples = err_samples / gain
-        # Of products within blocks, of the weights and of a sum along rows; as large as the largest sample at most.
-        lost = (2 * _NODES + 5) * 2.0**-24 * gain
-        single = tol_samples >= _SINGLE and lost <= _ROUNDED * 2.0 * err_samples
+        gain, spread = rows.gain * columns.gain, rows.spread * columns.spread
+        # All light of an aperture is 4 pi; see below.
+        size = math.sqrt(gain * min(gain, spread * 4.0 * math.pi * pupil.transmission / step**2))
+        err_field = err_samples / (size + math.sqrt(size * size + gain * err_samples))
+        single = err_field >= _SINGLE
         try:
-            made = sample(pupil, grid, (rows, columns), tol_samples, wanted.threads, single=single)
+            made = sample(pupil, grid, (rows, columns), err_field, wanted.threads, single=single)
         except ToleranceError:
             return None
-        tops, off = made.values.max(axis=(1, 2)), made.bound * made.brightest
-        longest = max(rows.places.size, columns.places.size)
-        rounding = (lost if single else 0.0) + (2 * longest + 8) * 2.0**-53 * gain
-        error = max(rows.error, columns.error)
-        err_own = (2.0 + error) * error + rounding * (made.brightest + off)
+        tops, off = made.values.max(axis=(1, 2)), made.error * (2.0 * np.sqrt(made.brightest) + made.error)
+        # Samples weighed by moduli of weights: what all pixels together make of them, but for a factor.
+        light = np.minimum(gain * made.brightest, 1.001 * spread * made.values.sum(axis=(1, 2)))
+        err_given = made.error * (2.0 * np.sqrt(gain * light) + gain * made.error)
+        error, longest = max(rows.error, columns.error), max(rows.places.size, columns.places.size)
+        # Of squares, weights, products within blocks, and a sum along rows.
+        rounding = (2 * _NODES + 8) * 2.0**-24 * single + (2 * longest + 11) * 2.0**-53
+        err_own = (2.0 + error) * error + rounding * light
         peak = tops if normalize else np.maximum(tops, lowest * (made.brightest - off))
         if not peak.min() > 0:
             return None
-        relative = (gain * off + err_own) / peak
-        bounds = _once_stored(relative, wanted)
+        bounds = _once_stored((err_given + err_own) / peak, wanted)
         if largest(bounds) <= tol:
             return Averages(made.values[None], bounds[None], peak)
-        err_samples /= max(2.0, float((gain * off / peak).max()) / (0.5 * tol_stored))
+        err_samples /= max(2.0, float((err_given / peak).max()) / (0.5 * tol_stored))
         err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
     return None
 

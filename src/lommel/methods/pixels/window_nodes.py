@@ -34,6 +34,7 @@ class WindowNodes(NamedTuple):
     weights: Array  # (pixels, n)
     error: float  # bound on the mean error of the response, that the largest transfer function of a disc weighs
     gain: float  # largest sum of magnitudes of the weights of a pixel
+    spread: float  # largest modulus of a weight over the sum of those of all pixels at its node
 
 
 @lru_cache(maxsize=64)
@@ -79,9 +80,10 @@ def _weighed(step: float, pixels: int, count: int) -> WindowNodes:
     largest = math.sqrt(2.0) * (float(most.max()) + 2.0 * rounding) + 1e-17
     mean = float(np.sqrt(squares.max())) + 4.0 * rounding + 1e-17
     # One of the two factors of an average is off by this in the mean, the other at most by `largest`.
-    return WindowNodes(
-        np.concatenate([-x[::-1], x]), np.ascontiguousarray(weights), (1.0 + 0.5 * largest) * mean, gain
-    )
+    together = weights.sum(axis=0)
+    spread = float((np.abs(weights) / together).max()) if together.min() > 0.0 else math.inf
+    places = np.concatenate([-x[::-1], x])
+    return WindowNodes(places, np.ascontiguousarray(weights), (1.0 + 0.5 * largest) * mean, gain, spread)
 
 
 def _wanted(wave: np.ufunc, w: Array, step: float, middles: Array) -> Array:

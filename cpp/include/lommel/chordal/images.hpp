@@ -52,7 +52,7 @@ struct ChordalBudget {
     // tolerance and that peak, on U and its rounding, where single precision may do yet.
     static constexpr double again = 0.3, least = 1e-3, found = 0.47;
     // Of the error of U that is asked of samples at nodes; a batch that shares its tables rounds more than each of it.
-    static constexpr double of_nodes = 0.85;
+    static constexpr double of_nodes = 0.9;
 };
 
 // `More` is what follows images: their derivatives, or nothing.

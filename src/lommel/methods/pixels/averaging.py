@@ -163,6 +163,8 @@ class Averages(NamedTuple):
 
 
 _NODES = 8  # of which the products are summed in single precision, where samples have that
+_OF_SAMPLES = 0.8  # of the tolerance
+_SHARP, _DIM = 0.87, 0.1  # of the likely peak, what is reckoned with: estimates of low ones are too high
 
 
 def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
@@ -176,11 +178,13 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
     tol_stored = _before_storing(tol, wanted)
     if tol_stored <= 0.0:
         return None
-    # A pixel holds no more than the peak.
-    err_samples, err_response = _first_errors(tol_stored, step)
-    err_samples *= min(1.0, pupil.likely_strehl / min(4.0 * lowest, 1.0))
+    # Of the largest average of most pupils, between the peak and what a pixel holds without aberration.
+    strehl, most = pupil.likely_strehl, min(4.0 * lowest, 1.0)
+    peak_guess = strehl * (_SHARP if strehl > 0.6 else _DIM)
+    err_response = _first_errors(tol_stored, step)[1]
+    err_samples = _OF_SAMPLES * tol_stored * most * peak_guess / (most + peak_guess)
     # Rounded, so that pupils with about the same peaks share nodes.
-    err_response *= 2.0 ** math.floor(math.log2(_EASIER * pupil.likely_strehl))
+    err_response *= 2.0 ** math.floor(math.log2(_EASIER * strehl))
     for _ in range(3):
         rows, columns = (window_nodes(step, side, err_response) for side in grid.shape)
         if rows is None or columns is None:
@@ -208,7 +212,7 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
         bounds = _once_stored((err_given + err_own) / peak, wanted)
         if largest(bounds) <= tol:
             return Averages(made.values[None], bounds[None], peak)
-        err_samples /= max(2.0, float((err_given / peak).max()) / (0.5 * tol_stored))
+        err_samples /= max(2.0, 2.0 * float((err_given / peak).max()) / tol_stored)
         err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
     return None
 

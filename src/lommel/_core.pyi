@@ -196,7 +196,7 @@ def cheaper_chordal_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(No
 @overload
 def chordal_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, step: float, tol: float, threads: int, rows: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], columns: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], down: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], across: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], single: bool, if_cheaper: bool, values: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
     """
-    Averages over pixels from samples at nodes within a tolerance; of these bounds over their peaks, and the peaks.
+    Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, and the largest samples.
     """
 
 @overload

@@ -272,10 +272,10 @@ struct CheaperImages : Images<T> {
 };
 
 // Averages over pixels from samples at nodes, which are the same about the middle of the window for all pupils.
-template <class T, class... Center>
+template <class... Center>
 double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
                 double step, double tol, int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down,
-                In<double, 2> across, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers, T) {
+                In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
     require(values.shape(0) == pupils && numbers.shape(0) == 2 && numbers.shape(1) == pupils, "one image a pupil");
     require(down.shape(0) == height && down.shape(1) == rows.size() && across.shape(0) == width &&
@@ -295,22 +295,15 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
         [&](lommel::DiskStack stack, const lommel::DiskWindow& window) {
             const lommel::PixelNodes nodes =
                 lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data());
-            const lommel::DiskAnswer<T> answer{nullptr, scales.data(), numbers.data(), numbers.data() + pupils};
-            Images<T> images(stack, nodes, tol, threads, answer);
-            if_cheaper ? images.run_if_cheaper() : images.run();
+            const auto ask = [&](auto pixel) {
+                using T = decltype(pixel);
+                const lommel::DiskAnswer<T> answer{nullptr, scales.data(), numbers.data(), numbers.data() + pupils};
+                Images<T> images(stack, nodes, tol, threads, answer);
+                if_cheaper ? images.run_if_cheaper() : images.run();
+            };
+            single ? ask(float()) : ask(double());
         },
         center...);
-}
-
-template <class... Center>
-double averages_in(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                   double step, double tol, int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down,
-                   In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers) {
-    const auto ask = [&](auto pixel) {
-        return averages<decltype(pixel), Center...>(terms, edge, obscuration, amplitude, center..., step, tol, threads, rows,
-                                                    columns, down, across, if_cheaper, values, numbers, pixel);
-    };
-    return single ? ask(float()) : ask(double());
 }
 
 std::pair<double, double> costs(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
@@ -340,12 +333,12 @@ void bindings::define_chordal(nb::module_& m) {
                                       "The same by the chordal rule; bounds are over the largest value of the window.");
     define_disk_images<CheaperImages, false>(m, "cheaper_chordal_images",
                                              "The same, unless the series is likely to take less time: a Declined then.");
-    m.def("chordal_averages", &averages_in<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
+    m.def("chordal_averages", &averages<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(),
           "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, and the largest "
           "samples.");
-    m.def("chordal_averages", &averages_in<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
+    m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(), "The same, each around an axis of its own.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,

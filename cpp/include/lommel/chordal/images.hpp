@@ -95,6 +95,11 @@ class ChordalRenderer {
         ChordDisk far, near;                       // the whole disk and the obscured one
     };
 
+    // The error that U may have: a share of tolerance and peak, or, at nodes, most of the tolerance.
+    double asked(double share, double peak) const {
+        return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
+    }
+
     // Of the field of P, or of P times a term of some degree.
     double wrong(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
@@ -479,12 +484,8 @@ void ChordalRenderer<T, More>::run() {
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
         const double dim = some ? ChordalBudget::some_dim : 1.0;
-        if (nodes_ != nullptr) {
-            s.in_single = ChordalBudget::of_nodes * tol_;
-            return s.error = s.in_single;
-        }
-        s.in_single = (large ? ChordalBudget::dim_single : dim) * ChordalBudget::single * tol_ * peak;
-        return s.error = (large ? ChordalBudget::dim : dim) * ChordalBudget::field * tol_ * peak;
+        s.in_single = asked((large ? ChordalBudget::dim_single : dim) * ChordalBudget::single, peak);
+        return s.error = asked((large ? ChordalBudget::dim : dim) * ChordalBudget::field, peak);
     };
     lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
     if (area_ > 0.0) {
@@ -547,7 +548,7 @@ void ChordalRenderer<T, More>::run() {
             // Double precision alone may do, or, at first, single precision for the peak that was found.
             s.error =
                 std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
-            s.in_single = nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : ChordalBudget::found * tol_ * std::sqrt(s.peak);
+            s.in_single = asked(ChordalBudget::found, std::sqrt(s.peak));
             s.single = s.single && !s.again;
             s.again = true;
             const std::size_t from = p * stack_.terms.size();

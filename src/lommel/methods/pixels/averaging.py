@@ -22,7 +22,7 @@ from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import FarPixels, NodeAverages, average_samples
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.methods.pixels.transfer_rule import mean_rule
+from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 from lommel.methods.pixels.window_nodes import WindowNodes, window_nodes
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -49,17 +49,12 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     The error is the largest one; or, `in_disc`, what bounds its mean, which the largest transfer function of a disc
     weighs.
     """
-    # Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire,
-    # of type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev
-    # series falls below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value
-    # no faster than ``cos(M s)`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M
-    # Chebyshev points is within ``pi / (4 M)`` of that: it is at most sqrt(2) times as large as at these points.
-    degree = math.ceil(2.36 * float(x[-1])) + 48
-    w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
+    # Weights by least squares at points of the band.
+    w = band_points(float(x[-1]))
     times = np.where(x > 0.0, 2.0, 1.0)
     basis, wanted = times * wave(np.outer(w, x)), response(w)
     if in_disc:
-        at, weights = mean_rule(degree)
+        at, weights = mean_rule(w.size)
         root = np.sqrt(weights)
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
     else:

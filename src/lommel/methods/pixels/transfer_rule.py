@@ -24,6 +24,19 @@ import numpy as np
 from lommel.base.arrays import Array
 
 
+def band_points(reach: float) -> Array:
+    """Return Chebyshev points of the band, at which the error of the response of samples up to a distance is found.
+
+    It is even or odd, and entire, of type T, the `reach`; all but 1e-17 of it is a polynomial in w of degree
+    ``M = 2.36 T + 48`` (its Chebyshev series falls below ``e^-48`` there), M being the number of points. As a
+    trigonometric polynomial of the angle it falls from its largest value no faster than ``cos(M s)`` (Duffin and
+    Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is within ``pi / (4 M)`` of it:
+    it is at most sqrt(2) times as large as at these.
+    """
+    degree = math.ceil(2.36 * reach) + 48
+    return np.asarray(2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree)))
+
+
 @lru_cache(maxsize=16)
 def mean_rule(degree: int) -> tuple[Array, Array]:
     """Return w from 0 to 2 and weights, by which the root of the sum of squares bounds the mean modulus.

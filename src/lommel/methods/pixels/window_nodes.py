@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.methods.pixels.transfer_rule import mean_rule
+from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 
 _LARGEST = 450.0  # bandwidth 2 L: larger windows have filters
 _GAIN = 2.0  # sum of the magnitudes of weights, from which on more nodes are tried
@@ -58,11 +58,9 @@ def _weighed(step: float, pixels: int, count: int) -> WindowNodes:
     half = 0.5 * step * pixels
     x = half * prolate_zeros(count, 2.0 * half)
     middles: Array = step * (np.arange(pixels, dtype=np.float64) - 0.5 * (pixels - 1))
-    # As of filters, r is entire, of type L, and all but 1e-17 of it a polynomial in w of such a degree. Weights that
-    # are even make its real part, which is even, and odd ones its imaginary part.
-    degree = math.ceil(2.36 * half) + 48
-    at, rule = mean_rule(degree)
-    w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
+    # Weights that are even make the real part of r, which is even, and odd ones its imaginary part.
+    w = band_points(half)
+    at, rule = mean_rule(w.size)
     root = np.sqrt(rule)[:, None]
     parts = list[Array]()
     squares, most = np.zeros(pixels), np.zeros(pixels)

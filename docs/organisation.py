@@ -51,6 +51,7 @@ CORE_ORDER = [
     {"zernike"},
     {"aperture"},
     {"chordal"},
+    {"rim"},
     {"stratified"},
     {"paper", "imaging", "focal", "measures", "estimation", "localize"},
 ]

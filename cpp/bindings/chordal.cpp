@@ -277,7 +277,7 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
                 double step, double tol, int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down,
                 In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
-    require(values.shape(0) == pupils && numbers.shape(0) == 2 && numbers.shape(1) == pupils, "one image a pupil");
+    require(values.shape(0) == pupils && numbers.shape(0) == 4 && numbers.shape(1) == pupils, "one image a pupil");
     require(down.shape(0) == height && down.shape(1) == rows.size() && across.shape(0) == width &&
                 across.shape(1) == columns.size(),
             "one weight a pixel and node");
@@ -294,7 +294,8 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
         terms, edge, obscuration, amplitude, height, width, step, tol, threads,
         [&](lommel::DiskStack stack, const lommel::DiskWindow& window) {
             const lommel::PixelNodes nodes =
-                lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data());
+                lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data(),
+                                         numbers.data() + 2 * pupils, numbers.data() + 3 * pupils);
             const auto ask = [&](auto pixel) {
                 using T = decltype(pixel);
                 const lommel::DiskAnswer<T> answer{nullptr, scales.data(), numbers.data(), numbers.data() + pupils};
@@ -336,8 +337,8 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_averages", &averages<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(),
-          "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, and the largest "
-          "samples.");
+          "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, the largest "
+          "samples, and of averages the largest and the sum.");
     m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(), "The same, each around an axis of its own.");

@@ -206,6 +206,8 @@ class NodeAverages(NamedTuple):
     values: Array  # (n, height, width)
     error: Array  # (n,), bounds on the error of the field U at the nodes
     brightest: Array  # (n,), the largest sample
+    largest: Array  # (n,), of the averages
+    together: Array  # (n,), their sum
 
 
 def chordal_averages(
@@ -224,11 +226,48 @@ def chordal_averages(
     The field U is within `tol` at the nodes, of `single` precision where that allows it. `weights` are those of the
     nodes in rows and in columns of pixels, (height, nodes) and (width, nodes).
     """
-    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((2, len(stack.edge)))
+    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((4, len(stack.edge)))
     compute: Callable[..., float] = _core.chordal_averages
     asked = (*window.center, window.step, tol, threads, *nodes, *weights, single, if_cheaper, values, numbers)
     _require(compute(*stack, *asked), tol, "the largest value in the window")
     return NodeAverages(values, *numbers)
+
+
+def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Array, Array]:
+    """Return what rims leave of fields, times v to the power of `RIM_ORDERS`, and the pixels of the axes, (n, 2).
+
+    The former is infinite where terms are of too high a degree.
+    """
+    count = len(stack.edge)
+    remainders, axes = np.empty(count), np.empty((count, 2))
+    compute: Callable[..., float] = _core.rim_remainders
+    compute(*stack, *window.center, *window.shape, window.step, threads, remainders, axes)
+    return remainders, axes
+
+
+RIM_ORDERS: int = _core.RIM_ORDERS
+
+
+def rim_averages(
+    stack: DiskStack,
+    window: Window,
+    remainders: Array,
+    near: Array,
+    error: float,
+    threads: int,
+    places: NDArray[np.int64],
+    values: Array,
+) -> tuple[Array, Array]:
+    """Write averages over pixels outside boxes around the axes, and within them `near` ones, (n, box, box).
+
+    `remainders` are those of :func:`rim_remainders`; of averages, interpolation may make about `error`. `places` are
+    those of pupils among `values`, (.., height, width). Returned are bounds on the error of those outside, and the
+    largest of them, (n,).
+    """
+    numbers = np.empty((len(stack.edge), 2))
+    compute: Callable[..., float] = _core.rim_averages
+    compute(*stack, *window.center, window.step, error, threads, remainders, near, places, values, numbers)
+    return numbers[:, 0], numbers[:, 1]
 
 
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:

@@ -17,6 +17,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
 if TYPE_CHECKING:
+    from lommel.core.engine import DiskStack, Window
     from lommel.methods.pixels.window_nodes import WindowNodes
 
 
@@ -101,8 +102,8 @@ class ChordalGauss(Method[Pupil]):
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
         def at_nodes(
-            some: Pupil,
-            pixels: Grid,
+            stack: DiskStack,
+            window: Window,
             nodes: tuple[WindowNodes, WindowNodes],
             tol: float,
             threads: int,
@@ -111,8 +112,8 @@ class ChordalGauss(Method[Pupil]):
         ) -> NodeAverages:
             places, weights = zip(*((axis.places, axis.weights) for axis in nodes), strict=True)
             return chordal_averages(
-                disk_stack(some),
-                window_of(some, pixels),
+                stack,
+                window,
                 places,
                 weights,
                 tol,

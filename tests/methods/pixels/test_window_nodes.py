@@ -151,14 +151,15 @@ def test_the_bound_has_all_of_its_terms(tol):
         [],
     )
 
-    def made(pupil, grid, nodes, tol, threads, /, *, single):
+    def made(stack, window, nodes, tol, threads, /, *, single):
         asked.append((nodes[0], tol, single))
         values = np.zeros((1, 5, 5))
         values[0, 2, 2] = 0.1
-        return engine.NodeAverages(values, np.full(1, 0.9 * tol), np.full(1, 0.2))
+        return engine.NodeAverages(values, np.full(1, 0.9 * tol), *np.array([[0.2], [0.1], [0.1]]))
 
     wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
-    found = averaging.averaged_at_nodes(made, pupil, grid, tol, wanted)
+    disks = averaging.Disks(disk_stack(pupil), window_of(pupil, grid), made)
+    found = averaging.averaged_at_nodes(disks, pupil, tol, wanted)
     nodes, of_field, single = asked[-1]
     assert single == (tol == 1e-3)
     gain, light = nodes.gain**2, 1.001 * nodes.spread**2 * 0.1  # less than all of the brightest sample

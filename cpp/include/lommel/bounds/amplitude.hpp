@@ -29,6 +29,9 @@ class Amplitude {
 
     bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
     bool operator==(const Amplitude& other) const { return g_ == other.g_; }
+    // The highest power that is there, and the factor of one.
+    std::size_t powers() const { return terms_; }
+    double power(std::size_t k) const { return g_[k]; }
 
     // At t = rho^2, in the precision of t.
     template <class Real>

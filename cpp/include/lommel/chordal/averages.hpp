@@ -21,12 +21,14 @@ struct PixelNodes {
     std::size_t height, width;  // pixels
     const double *down, *across;
     double* averages;  // [pupil][row of pixels][column]
+    double *largest, *together;  // of each pupil, the largest of these and their sum
 };
 
 // Nodes in v about the middle of a window, as about the axis. One that is near the middle is moved there by a tilt of the pupils,
 // so that nodes on either side share work.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
-                                   const std::array<const double*, 2>& weights, double* averages) {
+                                   const std::array<const double*, 2>& weights, double* averages, double* largest,
+                                   double* together) {
     constexpr double near = 2.0;  // pixels
     DiskWindow centred = window;
     std::array<std::vector<double>, 2> about = places;
@@ -49,7 +51,15 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
         stack.tilt_to(centers.data(), centred);
         stack.shrink();
     }
-    return {WindowAxis(about[0]), WindowAxis(about[1]), window.height, window.width, weights[0], weights[1], averages};
+    return {WindowAxis(about[0]),
+            WindowAxis(about[1]),
+            window.height,
+            window.width,
+            weights[0],
+            weights[1],
+            averages,
+            largest,
+            together};
 }
 
 // Sums over so many nodes are in the precision of samples, all others in double precision.

@@ -349,13 +349,22 @@ class ChordalRenderer {
     void store_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights) const {
         const std::size_t lanes = batch.lanes(), size = weights.height * weights.width;
         for (std::size_t lane = 0; lane < (batch.lone() ? 1 : batch.here); ++lane) {
-            double* to = nodes_->averages + batch.pupils[lane] * size;
+            const std::size_t pupil = batch.pupils[lane];
+            double* to = nodes_->averages + pupil * size;
+            double top = 0.0, all = 0.0;
             for (std::size_t y = 0; y < weights.height; ++y) {
                 const double* const from = batch.scratch.sums.data() + (1 + y) * weights.vectors * lanes;
+                double sum = 0.0;
                 for (std::size_t x = 0; x < weights.width; ++x) {
-                    *to++ = std::max(0.0, batch.lone() ? from[x] : from[x * lanes + lane]);
+                    const double value = std::max(0.0, batch.lone() ? from[x] : from[x * lanes + lane]);
+                    *to++ = value;
+                    top = std::max(top, value);
+                    sum += value;
                 }
+                all += sum;
             }
+            nodes_->largest[pupil] = top;
+            nodes_->together[pupil] = all;
         }
     }
 

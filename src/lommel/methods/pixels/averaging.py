@@ -20,7 +20,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
-from lommel.core.engine import FarPixels, NodeAverages, average_samples
+from lommel.core.engine import DiskStack, FarPixels, NodeAverages, Window, average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 from lommel.methods.pixels.window_nodes import WindowNodes, window_nodes
@@ -39,7 +39,6 @@ _WORTH = 0.85  # of the samples that whole ones a pixel take
 
 
 P = TypeVar("P", bound=BasePupil)
-P_contra = TypeVar("P_contra", bound=BasePupil, contravariant=True)
 Function = Callable[[Array], Array]
 
 
@@ -132,13 +131,13 @@ Far = Callable[[P, Grid, float, float, int], FarPixels]
 Band = tuple[float, float]
 
 
-class NodeSample(Protocol[P_contra]):
+class NodeSample(Protocol):
     """Averages over pixels from fields at the nodes of rows and columns, each within a tolerance."""
 
     def __call__(
         self,
-        pupil: P_contra,
-        grid: Grid,
+        stack: DiskStack,
+        window: Window,
         nodes: tuple[WindowNodes, WindowNodes],
         tol: float,
         threads: int,
@@ -147,6 +146,14 @@ class NodeSample(Protocol[P_contra]):
         single: bool,
     ) -> NodeAverages:
         """Return them."""
+
+
+class Disks(NamedTuple):
+    """Round pupils, their window, and what samples the fields of such at nodes."""
+
+    stack: DiskStack
+    window: Window
+    at_nodes: NodeSample
 
 
 class Averages(NamedTuple):
@@ -162,15 +169,13 @@ _OF_SAMPLES = 0.8  # of the tolerance
 _SHARP, _DIM = 0.87, 0.1  # of the likely peak, what is reckoned with: estimates of low ones are too high
 
 
-def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
+def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted) -> Averages | None:
     """Return the intensity averaged over each pixel from samples at nodes of the window, with bounds below `tol`.
 
     None where the window has none, or where that fails.
     """
-    if wanted.terms or wanted.powers or not pupil.within_disc:
-        return None
-    step, normalize, lowest = grid.step(pupil), wanted.scale is None, least_average(grid.step(pupil))
-    tol_stored = _before_storing(tol, wanted)
+    step, normalize, lowest = disks.window.step, wanted.scale is None, least_average(disks.window.step)
+    tol_stored = before_storing(tol, wanted)
     if tol_stored <= 0.0:
         return None
     # Of the largest average of most pupils, between the peak and what a pixel holds without aberration.
@@ -181,7 +186,7 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
     # Rounded, so that pupils with about the same peaks share nodes.
     err_response *= 2.0 ** math.floor(math.log2(_EASIER * strehl))
     for _ in range(3):
-        rows, columns = (window_nodes(step, side, err_response) for side in grid.shape)
+        rows, columns = (window_nodes(step, side, err_response) for side in disks.window.shape)
         if rows is None or columns is None:
             return None
         gain, spread = rows.gain * columns.gain, rows.spread * columns.spread
@@ -190,12 +195,14 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
         err_field = err_samples / (size + math.sqrt(size * size + gain * err_samples))
         single = err_field >= _SINGLE
         try:
-            made = sample(pupil, grid, (rows, columns), err_field, wanted.threads, single=single)
+            made = disks.at_nodes(
+                disks.stack, disks.window, (rows, columns), err_field, wanted.threads, single=single
+            )
         except ToleranceError:
             return None
-        tops, off = made.values.max(axis=(1, 2)), made.error * (2.0 * np.sqrt(made.brightest) + made.error)
+        tops, off = made.largest, made.error * (2.0 * np.sqrt(made.brightest) + made.error)
         # Samples weighed by moduli of weights: what all pixels together make of them, but for a factor.
-        light = np.minimum(gain * made.brightest, 1.001 * spread * made.values.sum(axis=(1, 2)))
+        light = np.minimum(gain * made.brightest, 1.001 * spread * made.together)
         err_given = made.error * (2.0 * np.sqrt(gain * light) + gain * made.error)
         error, longest = max(rows.error, columns.error), max(rows.places.size, columns.places.size)
         # Of squares, weights, products within blocks, and a sum along rows.
@@ -204,7 +211,7 @@ def averaged_at_nodes(sample: NodeSample[P], pupil: P, grid: Grid, tol: float, w
         peak = tops if normalize else np.maximum(tops, lowest * (made.brightest - off))
         if not peak.min() > 0:
             return None
-        bounds = _once_stored((err_given + err_own) / peak, wanted)
+        bounds = once_stored((err_given + err_own) / peak, wanted)
         if largest(bounds) <= tol:
             return Averages(made.values[None], bounds[None], peak)
         err_samples /= max(2.0, 2.0 * float((err_given / peak).max()) / tol_stored)
@@ -253,7 +260,7 @@ def _averaged(
     faster, ceiling = (1.0, pupil.amplitude**2) if band is None else band
     step, normalize = faster * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
-    tol_stored = _before_storing(tol, wanted)
+    tol_stored = before_storing(tol, wanted)
     err_samples, err_response = _first_errors(tol_stored, step)
     in_disc = band is None and not gradients and widest == _WIDEST and step <= _SHORT and pupil.within_disc
     if in_disc:
@@ -292,7 +299,7 @@ def _averaged(
         if not peak.min() > 0:
             break
         relative = (err_given[0] + err_own) / peak
-        bounds = _once_stored(relative, wanted)
+        bounds = once_stored(relative, wanted)
         if largest(bounds) <= tol:
             errors = np.empty(err_given.shape)
             errors[0] = bounds
@@ -314,13 +321,13 @@ def _averaged(
     raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
-def _before_storing(tol: float, wanted: Wanted) -> float:
+def before_storing(tol: float, wanted: Wanted) -> float:
     """Return what averages may be off by, for images to be within a tolerance once they are stored."""
     # Values divided by their own largest one are off by twice as much.
     return (0.4 if wanted.scale is None else 1.0) * (tol - (1.0 + tol) * storing(wanted.dtype))
 
 
-def _once_stored(off: Array, wanted: Wanted) -> Array:
+def once_stored(off: Array, wanted: Wanted) -> Array:
     """Return what images are off by once they are stored, of averages that are off by so much of their peak."""
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
@@ -361,7 +368,7 @@ def _near_and_far(
     most = farthest(step, grid.shape)
     if wanted.terms or wanted.powers or most == 0.0:
         return None
-    room = _before_storing(tol, wanted)
+    room = before_storing(tol, wanted)
     if room <= 0.0:
         return None
     asked = _SHARE * room
@@ -387,7 +394,7 @@ def _near_and_far(
         except ToleranceError:
             return None  # of the whole window there may be a bound
         off = away.error / near.peak
-        bounds = _once_stored(off, wanted)
+        bounds = once_stored(off, wanted)
         if bounds.max() <= tol:
             away.values[:, inside[0], inside[1]] = near.values[0]
             return Averages(away.values[None], np.maximum(near.error, bounds), near.peak)
@@ -403,14 +410,11 @@ def averaged_images(
     wanted: Wanted,
     band: Band | None = None,
     far: Far[P] | None = None,
-    at_nodes: NodeSample[P] | None = None,
 ) -> Images:
     """Return finished images of samples or, where `grid` integrates, of :func:`averaged` pixels, some by `far`."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
-    made = None if at_nodes is None else averaged_at_nodes(at_nodes, pupil, grid, tol, wanted)
-    if made is None and far is not None:
-        made = _near_and_far(sample, far, pupil, grid, tol, wanted)
+    made = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
     return finished(averaged(sample, pupil, grid, tol, wanted, band) if made is None else made, wanted)
 
 
@@ -418,7 +422,7 @@ def finished(made: Averages, wanted: Wanted) -> Images:
     """Return averages as images, with the derivatives that they have."""
     averages = made.values[0]
     scales = np.empty(len(averages))
-    scales[:] = 1.0 / averages.max(axis=(1, 2)) if wanted.scale is None else wanted.scale
+    scales[:] = 1.0 / made.peak if wanted.scale is None else wanted.scale
     values = np.empty(averages.shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(averages, scales[:, None, None], out=values, casting="same_kind")
     slopes = None

@@ -1,0 +1,8 @@
+// Compiles averages far from the axis from the rims of apertures. Headers before LOMMEL_DEFINES are compiled by other units.
+#include "lommel/base/parallel.hpp"
+#include "lommel/chordal/kernels.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/rim/averages.hpp"

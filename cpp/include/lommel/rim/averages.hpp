@@ -1,0 +1,349 @@
+// Averages over pixels far from the axis, of pupils of any Zernike terms, from the rims of their apertures.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "lommel/base/once.hpp"
+#include "lommel/base/tasks.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/chordal/kernels.hpp"
+#include "lommel/rim/light.hpp"
+#include "lommel/rim/table.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+namespace lommel {
+
+// Of a stack whose axes are in the middle of pixels, tilts being less than one: see DiskStack::move_axes().
+class RimStack {
+   public:
+    explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
+
+    static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
+    // The root of the mean of |Q_K|^2 over the disk, K = rim_orders.
+    void remainders(int threads, double* out) const;
+
+   protected:
+    // Coefficients of some pupils in lanes, of the aperture or of its obscuration.
+    void gather(Level level, bool inner, std::size_t first, std::size_t here, const RimLine* line, RimScratch& scratch) const {
+        const std::size_t lanes = RimKernels::lanes(level), terms = stack_.terms.size();
+        const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
+        scratch.coefficients.resize(terms * lanes);
+        if (line != nullptr) {
+            scratch.phases.assign(line->orders.size() * lanes, 0.0);
+        }
+        const ChordLanes order{lanes, true};
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const double* const own = all.data() + (first + lane % here) * terms;
+            for (std::size_t t = 0; t < terms; ++t) {
+                scratch.coefficients[t * lanes + lane] = static_cast<float>(own[t]);
+                if (line != nullptr) {
+                    scratch.phases[line->columns[t] * lanes + order.place(lane)] += ChordKernels<float>::unit * own[t];
+                }
+            }
+        }
+    }
+
+    const DiskStack& stack_;
+    std::size_t degree_;
+};
+
+// Where averages go, and those within boxes, [pupil][row][column] of the box, that come from elsewhere. Boxes may reach beyond the
+// window.
+struct RimAnswer {
+    const double *remainders, *near;  // the former are those of RimStack
+    const std::int64_t* places;       // of pupils among images
+    double *images, *numbers;         // of each pupil what averages outside the box are off by, and the largest
+};
+
+class RimAverages : RimStack {
+   public:
+    RimAverages(const DiskStack& stack, const DiskWindow& window, std::size_t box, double error, const RimAnswer& answer)
+        : RimStack(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
+          box_(static_cast<std::int64_t>(box)), answer_(answer),
+          within_(stack.amplitude.scaled(stack.obscuration * stack.obscuration)) {
+        std::int64_t reach = box_ / 2 + 1;
+        for (std::size_t p = 0; p < stack.count; ++p) {
+            const std::int64_t row = stack.rows[p], column = stack.columns[p];
+            reach =
+                std::max({reach, std::abs(row), std::abs(height_ - 1 - row), std::abs(column), std::abs(width_ - 1 - column)});
+        }
+        const std::size_t degree = std::max<std::size_t>(8, degree_);
+        table_ =
+            cache<RimTable>.get(RimWindow{window.step, box, static_cast<std::size_t>(reach), stack.obscuration, degree, error});
+        for (const RimWaves& rim : table_->rims) {
+            lines_.push_back(cache<RimLine>.get(stack.terms, rim.radius == 1.0 ? stack.amplitude : within_, rim.angles));
+        }
+    }
+    void run(int threads) const;
+
+   private:
+    // Pupils side by side, or one whose lanes are radii.
+    struct Batch {
+        Level level;
+        std::size_t first, here;
+        const RimLone* lone;
+        std::size_t lanes() const { return RimKernels::lanes(level); }
+    };
+    // Pixels about the axis that any of some pupils has.
+    struct Around {
+        std::int64_t top, bottom, left, right;
+        std::size_t width() const { return static_cast<std::size_t>(right - left + 1); }
+        std::size_t size() const { return static_cast<std::size_t>(bottom - top + 1) * width(); }
+        bool holds(std::int64_t y, std::int64_t x) const { return y >= top && y <= bottom && x >= left && x <= right; }
+        std::size_t at(std::int64_t y, std::int64_t x) const {
+            return static_cast<std::size_t>(y - top) * width() + static_cast<std::size_t>(x - left);
+        }
+    };
+
+    void render(const Batch& batch) const;
+    Around around(const Batch& batch) const;
+    std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
+    // Writes an image; the largest average outside the box.
+    double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
+    double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
+    // What coefficients of each k are off by that angles between those of the rim would add, over (k! unit^k); and what rounding
+    // does, in units of roundoff.
+    void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
+                   std::array<double, rim_orders>& rounded) const;
+
+    std::int64_t height_, width_, box_;
+    RimAnswer answer_;
+    Amplitude within_;
+    std::shared_ptr<const RimTable> table_;
+    std::vector<std::shared_ptr<const RimLine>> lines_;
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
+    const Level widest = processor_level(), narrow = RimKernels::narrow(widest);
+    const Level level = stack_.count <= RimKernels::lanes(narrow) ? narrow : widest;
+    const std::size_t lanes = RimKernels::lanes(level), batches = (stack_.count + lanes - 1) / lanes;
+    const auto disk = cache<RimDisk>.get(stack_.terms, stack_.amplitude);
+    parallel_for(batches, worthwhile_threads(threads, 3.0 * static_cast<double>(stack_.count)),
+                 [&](std::size_t, std::size_t b) {
+                     thread_local RimScratch scratch;
+                     const std::size_t first = b * lanes, here = std::min(lanes, stack_.count - first);
+                     gather(level, false, first, here, nullptr, scratch);
+                     scratch.e.resize(2 * disk->slopes.orders.size() * lanes);
+                     scratch.mean.resize(lanes);
+                     scratch.largest.resize(lanes);
+                     RimKernels::mean(level, *disk, scratch);
+                     for (std::size_t lane = 0; lane < here; ++lane) {
+                         const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
+                                      rounding = 0x1p-24 * disk->slopes.units() * rim_orders *
+                                                 std::sqrt(static_cast<double>(scratch.largest[lane]));
+                         // What overflows is no number.
+                         const double all = rim_scale(rim_orders) * (1.0001 * mean + rounding);
+                         out[first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
+                     }
+                 });
+}
+
+LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
+                                        std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
+    const RimSlopes& slopes = line.slopes;
+    std::vector<double> e(2 * slopes.orders.size());
+    for (std::size_t i = 0; i < e.size(); ++i) {
+        e[i] = static_cast<double>(slopes.fixed[i]);
+    }
+    for (std::size_t i = 0; i < slopes.parts.size(); ++i) {
+        e[slopes.parts[i].at] += static_cast<double>(slopes.weights[i]) * own[slopes.parts[i].term];
+    }
+    std::vector<double> moduli(slopes.orders.size());
+    for (std::size_t i = 0; i < moduli.size(); ++i) {
+        moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
+    }
+    // Along theta +- i t the coefficients of exp(i mu theta) are exp(|mu| t) times as large at most, and |P| is no more than the
+    // exponent of what the imaginary part of the phase may be.
+    std::vector<double> phase(slopes.degree + 1, 0.0);
+    for (std::size_t c = 0; c < line.orders.size(); ++c) {
+        double sum = 0.0;
+        for (std::size_t t = 0; t < line.columns.size(); ++t) {
+            sum += line.columns[t] == c ? own[t] : 0.0;
+        }
+        double& to = phase[static_cast<std::size_t>(std::abs(line.orders[c]))];
+        to = std::hypot(to, sum);
+    }
+    each.fill(std::numeric_limits<double>::infinity());
+    for (const double t : {0.0, 0.3, 0.7}) {
+        std::array<double, rim_most_degree + 1> grown;
+        for (std::size_t m = 0; m <= slopes.degree; ++m) {
+            grown[m] = std::exp(static_cast<double>(m) * t);
+        }
+        std::array<double, rim_most_degree> size{};
+        for (std::size_t j = 0, i = 0; j < slopes.degree; ++j) {
+            for (; i < slopes.ends[j]; ++i) {
+                size[j] += moduli[i] * grown[static_cast<std::size_t>(std::abs(slopes.orders[i]))];
+            }
+        }
+        double exponent = -t * static_cast<double>(rim.angles - rim.orders);
+        for (std::size_t m = 0; m < phase.size(); ++m) {
+            exponent += 0.5 * phase[m] * (grown[m] - 1.0 / grown[m]);
+        }
+        const double first =
+            t > 0.0 ? 2.0 * std::exp(std::min(exponent, 600.0)) / (1.0 - std::exp(-t * static_cast<double>(rim.angles))) : 1.0;
+        std::array<double, rim_orders> power{first};
+        for (std::size_t k = 0; k + 1 < rim_orders; ++k) {
+            for (std::size_t j = 0; j < std::min(k + 1, slopes.degree); ++j) {
+                power[k + 1] += size[j] * power[k - j] / static_cast<double>(k + 1);
+            }
+        }
+        for (std::size_t k = 0; k < rim_orders; ++k) {
+            (t > 0.0 ? each : rounded)[k] = t > 0.0 ? std::min(each[k], power[k]) : power[k];
+        }
+    }
+}
+
+LOMMEL_ONCE void RimAverages::run(int threads) const {
+    // Where few are left over, one by one.
+    const Level widest = processor_level(), narrow = RimKernels::narrow(widest);
+    const std::size_t count = stack_.count, most = RimKernels::lanes(widest), few = count % most,
+                      alone = 3 * few < most ? few : 0, together = (count - alone + most - 1) / most;
+    const auto lone = alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(narrow)) : nullptr;
+    const double work = 9.0 * static_cast<double>(count) + 20.0 * static_cast<double>(alone);
+    parallel_for(together + alone, worthwhile_threads(threads, work), [&](std::size_t, std::size_t b) {
+        if (b < together) {
+            render({widest, b * most, std::min(most, count - b * most), nullptr});
+        } else {
+            render({narrow, count - alone + b - together, 1, lone.get()});
+        }
+    });
+}
+
+LOMMEL_ONCE void RimAverages::render(const Batch& batch) const {
+    thread_local RimScratch scratch;
+    const std::size_t lanes = batch.lanes();
+    for (std::size_t d = 0; d < table_->rims.size(); ++d) {
+        gather(batch.level, d == 1, batch.first, batch.here, lines_[d].get(), scratch);
+        const double edge = (d == 0 ? stack_.amplitude : within_).at(1.0);
+        RimKernels::coefficients(batch.level, table_->rims[d], *lines_[d], edge, d, scratch);
+    }
+    look();
+    const Around pixels = around(batch);
+    scratch.out.assign(pixels.size() * lanes, 0.0f);
+    RimKernels::light(batch.level, *table_, batch.lone, jobs(pixels, lanes), scratch);
+    if (batch.lone != nullptr) {  // sums and largest numbers over radii
+        for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
+            scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
+        }
+        for (Floats* all : {&scratch.squares, &scratch.largest}) {
+            (*all)[0] = *std::max_element(all->begin(), all->end());
+        }
+    }
+    for (std::size_t lane = 0; lane < batch.here; ++lane) {
+        const std::size_t pupil = batch.first + lane;
+        const double top = write(pupil, pixels, scratch.out.data() + lane, lanes);
+        answer_.numbers[2 * pupil] = bound(pupil, scratch, lane, lanes, top);
+        answer_.numbers[2 * pupil + 1] = top;
+    }
+}
+
+LOMMEL_ONCE RimAverages::Around RimAverages::around(const Batch& batch) const {
+    Around all{height_, -height_, width_, -width_};
+    for (std::size_t p = batch.first; p < batch.first + batch.here; ++p) {
+        const std::int64_t row = stack_.rows[p], column = stack_.columns[p];
+        all = {std::min(all.top, -row), std::max(all.bottom, height_ - 1 - row), std::min(all.left, -column),
+               std::max(all.right, width_ - 1 - column)};
+    }
+    return all;
+}
+
+LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::size_t lanes) const {
+    std::vector<RimJob> list;
+    const std::int64_t around = static_cast<std::int64_t>(table_->around);
+    for (const RimPixels& of : table_->pixels) {
+        const std::int64_t p = static_cast<std::int64_t>(of.p), q = static_cast<std::int64_t>(of.q), begin = of.begin;
+        const std::int64_t down[2][4] = {{q, p, -q, -p}, {-q, p, q, -p}}, right[2][4] = {{p, -q, -p, q}, {p, q, -p, -q}};
+        for (std::size_t turned = 0; turned < (q == 0 || q == p ? 1 : 2); ++turned) {
+            RimJob job{&of, {}, {}, 0, turned == 1};
+            for (std::size_t i = 0; i < 4; ++i) {
+                const std::int64_t y = down[turned][i], x = right[turned][i];
+                if (pixels.holds(y, x)) {
+                    // Turned, an angle psi is i quarters of a turn less psi.
+                    const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
+                    const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
+                    const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
+                    job.at[job.count] = table_->margin + static_cast<std::size_t>(within);
+                    job.to[job.count++] = pixels.at(y, x) * lanes;
+                }
+            }
+            if (job.count > 0) {
+                list.push_back(job);
+            }
+        }
+    }
+    return list;
+}
+
+LOMMEL_ONCE double RimAverages::write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const {
+    const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], half = box_ / 2;
+    double top = 0.0;
+    double* to = answer_.images + answer_.places[pupil] * height_ * width_;
+    for (std::int64_t y = -row; y < height_ - row; ++y, to += width_) {
+        const float* from = averages + pixels.at(y, -column) * lanes;
+        for (std::int64_t x = 0; x < width_; ++x, from += lanes) {
+            to[x] = std::max(0.0, static_cast<double>(*from));
+            top = std::max(top, to[x]);
+        }
+        if (std::abs(y) <= half) {
+            const std::int64_t left = std::max<std::int64_t>(0, column - half), right = std::min(width_, column + half + 1);
+            const double* const near =
+                answer_.near + (static_cast<std::int64_t>(pupil) * box_ + y + half) * box_ + half - column;
+            std::copy(near + left, near + std::max(left, right), to + left);
+        }
+    }
+    return top;
+}
+
+LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes,
+                                      double top) const {
+    const RimTable& table = *table_;
+    const double nearest = table.window.nearest();
+    // What the field is off by, the mean over a pixel.
+    double off = stack_.lost[pupil] +
+                 answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) * std::sqrt(table.off_field);
+    double size[2] = {0.0, 0.0};
+    for (std::size_t d = 0; d < table.rims.size(); ++d) {
+        const RimWaves& rim = table.rims[d];
+        const RimSums& of = scratch.of[d];
+        std::array<double, rim_orders> each, rounded;
+        const std::vector<double>& all = d == 0 ? stack_.outer : stack_.inner;
+        strangers(rim, *lines_[d], all.data() + pupil * stack_.terms.size(), each, rounded);
+        const double v = rim.radius * nearest, orders = static_cast<double>(2 * rim.orders + 1);
+        const double sums = 1.5 * std::sqrt(orders) * (0.25 * static_cast<double>(rim.angles) + 8.0);
+        for (std::size_t k = 0; k < rim_orders; ++k) {
+            const double energy = static_cast<double>(of.energy[k * lanes + lane]);
+            const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
+                                2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
+            // Of sums over angles, phases, slopes, and steps from one k to the next.
+            const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
+            off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
+                   (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
+        }
+        size[0] += 1.001 * static_cast<double>(of.size[0][lane]);
+        size[1] += 1.001 * static_cast<double>(of.size[1][lane]);
+    }
+    const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
+                 largest = static_cast<double>(scratch.largest[lane]);
+    // Of sums in single precision over radii, angles and channels; and of waves, all of which together are the root of so many
+    // times the smooth channel at most.
+    const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
+                 waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
+                 many = 2.0 * static_cast<double>(table.rims.size());
+    const double interpolated =
+        table.off_angles * rms + std::min(table.off_radii[0] * size[0] * size[0], table.off_radii[1] * size[1] * size[1]) +
+        (units * table.gain + table.dropped) * largest +
+        table.gain / static_cast<double>(table.channels()) * waves * (2.0 * std::sqrt(many * largest) + waves);
+    return table.off_pixels + interpolated + 2.0 * off * std::sqrt(top + interpolated) + off * off;
+}
+#endif
+
+}  // namespace lommel

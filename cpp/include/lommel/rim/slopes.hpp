@@ -1,0 +1,320 @@
+// Slopes of the phase of pupils along circles, of which light far from the axis is made: docs/certificate.md, section 10.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/special/radial_polynomials.hpp"
+
+namespace lommel {
+
+constexpr std::size_t rim_orders = 8;        // how often Gauss's theorem is used
+constexpr std::size_t rim_most_degree = 16;  // of phases and of the exponents of amplitudes
+constexpr double rim_unit = 32.0;            // of slopes, whose powers do not overflow then
+
+// k! unit^k: what Q_k is of the numbers that are summed.
+inline double rim_scale(std::size_t k) {
+    double scale = 1.0;
+    for (std::size_t i = 1; i <= k; ++i) {
+        scale *= rim_unit * static_cast<double>(i);
+    }
+    return scale;
+}
+
+// With dbar = d/dx + i d/dy and P = exp(i Phi), dbar^k P = Q_k P. The numbers i dbar^j Phi / ((j - 1)! unit^j), of which Q_k is made,
+// are on a circle sums of E exp(i mu theta), and Zernike terms add to one part of two of the E each.
+struct RimSlopes {
+    struct Part {
+        std::size_t at, term;  // E twice, and 1 for its imaginary part
+    };
+
+    std::vector<ZernikeTerm> terms;
+    Amplitude amplitude;
+    std::vector<double> radii;
+    std::size_t degree = 1;            // j at most
+    std::vector<std::int32_t> orders;  // mu of each E
+    std::vector<std::size_t> ends;     // of the E of each j
+    std::vector<Part> parts;
+    Floats weights;  // [circle][part]
+    Floats fixed;    // [circle][E][re, im], of the amplitude
+
+    RimSlopes(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles)
+        : terms(list), amplitude(light), radii(circles) {
+        degree = degree_of(list, light);
+        std::vector<std::size_t> first;  // E of j with mu = -(degree - j)
+        for (std::size_t j = 1; j <= degree; ++j) {
+            first.push_back(orders.size());
+            const std::int32_t most = static_cast<std::int32_t>(degree - j);
+            for (std::int32_t mu = -most; mu <= most; ++mu) {
+                orders.push_back(mu);
+            }
+            ends.push_back(orders.size());
+        }
+        const auto at = [&](std::size_t j, std::int32_t mu) {
+            return first[j - 1] + static_cast<std::size_t>(mu + static_cast<std::int32_t>(degree - j));
+        };
+        for (std::size_t circle = 0; circle < radii.size(); ++circle) {
+            for (std::size_t t = 0; t < terms.size(); ++t) {
+                const std::int32_t n = terms[t].n, m = std::abs(terms[t].m);
+                const bool sine = terms[t].m < 0;
+                for (std::int32_t j = 1; j <= n; ++j) {
+                    double up = 0.0, down = 0.0;
+                    each_power(n, m, [&](std::int32_t a, std::int32_t b, double c) {
+                        up += c * slope(a, b, j, radii[circle]);
+                        down += c * slope(b, a, j, radii[circle]);
+                    });
+                    const double half = (m == 0 ? 1.0 : 0.5) * factor(static_cast<std::size_t>(j));
+                    const std::size_t jth = static_cast<std::size_t>(j);
+                    add(circle, at, jth, m + j, t, sine, half * up);
+                    if (m > 0) {
+                        add(circle, at, jth, j - m, t, sine, sine ? -half * down : half * down);
+                    }
+                }
+            }
+            fixed.resize((circle + 1) * 2 * orders.size(), 0.0f);
+            for (std::size_t k = 1; k <= amplitude.powers(); ++k) {
+                for (std::size_t j = 1; j <= k; ++j) {
+                    const std::int32_t power = static_cast<std::int32_t>(k), down = static_cast<std::int32_t>(j);
+                    fixed[circle * 2 * orders.size() + 2 * at(j, down)] -=
+                        static_cast<float>(amplitude.power(k) * slope(power, power, down, radii[circle]) * factor(j));
+                }
+            }
+        }
+    }
+    bool is(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles) const {
+        return terms == list && amplitude == light && radii == circles;
+    }
+    std::size_t bytes() const { return (weights.size() + fixed.size()) * sizeof(float) + parts.size() * sizeof(Part); }
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+
+    static std::size_t degree_of(const std::vector<ZernikeTerm>& list, const Amplitude& light) {
+        std::size_t degree = std::max<std::size_t>(1, 2 * light.powers());
+        for (const ZernikeTerm& term : list) {
+            degree = std::max(degree, static_cast<std::size_t>(term.n));
+        }
+        return degree;
+    }
+
+    // Units of roundoff of a step from Q_k to the next: of sums over terms and orders, and of the step itself.
+    double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
+
+   private:
+    // Of R_n^m(r) exp(i m theta) = sum of c z^a conj(z)^b.
+    template <class F>
+    static void each_power(std::int32_t n, std::int32_t m, const F& f) {
+        double c = 1.0;  // binomial(n, (n - m) / 2)
+        for (std::int32_t i = 1; i <= (n - m) / 2; ++i) {
+            c *= static_cast<double>(n - i + 1) / static_cast<double>(i);
+        }
+        for (std::int32_t s = 0; 2 * s <= n - m; ++s) {
+            f((n + m) / 2 - s, (n - m) / 2 - s, c);
+            c *= -static_cast<double>(((n + m) / 2 - s) * ((n - m) / 2 - s)) / static_cast<double>((s + 1) * (n - s));
+        }
+    }
+    // dbar^j z^a conj(z)^b = 2^j b! / (b - j)! z^a conj(z)^(b - j), at theta = 0.
+    static double slope(std::int32_t a, std::int32_t b, std::int32_t j, double radius) {
+        double product = 1.0;
+        for (std::int32_t i = 0; i < j; ++i) {
+            product *= 2.0 * static_cast<double>(b - i);
+        }
+        return b < j ? 0.0 : product * std::pow(radius, a + b - j);
+    }
+    static double factor(std::size_t j) { return static_cast<double>(j) / rim_scale(j); }
+    template <class At>
+    void add(std::size_t circle, const At& at, std::size_t j, std::int32_t mu, std::size_t term, bool sine, double by) {
+        if (mu > static_cast<std::int32_t>(degree - j)) {  // of what was a constant before
+            return;
+        }
+        if (circle == 0) {
+            parts.push_back({2 * at(j, mu) + (sine ? 0 : 1), term});
+        }
+        weights.push_back(static_cast<float>(by));
+    }
+};
+
+// The E of a circle, [E][re, im][lane], from coefficients, [term][lane].
+template <class I>
+LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
+    using V = typename I::floats;
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    const std::size_t count = 2 * table.orders.size();
+    const float* weights = table.weights.data() + circle * table.parts.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        store(e + i * lanes, splat<V>(table.fixed[circle * count + i]));
+    }
+    for (std::size_t i = 0; i < table.parts.size(); ++i) {
+        float* const to = e + table.parts[i].at * lanes;
+        store(to, load<V>(to) + splat<V>(weights[i]) * load<V>(coefficients + table.parts[i].term * lanes));
+    }
+}
+
+// Cosines and sines of mu theta, mu = 0, 1, .., at angles (l + 1/2) 2 pi / count of half a circle.
+struct RimTurns {
+    std::size_t count, orders;
+    Floats turns;  // [angle][mu][cos, sin]
+
+    RimTurns(std::size_t angles, std::size_t degree) : count(angles), orders(degree + 1), turns(angles * (degree + 1)) {
+        for (std::size_t l = 0; l < count / 2; ++l) {
+            for (std::size_t mu = 0; mu < orders; ++mu) {
+                const double angle = 2.0 * 3.14159265358979323846 * static_cast<double>(mu) * (static_cast<double>(l) + 0.5) /
+                                     static_cast<double>(count);
+                turns[2 * (l * orders + mu)] = static_cast<float>(std::cos(angle));
+                turns[2 * (l * orders + mu) + 1] = static_cast<float>(std::sin(angle));
+            }
+        }
+    }
+    const float* at(std::size_t angle) const { return turns.data() + 2 * angle * orders; }
+};
+
+// Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn on, from P there: q[point][k][re, im]. Of phases of such a degree
+// at most, in which loops are unrolled.
+template <std::size_t Degree, std::size_t Last, class I, class V>
+LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    V d[2][Degree][2];
+    for (std::size_t j = 0; j < Degree; ++j) {
+        // Orders from -(degree - 1 - j) to degree - 1 - j, every other of which is even.
+        const std::size_t most = table.degree - 1 - j, from = j == 0 ? 0 : table.ends[j - 1];
+        V re[2], im[2];
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            V rc = splat<V>(0.0f), ic = rc, rs = rc, is = rc;
+            const auto add = [&](std::size_t i, std::size_t order, bool down) LOMMEL_INLINE_LAMBDA {
+                const V c = splat<V>(turns[2 * order]), s = splat<V>(turns[2 * order + 1]);
+                const V a = load<V>(e + 2 * (from + i) * lanes), b = load<V>(e + (2 * (from + i) + 1) * lanes);
+                rc = rc + a * c;
+                ic = ic + b * c;
+                rs = down ? rs - a * s : rs + a * s;
+                is = down ? is - b * s : is + b * s;
+            };
+            for (std::size_t i = parity; j < table.degree && i < most; i += 2) {
+                add(i, most - i, true);
+            }
+            for (std::size_t i = most + (most + parity) % 2; j < table.degree && i <= 2 * most; i += 2) {
+                add(i, i - most, false);
+            }
+            re[parity] = rc - is;
+            im[parity] = ic + rs;
+        }
+        const bool flip = most % 2 != 0;  // of sums of odd orders, half a turn on
+        d[0][j][0] = re[0] + re[1];
+        d[0][j][1] = im[0] + im[1];
+        d[1][j][0] = flip ? re[1] - re[0] : re[0] - re[1];
+        d[1][j][1] = flip ? im[1] - im[0] : im[0] - im[1];
+    }
+    static constexpr float shares[] = {1.0f, 1.0f / 2, 1.0f / 3, 1.0f / 4, 1.0f / 5, 1.0f / 6, 1.0f / 7, 1.0f / 8};
+    static_assert(Last <= std::size(shares), "one for each k");
+    // Both points side by side, and parts of sums: none waits for another.
+    for (std::size_t k = 0; k < Last; ++k) {
+        V sum[2][4] = {};
+        for (std::size_t j = 0; j < std::min(k + 1, Degree); ++j) {
+            for (std::size_t point = 0; point < 2; ++point) {
+                const V *const a = d[point][j], *const b = q[point][k - j];
+                V* const to = sum[point];
+                to[0] = to[0] + a[0] * b[0];
+                to[1] = to[1] + a[1] * b[1];
+                to[2] = to[2] + a[0] * b[1];
+                to[3] = to[3] + a[1] * b[0];
+            }
+        }
+        const V by = splat<V>(shares[k]);
+        for (std::size_t point = 0; point < 2; ++point) {
+            q[point][k + 1][0] = (sum[point][0] - sum[point][1]) * by;
+            q[point][k + 1][1] = (sum[point][2] + sum[point][3]) * by;
+        }
+    }
+}
+
+template <std::size_t N>
+struct RimDegree {
+    static constexpr std::size_t value = N;
+};
+
+// Calls f(RimDegree<N>) with a number that the degree is not above.
+template <class F>
+LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
+    degree <= 4 ? f(RimDegree<4>{}) : degree <= 7 ? f(RimDegree<7>{}) : f(RimDegree<rim_most_degree>{});
+}
+
+// Nodes of a rule that is exact for |Q_K|^2 on the disk: circles and angles.
+struct RimDisk {
+    RimSlopes slopes;
+    RimTurns turns;
+    std::vector<double> weights;  // of the circles
+
+    RimDisk(const std::vector<ZernikeTerm>& terms, const Amplitude& light)
+        : slopes(terms, light, circles(RimSlopes::degree_of(terms, light), false)),
+          turns(2 * rim_orders * (slopes.degree - 1) + 2, slopes.degree), weights(circles(slopes.degree, true)) {}
+    bool is(const std::vector<ZernikeTerm>& terms, const Amplitude& light) const {
+        return slopes.is(terms, light, slopes.radii);
+    }
+    std::size_t bytes() const { return slopes.bytes() + turns.turns.size() * sizeof(float); }
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+
+   private:
+    static std::vector<double> circles(std::size_t degree, bool weights) {
+        const std::size_t count = (rim_orders * (degree - 1) + 2) / 2;
+        std::vector<double> x(count), w(count);
+        gauss_legendre(count, x.data(), w.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = std::sqrt(0.5 + 0.5 * x[i]);
+            w[i] *= 0.5;
+        }
+        return weights ? w : x;
+    }
+};
+
+// The mean of |Q_K / (K! unit^K)|^2 over the disk, [lane], and of what its sums of moduli would be, to which roundings are relative.
+template <std::size_t Degree, class I>
+LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
+    using V = typename I::floats;
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    const V zero = splat<V>(0.0f);
+    V all = zero, most = zero;
+    for (std::size_t circle = 0; circle < disk.weights.size(); ++circle) {
+        slopes_of_circle(isa, disk.slopes, circle, coefficients, e);
+        V sum = zero;
+        for (std::size_t l = 0; l < disk.turns.count / 2; ++l) {
+            V q[2][rim_orders + 1][2];
+            for (auto& point : q) {
+                point[0][0] = splat<V>(1.0f);
+                point[0][1] = zero;
+            }
+            rim_powers<Degree, rim_orders>(isa, disk.slopes, disk.turns.at(l), e, q);
+            for (const auto& point : q) {
+                const V re = point[rim_orders][0], im = point[rim_orders][1];
+                sum = sum + (re * re + im * im);
+            }
+        }
+        V size[Degree], power[rim_orders + 1];
+        for (std::size_t j = 0, i = 0; j < Degree; ++j) {
+            size[j] = zero;
+            for (; j < disk.slopes.degree && i < 2 * disk.slopes.ends[j]; ++i) {
+                const V part = load<V>(e + i * lanes);
+                size[j] = size[j] + larger(part, zero - part);
+            }
+        }
+        power[0] = splat<V>(1.0f);
+        for (std::size_t k = 0; k < rim_orders; ++k) {
+            V next = zero;
+            for (std::size_t j = 0; j < std::min(k + 1, Degree); ++j) {
+                next = next + size[j] * power[k - j];
+            }
+            power[k + 1] = next * splat<V>(1.0f / static_cast<float>(k + 1));
+        }
+        const V weight = splat<V>(static_cast<float>(disk.weights[circle]));
+        all = all + sum * weight * splat<V>(1.0f / static_cast<float>(disk.turns.count));
+        most = most + power[rim_orders] * power[rim_orders] * weight;
+    }
+    store(mean, all);
+    store(moduli, most);
+}
+
+}  // namespace lommel

@@ -1,0 +1,519 @@
+// What far pixels of a window make of the Fourier coefficients of pupils along their rims: docs/certificate.md, section 10.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/chordal/tables.hpp"
+#include "lommel/rim/slopes.hpp"
+#include "lommel/special/legendre.hpp"
+
+namespace lommel {
+
+constexpr std::size_t rim_radii_tile = 3, rim_angles_tile = 3, rim_orders_tile = 6;
+
+// Numbers of points, of which all else follows.
+struct RimWindow {
+    double step;           // v between pixels
+    std::size_t box;       // pixels a side, odd, around the axis, outside of which the others are far
+    std::size_t reach;     // from the axis to the farthest of them, in pixels
+    double obscuration;
+    std::size_t degree;    // of phases
+    double error;          // of averages, what interpolation may make
+
+    bool operator==(const RimWindow& other) const {
+        return step == other.step && box == other.box && reach == other.reach && obscuration == other.obscuration &&
+               degree == other.degree && error == other.error;
+    }
+    double nearest() const { return 0.5 * static_cast<double>(box) * step; }
+};
+
+// One of the two rims: of the aperture, and of the obscuration, whose v is `radius` times as large.
+struct RimWaves {
+    double radius = 1.0, weight = 1.0;  // and what its field is multiplied by
+    std::size_t orders = 0;   // |mu| at most; beyond, coefficients are left out
+    std::size_t angles = 0;   // of the rim
+    std::size_t first = 0;    // nu = i - first of waves, i < count()
+    // Of v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), X and Y: [nu][tile of radii][k][radius of the tile]
+    Floats real, imaginary;
+    Floats forward[4];        // [tile of orders][angle][order of the tile]: cosines, sines of even orders, of odd ones
+    Floats back[4];           // [tile of angles][order][angle of the tile]
+    Floats size[2];           // [k][mu + orders]: in an ellipse, of a coefficient 1
+
+    std::size_t count() const { return 2 * orders + rim_orders; }
+    // Orders n of waves of a parity, from 0 or 1 on; negative ones go with them.
+    std::size_t halves(std::size_t odd) const { return (orders + rim_orders - 1 + 2 - odd) / 2; }
+};
+
+// Pixels at (+-p, +-q) and (+-q, +-p) from the axis, p >= q >= 0.
+struct RimPixels {
+    std::size_t p, q;
+    std::size_t from, used;     // weights of a radius, [angle][channel], of so many channels: 1, 3, .. 9
+    std::ptrdiff_t begin;       // the first of the angles
+    std::size_t count;          // of them
+};
+
+// Weights of angles `apart` for a place between the middle two, by least squares over all orders up to one.
+class AngleWeights {
+   public:
+    std::vector<double> shares;
+
+    AngleWeights(std::size_t taps, double most, double apart);
+    // Finds them for such a part of the way between the two; the sum of the squares of the misfits of all orders.
+    double at(double part);
+
+   private:
+    static constexpr double ridge = 1e-8;
+    double dirichlet(double t) const {
+        return std::abs(t) < 1e-9 ? 2.0 * order_ + 1.0 : std::sin((order_ + 0.5) * t) / std::sin(0.5 * t);
+    }
+
+    double order_, apart_;
+    std::vector<double> common_, inverse_;  // what angles have in common, and the inverse of nearly that
+    std::vector<double> turns_;    // cosine and sine of (order + 1/2) times angles, and of half of them
+    std::vector<double> wanted_;
+};
+
+// Interpolation between Chebyshev's points of [low, 1], of functions that are analytic within an ellipse around it which leaves 0
+// out; and beyond it as far as they are.
+class RadiusRule {
+   public:
+    std::vector<double> places, shares;  // and the weights that were found for one x
+    double low;
+
+    RadiusRule(double from, std::size_t points);
+    // Of a wide and of a narrow ellipse, the sum of the semi-axes where the interval is [-1, 1].
+    double rho(std::size_t ellipse) const {
+        const double c = (1.0 + low) / (1.0 - low);
+        return 1.0 + (ellipse == 0 ? 0.85 : 0.6) * (c + std::sqrt(c * c - 1.0) - 1.0);
+    }
+    // The largest imaginary part and modulus in an ellipse.
+    double bend(double rho) const { return 0.25 * (1.0 - low) * (rho - 1.0 / rho); }
+    double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
+    // What functions that are 1 in an ellipse at most are off by at x.
+    double error(double x, double rho) const;
+    // Finds weights; the sum of their moduli.
+    double at(double x);
+};
+
+struct RimTable {
+    RimWindow window;
+    std::vector<RimWaves> rims;
+    RadiusRule rule;             // of R / v
+    std::size_t around = 0, taps = 0, margin = 0;  // angles, those of a point, and copies of rings on either side
+    std::vector<RimPixels> pixels;
+    std::vector<Floats> weights;  // of each radius
+    double off_angles = 0.0;     // of averages, of the root of the mean square of the smooth channel around the axis
+    double gain = 0.0;           // of the largest number of that channel, in sums of moduli
+    std::array<double, 2> off_radii{};  // of the square of the sizes of waves in an ellipse
+    double off_pixels = 0.0;     // of averages by samples
+    double off_field = 1.0;      // of averages of |U_K|^2, over the mean of the disk
+    double dropped = 0.0;        // of averages, of the largest number of the smooth channel, where rings are left out
+
+    explicit RimTable(const RimWindow& asked);
+    bool is(const RimWindow& asked) const { return window == asked; }
+    std::size_t bytes() const {
+        std::size_t sum = weights.empty() ? 0 : weights.size() * weights[0].size();
+        for (const RimWaves& rim : rims) {
+            sum += 2 * rim.real.size();
+            for (std::size_t i = 0; i < 4; ++i) {
+                sum += rim.forward[i].size() + rim.back[i].size();
+            }
+        }
+        return sum * sizeof(float) + pixels.size() * sizeof(RimPixels);
+    }
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+    std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
+    std::size_t radii() const { return rule.places.size(); }
+    std::size_t ring() const { return around + 2 * margin; }  // angles
+    // Fewest angles along a rim at which moduli are exact and coefficients have no others' errors.
+    static std::size_t angles_of(std::size_t degree, std::size_t orders) {
+        return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
+    }
+    // Where so many points along a side of a pixel give its average of I by Gauss's rule, what they are off by at most.
+    static double pixel_error(double step, std::size_t points);
+
+   private:
+    static constexpr double pi = 3.14159265358979323846;
+    void make_waves(RimWaves& rim) const;
+    // Degree of the squares of waves around the axis.
+    double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
+    double apart() const { return 2.0 * pi / static_cast<double>(around); }
+    // What channels add up to at most, over the smooth one.
+    double together() const { return channels() == 3 ? 2.0 : 5.0; }
+    RadiusRule chosen_rule() const;
+    void choose_angles();
+    void make_pixels();
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apart)
+    : shares(taps), order_(most), apart_(apart), common_(taps * taps), inverse_(taps * taps, 0.0), wanted_(taps) {
+    for (std::size_t i = 0; i < taps; ++i) {
+        const double angle = static_cast<double>(i) * apart;
+        turns_.insert(turns_.end(), {std::cos((most + 0.5) * angle), std::sin((most + 0.5) * angle), std::cos(0.5 * angle),
+                                     std::sin(0.5 * angle)});
+        for (std::size_t j = 0; j < taps; ++j) {
+            common_[i * taps + j] = dirichlet((static_cast<double>(i) - static_cast<double>(j)) * apart);
+        }
+        inverse_[i * taps + i] = 1.0;
+    }
+    std::vector<double> left = common_;
+    for (std::size_t i = 0; i < taps; ++i) {
+        left[i * taps + i] += ridge;
+    }
+    for (std::size_t i = 0; i < taps; ++i) {  // Gauss and Jordan's way, of a positive matrix
+        const double by = 1.0 / left[i * taps + i];
+        for (std::size_t j = 0; j < taps; ++j) {
+            left[i * taps + j] *= by;
+            inverse_[i * taps + j] *= by;
+        }
+        for (std::size_t r = 0; r < taps; ++r) {
+            const double times = left[r * taps + i];
+            for (std::size_t j = 0; r != i && j < taps; ++j) {
+                left[r * taps + j] -= times * left[i * taps + j];
+                inverse_[r * taps + j] -= times * inverse_[i * taps + j];
+            }
+        }
+    }
+}
+
+LOMMEL_ONCE double AngleWeights::at(double part) {
+    const std::size_t taps = shares.size();
+    const double t = (part + static_cast<double>(taps / 2 - 1)) * apart_, sine = std::sin(0.5 * t), cosine = std::cos(0.5 * t),
+                 fast = std::sin((order_ + 0.5) * t), other = std::cos((order_ + 0.5) * t);
+    for (std::size_t j = 0; j < taps; ++j) {
+        const double* const turn = turns_.data() + 4 * j;
+        const double below = sine * turn[2] - cosine * turn[3];
+        wanted_[j] = std::abs(below) < 1e-9 ? 2.0 * order_ + 1.0 : (fast * turn[0] - other * turn[1]) / below;
+    }
+    for (std::size_t i = 0; i < taps; ++i) {
+        shares[i] = 0.0;
+        for (std::size_t j = 0; j < taps; ++j) {
+            shares[i] += inverse_[i * taps + j] * wanted_[j];
+        }
+    }
+    double misfit = 2.0 * order_ + 1.0;
+    for (std::size_t i = 0; i < taps; ++i) {
+        double sum = -2.0 * wanted_[i];
+        for (std::size_t j = 0; j < taps; ++j) {
+            sum += common_[i * taps + j] * shares[j];
+        }
+        misfit += shares[i] * sum;
+    }
+    return std::max(misfit, 0.0) + 1e-13 * order_;
+}
+
+LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
+    // cos(w a t / 2) of t in [-1, 1] and |w| <= 2, by Bernstein ellipses.
+    double least = 1.0;
+    for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
+        const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
+        least = std::min(least, 64.0 / 15.0 * size / (1.0 - 1.0 / (rho * rho)));
+    }
+    return least;
+}
+
+LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) {
+    for (std::size_t i = 0; i < points; ++i) {
+        const double angle = 3.14159265358979323846 * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
+        places.push_back(0.5 * (1.0 + low) + 0.5 * (1.0 - low) * std::cos(angle));
+    }
+    shares.resize(points);
+}
+
+LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
+    // Of T_k with a coefficient of 2 / rho^k at most, k = n, n + 1, .., and of what of lower degree has the same values.
+    const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
+    const double n = static_cast<double>(places.size());
+    return out >= rho ? 1e300
+                      : 2.0 * (std::pow(out / rho, n) / (1.0 - out / rho) + std::pow(out / rho, n) / out / (1.0 - 1.0 / rho));
+}
+
+LOMMEL_ONCE double RadiusRule::at(double x) {
+    const std::size_t n = places.size();
+    double all = 0.0, moduli = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = 3.14159265358979323846 * (static_cast<double>(i) + 0.5) / static_cast<double>(n),
+                     off = x - places[i];
+        shares[i] = (i % 2 == 0 ? 1.0 : -1.0) * std::sin(angle) / (std::abs(off) < 1e-14 ? 1e-14 : off);
+        all += shares[i];
+    }
+    for (double& share : shares) {
+        share /= all;
+        moduli += std::abs(share);
+    }
+    return moduli;
+}
+
+// The fewest points, for pixels up to the farthest: those there count little, and may lie beyond.
+LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
+    const double nearest = window.nearest(),
+                 farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
+    const double last = nearest / farthest;
+    RadiusRule best(last, 40);
+    for (double low = last; low < 0.6; low += 0.05) {
+        for (std::size_t points = 3; points < best.places.size(); ++points) {
+            const RadiusRule rule(low, points);
+            double worst = 0.0;
+            for (double x = last; x < 1.0; x *= 1.05) {
+                worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
+            }
+            // Squares of waves are about R there, and more where phases are large enough for a large box.
+            const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
+            if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
+                best = rule;
+            }
+        }
+    }
+    return best;
+}
+
+LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
+    const double nearest = asked.nearest();
+    const double eps = asked.obscuration;
+    for (const double radius : {1.0, eps}) {
+        if (radius > 0.0) {
+            const double v = radius * nearest;
+            RimWaves rim;
+            rim.radius = radius;
+            rim.weight = radius == 1.0 ? 1.0 : -std::sqrt(radius);
+            rim.orders = static_cast<std::size_t>(std::min(0.53 * v + 3.0, 0.85 * v - 1.0));
+            rim.angles = angles_of(asked.degree, rim.orders);
+            rim.first = rim.orders + rim_orders - 1;
+            rims.push_back(rim);
+        }
+    }
+    choose_angles();
+    for (RimWaves& rim : rims) {
+        make_waves(rim);
+    }
+    make_pixels();
+}
+
+LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
+    const double nearest = rim.radius * window.nearest();
+    const std::size_t most = rim.orders + 1;
+    // v^(1/2) e^-iv H1_n(v) from n = 0 and 1 by recurrence, which does not magnify errors: these by Hankel's series.
+    std::vector<std::vector<std::complex<double>>> hankel;
+    for (const double place : rule.places) {
+        const double v = nearest / place;
+        std::vector<std::complex<double>> h(most + 2);
+        for (std::size_t n = 0; n < 2; ++n) {
+            std::complex<double> sum = 0.0, term = 1.0;
+            const double order = 4.0 * static_cast<double>(n * n);
+            for (std::size_t k = 0; k < 60; ++k) {
+                sum += term;
+                const double odd = static_cast<double>(2 * k + 1);
+                const std::complex<double> next =
+                    term * std::complex<double>(0.0, (order - odd * odd) / (8.0 * static_cast<double>(k + 1) * v));
+                if (std::abs(next) > std::abs(term) || std::abs(next) < 1e-18) {
+                    break;
+                }
+                term = next;
+            }
+            h[n] = std::sqrt(2.0 / pi) * sum * std::polar(1.0, -pi * (0.5 * static_cast<double>(n) + 0.25));
+        }
+        for (std::size_t n = 1; n <= most; ++n) {
+            h[n + 1] = 2.0 * static_cast<double>(n) / v * h[n] - h[n - 1];
+        }
+        hankel.push_back(std::move(h));
+    }
+    // Of an order that is negative, the sign (-1)^n.
+    const auto wave = [&](std::size_t radius, std::int32_t n) {
+        return n < 0 && n % 2 != 0 ? -hankel[radius][static_cast<std::size_t>(-n)]
+                                   : hankel[radius][static_cast<std::size_t>(std::abs(n))];
+    };
+    const std::int32_t first = static_cast<std::int32_t>(rim.first), orders = static_cast<std::int32_t>(rim.orders);
+    rim.real.assign(rim.count() * radii() * rim_orders, 0.0f);
+    rim.imaginary = rim.real;
+    for (std::size_t i = 0; i < rim.count(); ++i) {
+        for_tiles(radii(), rim_radii_tile, [&](std::size_t from, std::size_t size) {
+            for (std::size_t k = 0; k < rim_orders; ++k) {
+                const std::int32_t mu = static_cast<std::int32_t>(i) - first + static_cast<std::int32_t>(k);
+                for (std::size_t r = 0; std::abs(mu) <= orders && r < size; ++r) {
+                    const double power = std::pow(rule.places[from + r] / nearest, static_cast<double>(k)) * rim_scale(k);
+                    const std::complex<double> h = (k % 2 == 0 ? rim.weight : -rim.weight) * power * wave(from + r, mu + 1);
+                    const std::size_t at = (i * radii() + from) * rim_orders + k * size + r;
+                    rim.real[at] = static_cast<float>(h.real());
+                    rim.imaginary[at] = static_cast<float>(h.imag());
+                }
+            }
+        });
+    }
+    // Sizes in ellipses, by Hankel's integral of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2).
+    for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
+        const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
+        std::vector<double> sup(most + 2, 0.0);
+        for (std::size_t n = 1; n < sup.size(); ++n) {
+            const double power = static_cast<double>(n) - 0.5, gamma = std::lgamma(power + 1.0), apart = 0.05;
+            for (double log = -6.0; log < 7.0; log += apart) {
+                const double t = std::exp(log), wide = 0.5 * t * largest / nearest;
+                const double grown = 0.5 * std::log1p(t * bend / nearest + wide * wide);
+                sup[n] += apart * std::exp(-t + power * (log + grown) + log - gamma);
+            }
+            sup[n] *= 1.02 * std::sqrt(2.0 / pi);
+        }
+        sup[0] = 2.0 * largest / nearest * sup[1] + sup[2];
+        for (std::size_t k = 0; k < rim_orders; ++k) {
+            for (std::int32_t mu = -orders; mu <= orders; ++mu) {
+                rim.size[ellipse].push_back(static_cast<float>(1.00001 * std::abs(rim.weight) * rim_scale(k) *
+                                                               std::pow(largest / nearest, static_cast<double>(k)) *
+                                                               sup[static_cast<std::size_t>(std::abs(mu + 1))]));
+            }
+        }
+    }
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+        const std::size_t odd = kind / 2;
+        const auto value = [&](std::size_t n, double angle) {
+            return static_cast<float>(kind % 2 == 0 ? std::cos(static_cast<double>(n) * angle)
+                                                    : std::sin(static_cast<double>(n) * angle));
+        };
+        const std::size_t quarter = rim.angles / 4, forth = (rim.angles / 2 + 2 - odd) / 2;
+        rim.forward[kind].resize(quarter * forth);
+        for_tiles(forth, rim_orders_tile, [&](std::size_t from, std::size_t size) {
+            for (std::size_t l = 0; l < quarter; ++l) {
+                const double angle = 2.0 * pi * (static_cast<double>(l) + 0.5) / static_cast<double>(rim.angles);
+                for (std::size_t r = 0; r < size; ++r) {
+                    rim.forward[kind][from * quarter + l * size + r] = value(2 * (from + r) + odd, angle);
+                }
+            }
+        });
+        const std::size_t halves = rim.halves(odd);
+        rim.back[kind].resize(halves * (around / 4));
+        for_tiles(around / 4, rim_angles_tile, [&](std::size_t from, std::size_t size) {
+            for (std::size_t i = 0; i < halves; ++i) {
+                for (std::size_t r = 0; r < size; ++r) {
+                    const double angle = 2.0 * pi * (static_cast<double>(from + r) + 0.5) / static_cast<double>(around);
+                    rim.back[kind][from * halves + i * size + r] = value(2 * i + odd, angle);
+                }
+            }
+        });
+    }
+}
+
+LOMMEL_ONCE void RimTable::choose_angles() {
+    for (double many = 3.4; many < 8.0; many *= 1.25) {
+        around = 8 * static_cast<std::size_t>(std::ceil(many * (order() + 1.0) / 8.0));
+        for (taps = 4; taps <= 12; taps += 2) {
+            const double off = std::sqrt(AngleWeights(taps, order(), apart()).at(0.5));
+            if (4.0 * together() * off <= 0.15 * window.error * std::pow(window.nearest(), 3)) {
+                return;
+            }
+        }
+    }
+    taps = 12;
+}
+
+LOMMEL_ONCE void RimTable::make_pixels() {
+    const double nearest = window.nearest();
+    AngleWeights angles(taps, order(), apart());
+    std::size_t points = 4;
+    while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < 64) {
+        ++points;
+    }
+    const double response = pixel_error(window.step, points);
+    off_pixels = 3.0 * response;
+    off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + 3.0 * response);
+    std::vector<double> x(points), w(points);
+    gauss_legendre(points, x.data(), w.data());
+    std::vector<double> frequencies{2.0};
+    if (rims.size() > 1) {
+        const double eps = rims[1].radius;
+        frequencies = {2.0 * eps, 1.0 - eps, 1.0 + eps, 2.0};
+    }
+    const std::size_t half = window.box / 2;
+    Doubles sums;
+    weights.resize(radii());
+    for (std::size_t p = half + 1; p <= window.reach; ++p) {
+        for (std::size_t q = 0; q <= p; ++q) {
+            look();
+            const double down = static_cast<double>(q), right = static_cast<double>(p);
+            // Angles from the lowest corner to the highest.
+            const double low = std::atan2(down - 0.5, right + (q == 0 ? -0.5 : 0.5)) / apart(),
+                         high = std::atan2(down + 0.5, right - 0.5) / apart();
+            // Angles stand at (l + 1/2) apart.
+            const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
+            const std::size_t count =
+                static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
+            sums.assign(radii() * count * channels(), 0.0);
+            for (std::size_t i = 0; i < points; ++i) {
+                for (std::size_t j = 0; j < points; ++j) {
+                    const double y = down + 0.5 * x[i], z = right + 0.5 * x[j];
+                    const double v = window.step * std::hypot(y, z), place = nearest / v;
+                    const double angle = std::atan2(y, z) / apart() - 0.5, before = std::floor(angle);
+                    const double misfit = std::sqrt(angles.at(angle - before)), along = rule.at(place),
+                                 size = 1.0 / (v * v * v);
+                    double moduli = 0.0;
+                    for (const double share : angles.shares) {
+                        moduli += std::abs(share);
+                    }
+                    off_angles = std::max(off_angles, together() * size * along * misfit);
+                    for (std::size_t e = 0; e < 2; ++e) {
+                        off_radii[e] = std::max(off_radii[e], 4.0 * size * rule.error(place, rule.rho(e)));
+                    }
+                    gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
+                    const double by = 0.25 * w[i] * w[j] * size;
+                    std::array<double, 9> waves{by};
+                    for (std::size_t f = 0; f < frequencies.size(); ++f) {
+                        waves[1 + 2 * f] = by * std::cos(frequencies[f] * v);
+                        waves[2 + 2 * f] = by * std::sin(frequencies[f] * v);
+                    }
+                    const std::size_t at = static_cast<std::size_t>(before - static_cast<double>(taps / 2 - 1) - begin);
+                    const double* const shares = angles.shares.data();
+                    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                        for (std::size_t r = 0; r < radii(); ++r) {
+                            for (std::size_t k = 0; k < channels(); ++k) {
+                                const double weight = rule.shares[r] * waves[k];
+                                double* const to = sums.data() + (r * channels() + k) * count + at;
+                                for (std::size_t t = 0; t < taps; ++t) {
+                                    to[t] += weight * shares[t];
+                                }
+                            }
+                        }
+                    });
+                }
+            }
+            margin = std::max(margin, count + taps);
+            // Rings, of which pixels average the fast ones, are no more than the smooth channel.
+            const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
+                return sums[(radius * channels() + channel) * count + angle];
+            };
+            std::size_t used = channels();
+            double rest = 0.0;
+            for (; used > 1; used -= 2) {
+                double more = rest;
+                for (std::size_t r = 0; r < radii(); ++r) {
+                    for (std::size_t t = 0; t < count; ++t) {
+                        more += std::hypot(sum_of(r, used - 2, t), sum_of(r, used - 1, t));
+                    }
+                }
+                if (3.0 * more > 0.15 * window.error) {
+                    break;
+                }
+                rest = more;
+            }
+            dropped = std::max(dropped, rest);
+            pixels.push_back({p, q, weights[0].size(), used, static_cast<std::ptrdiff_t>(begin), count});
+            for (std::size_t r = 0; r < radii(); ++r) {
+                for (std::size_t t = 0; t < count; ++t) {
+                    for (std::size_t c = 0; c < used; ++c) {
+                        weights[r].push_back(static_cast<float>(sum_of(r, c, t)));
+                    }
+                }
+            }
+        }
+    }
+}
+#endif
+
+}  // namespace lommel

@@ -7,6 +7,7 @@
 #include "lommel/chordal/field_gradient.hpp"
 #include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
+#include "lommel/chordal/aperture_averages.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/chordal/series_errors.hpp"
 #include "lommel/chordal/sums.hpp"
@@ -271,6 +272,21 @@ struct CheaperImages : Images<T> {
     void run() { this->run_if_cheaper(); }
 };
 
+std::vector<double> places(const In<double, 1>& at) {
+    std::vector<double> found(at.data(), at.data() + at.size());
+    require(!found.empty() && std::is_sorted(found.begin(), found.end()) && std::abs(found.front()) < 1e6 &&
+                std::abs(found.back()) < 1e6,
+            "nodes must rise");
+    return found;
+}
+
+void require_nodes(const Out<double, 3>& values, const In<double, 1>& rows, const In<double, 1>& columns,
+                   const In<double, 2>& down, const In<double, 2>& across) {
+    require(down.shape(0) == values.shape(1) && down.shape(1) == rows.size() && across.shape(0) == values.shape(2) &&
+                across.shape(1) == columns.size(),
+            "one weight a pixel and node");
+}
+
 // Averages over pixels from samples at nodes, which are the same about the middle of the window for all pupils.
 template <class... Center>
 double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
@@ -278,16 +294,7 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
                 In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
     require(values.shape(0) == pupils && numbers.shape(0) == 4 && numbers.shape(1) == pupils, "one image a pupil");
-    require(down.shape(0) == height && down.shape(1) == rows.size() && across.shape(0) == width &&
-                across.shape(1) == columns.size(),
-            "one weight a pixel and node");
-    const auto places = [](const In<double, 1>& at) {
-        std::vector<double> found(at.data(), at.data() + at.size());
-        require(!found.empty() && std::is_sorted(found.begin(), found.end()) && std::abs(found.front()) < 1e6 &&
-                    std::abs(found.back()) < 1e6,
-                "nodes must rise");
-        return found;
-    };
+    require_nodes(values, rows, columns, down, across);
     const std::vector<double> down_at = places(rows), across_at = places(columns);
     std::vector<double> scales(pupils, 1.0);
     return ask_disks<false>(
@@ -305,6 +312,36 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
             single ? ask(float()) : ask(double());
         },
         center...);
+}
+
+// The same of an aperture around one axis, by weights of the nodes of the disk.
+double aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step,
+                         int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down, In<double, 2> across,
+                         In<double, 3> weights, bool single, Out<double, 3> values, Out<double, 2> numbers) {
+    const std::size_t pupils = pupils_of(edge), size = 2 * weights.shape(0);
+    require(values.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils, "one image a pupil");
+    require(weights.shape(1) == weights.shape(0) && weights.shape(2) == 8 && size >= 2 && size <= 1024,
+            "eight weights for each node of a quadrant");
+    require_nodes(values, rows, columns, down, across);
+    const std::vector<double> down_at = places(rows), across_at = places(columns);
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    require_center(center_y, center_x);
+    require_request(step, 0.1, threads);
+    return judged([&] {
+        lommel::DiskStack stack(list, edge.data(), pupils, 0.0, lommel::Amplitude());
+        const lommel::DiskWindow window{values.shape(1), values.shape(2), center_y, center_x, step};
+        double* const found = numbers.data();
+        const lommel::PixelNodes nodes =
+            lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data(),
+                                     found + pupils, found + 2 * pupils);
+        const lommel::ApertureRule rule{size, weights.data()};
+        if (single) {
+            lommel::ApertureAverages<float>(stack, rule, nodes, found).run(threads);
+        } else {
+            lommel::ApertureAverages<double>(stack, rule, nodes, found).run(threads);
+        }
+    });
 }
 
 std::pair<double, double> costs(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
@@ -342,6 +379,11 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(), "The same, each around an axis of its own.");
+    m.def("aperture_averages", &aperture_averages, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "threads"_a,
+          "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "values"_a.noconvert(), "numbers"_a.noconvert(),
+          "The same of an aperture, by weights of the nodes of the disk: of a quadrant [chord][node][(+,+), (+,-), (-,+), "
+          "(-,-) in "
+          "x and y][re, im]. The brightest sample of each, the largest average and the sum of them.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,
           "width"_a, "step"_a, "tol"_a, "single"_a,
           "Nanoseconds that images are likely to take by the chordal rule and by the series.");

@@ -233,6 +233,29 @@ def chordal_averages(
     return NodeAverages(values, *numbers)
 
 
+def aperture_averages(
+    stack: DiskStack,
+    window: Window,
+    nodes: tuple[Array, Array],
+    weights: tuple[Array, Array],
+    rule: Array,
+    threads: int,
+    *,
+    single: bool,
+) -> tuple[Array, Array]:
+    """Return the same of an aperture around one axis, its amplitude in the weights of a rule of the disk.
+
+    `rule` has for each chord and node of a quadrant the weights at (x, y), (x, -y), (-x, y), (-x, -y), of each the
+    real and the imaginary part: (chords, nodes, 8). Returned are averages (n, height, width), and of each the
+    brightest sample, the largest average and their sum, (3, n).
+    """
+    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((3, len(stack.edge)))
+    compute: Callable[..., float] = _core.aperture_averages
+    asked = (*window.center, window.step, threads, *nodes, *weights, rule, single, values, numbers)
+    compute(stack.terms, stack.edge, *asked)
+    return values, numbers
+
+
 def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Array, Array]:
     """Return what rims leave of fields, times v to the power of `RIM_ORDERS`, and the pixels of the axes, (n, 2).
 

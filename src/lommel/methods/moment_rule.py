@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.optics.aperture.opening import Opening
+from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
@@ -96,6 +96,26 @@ def moment_rule(opening: Opening, degree: int, fine: int, error: float) -> Momen
     Segments have their phases in the weights, which `fine` has to allow for.
     """
     return _made(opening, *_rounded(degree, fine, error))
+
+
+def degrees_and_error(pupil: Pupil, reach: float, aim: float) -> tuple[int, int, float]:
+    """Return the degrees that :func:`moment_rule` takes for v up to `reach`, and what U is off by then.
+
+    Polynomials are off by `aim`. The degree of a term that multiplies the pupil function is added to the first two.
+    """
+    terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
+    phases = pupil.opening.phases
+    steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
+    degree = degree_needed(terms, reach, pupil.illumination, aim)
+    # The waves of segments are within the error of a polynomial, which multiplies those of this degree.
+    fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
+    # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
+    return degree, fine, 1.1 * aim + (1.0 + aim) * aim + phase_roundings(pupil)
+
+
+def phase_roundings(pupil: Pupil) -> float:
+    """Return what roundings of the phases of segments change U by, however many turns there are."""
+    return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
 def _rounded(degree: int, fine: int, error: float) -> tuple[int, int, int]:
@@ -205,12 +225,20 @@ def field_sums(
         u, others = field[0], field[1:]
         values[part] = u.real**2 + u.imag**2
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
-    # Phases of terms and of waves, sums along both axes, and the weights.
-    size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
-    turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
-    lost = (_UNIT * turned * rule.total + rule.lost) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
+    lost = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
     return values, slopes, lost
+
+
+def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
+    """Return what roundings change U by, up to `reach` in v; where all sums are in `single` precision with those."""
+    # Phases of terms and of waves, sums along both axes, and the weights.
+    edge = pupil.wavefront.flattened().edge
+    size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
+    turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
+    # Sums of pairs of chords and nodes, and phases in multiples of 2^-32 turns.
+    more = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single else 0.0
+    return (_UNIT * turned + more) * rule.total + rule.lost
 
 
 @lru_cache(maxsize=8)

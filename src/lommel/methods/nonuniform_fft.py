@@ -11,12 +11,11 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, Slopes, Wanted, not_met
 from lommel.core.engine import row_images
-from lommel.methods.bounds import UNIT_ROUNDOFF
 from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, once_stored, painted, relative_error, storing
-from lommel.methods.moment_rule import field_sums, moment_rule, worth
+from lommel.methods.moment_rule import degrees_and_error, field_sums, moment_rule, phase_roundings, worth
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels.averaging import averaged_images
+from lommel.methods.pixels.averaging import averaged_images, finished
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -78,6 +77,12 @@ class NonuniformFFT(Method[Pupil]):
         if wanted.terms and wanted.scale is None:
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         grid.require_one_axis()
+        if grid.integrate:
+            from lommel.methods.pixels.aperture_nodes import averaged_apertures
+
+            made = averaged_apertures(pupil, grid, self.tol, wanted)
+            if made is not None:
+                return finished(made, wanted)
         # Errors of averages are over the largest anywhere, as those of samples in a dark window need not be.
         sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
         return averaged_images(sample, pupil, grid, self.tol, wanted)
@@ -179,18 +184,13 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
     factor = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
-    # What roundings of the phases of segments change U by, however many turns there are.
-    turned = 8.0 * UNIT_ROUNDOFF * float(np.abs(phases).sum(axis=1).max()) * math.sqrt(amplitude)
     if pupil.mask is None:
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
-        # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
         aim = 0.3 * error * amplitude
-        missed = 1.1 * aim + (1.0 + aim) * aim + turned
-        degree = degree_needed(terms, reach, pupil.illumination, aim) + factor
-        # The waves of segments are within the error of a polynomial, which multiplies those of this degree.
-        fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
+        degree, fine, missed = degrees_and_error(pupil, reach, aim)
+        degree, fine = degree + factor, fine + factor
         if worth(pupil, grid, wanted.terms, degree, fine, aim):
             rule = moment_rule(pupil.opening, degree, fine, aim)
             values, slopes, lost = field_sums(rule, pupil, grid, wanted.terms)
@@ -198,7 +198,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
             return values, slopes, off, off_slopes
         rules = pupil.opening.rows(degree_needed(terms, reach + steepest, pupil.illumination, aim) + factor, aim)
     else:
-        phases, rules, missed = np.zeros((1, 3)), pupil.samples, turned
+        phases, rules, missed = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
     window = window_of(pupil, grid)
     values, slopes, lost = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUMS * error, wanted)
     if pupil.mask is not None and pupil.mask.squares:

@@ -21,6 +21,7 @@
 #include "lommel/chordal/batch.hpp"
 #include "lommel/chordal/derivatives.hpp"
 #include "lommel/chordal/error_curves.hpp"
+#include "lommel/chordal/node_sums.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/pixels/render.hpp"
@@ -287,8 +288,7 @@ class ChordalRenderer {
         Real* intensity = scratch.intensity.data();
         alignas(64) Real peaks[most_pupils] = {};
         if (weights != nullptr) {
-            scratch.lines.resize(weights->vectors * node_block * lanes);
-            scratch.sums.assign((1 + weights->height) * weights->vectors * lanes, 0.0);
+            begin_averages(batch, *weights);
         }
         batch.pupil_fields(More::keeps_nodes, [&](std::size_t y, const Real* u) {
             Kernels::intensities(batch.level, u, vectors, intensity, peaks);
@@ -312,7 +312,7 @@ class ChordalRenderer {
             peaks[0] = *std::max_element(peaks, peaks + lanes);
         }
         if (weights != nullptr) {
-            store_averages(batch, *weights);
+            store_averages(batch, *weights, *nodes_);
         }
         bool any = false;
         for (std::size_t lane = 0; lane < here; ++lane) {
@@ -324,47 +324,6 @@ class ChordalRenderer {
                     return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0), error_of(batch, p, degree)};
                 });
             }
-        }
-    }
-
-    // What a row of samples adds to averages: those of the row come first in the scratch.
-    template <class Real>
-    static void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y,
-                             const Real* intensity) {
-        using Kernels = ChordKernels<Real>;
-        const std::size_t lanes = batch.lanes(), at = y % node_block, line = weights.vectors * lanes;
-        double* const sums = batch.scratch.sums.data();
-        std::fill_n(sums, line, 0.0);
-        Kernels::average_along(batch.level, weights, intensity, sums);
-        for (std::size_t v = 0; v < weights.vectors; ++v) {
-            std::transform(sums + v * lanes, sums + (v + 1) * lanes, batch.scratch.lines.data() + (v * node_block + at) * lanes,
-                           [](double sum) { return static_cast<Real>(sum); });
-        }
-        if (at == node_block - 1 || y + 1 == weights.rows) {
-            Kernels::average_down(batch.level, weights, y - at, batch.scratch.lines.data(), sums + line);
-        }
-    }
-
-    template <class Real>
-    void store_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights) const {
-        const std::size_t lanes = batch.lanes(), size = weights.height * weights.width;
-        for (std::size_t lane = 0; lane < (batch.lone() ? 1 : batch.here); ++lane) {
-            const std::size_t pupil = batch.pupils[lane];
-            double* to = nodes_->averages + pupil * size;
-            double top = 0.0, all = 0.0;
-            for (std::size_t y = 0; y < weights.height; ++y) {
-                const double* const from = batch.scratch.sums.data() + (1 + y) * weights.vectors * lanes;
-                double sum = 0.0;
-                for (std::size_t x = 0; x < weights.width; ++x) {
-                    const double value = std::max(0.0, batch.lone() ? from[x] : from[x * lanes + lane]);
-                    *to++ = value;
-                    top = std::max(top, value);
-                    sum += value;
-                }
-                all += sum;
-            }
-            nodes_->largest[pupil] = top;
-            nodes_->together[pupil] = all;
         }
     }
 

@@ -57,8 +57,12 @@ struct ChordKernels {
 template <class Real>
 void ChordKernels<Real>::nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        table.lanes.side > 1 ? pair_of_chords<true>(isa, table, chord, coefficients, to)
-                             : pair_of_chords<false>(isa, table, chord, coefficients, to);
+        if (!table.own.empty()) {
+            return table.lanes.side > 1 ? pair_of_chords<true, true>(isa, table, chord, coefficients, to)
+                                        : pair_of_chords<false, true>(isa, table, chord, coefficients, to);
+        }
+        table.lanes.side > 1 ? pair_of_chords<true, false>(isa, table, chord, coefficients, to)
+                             : pair_of_chords<false, false>(isa, table, chord, coefficients, to);
     });
 }
 template <class Real>

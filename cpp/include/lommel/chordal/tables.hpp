@@ -105,13 +105,28 @@ struct TermTable {
     TermClasses classes;
     Doubles values;   // [vector of chords][tile of nodes][term, in the order of classes][node of the tile][chord]
     Doubles weights;  // [vector of chords][node][chord], with the amplitude
+    Doubles own;      // or, of an aperture, [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
-        return count == n && lanes == in && amplitude == light && terms == list;
+        return own.empty() && count == n && lanes == in && amplitude == light && terms == list;
     }
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
-    std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
+    std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
+
+    // Of the whole disk with weights of its own at each node, [chord][node][(+,+), ..][re, im].
+    void weigh(const double* given) {
+        const std::size_t half = count.half_nodes();
+        own.assign(weights.size() * 8, 0.0);
+        for (std::size_t i = 0; i < count.half_chords(); ++i) {
+            for (std::size_t k = 0; k < half; ++k) {
+                for (std::size_t part = 0; part < 8; ++part) {
+                    own[((i / lanes.side * half + k) * 8 + part) * lanes.side + i % lanes.side] =
+                        given[(i * half + k) * 8 + part];
+                }
+            }
+        }
+    }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
@@ -241,6 +256,17 @@ struct KernelTable {
         }
     }
 
+    // What is left of a quarter of a turn is rounded to double precision, whose functions take a fraction of the time.
+    static void turn_once(wide angle, wide& cosine, wide& sine) {
+        constexpr wide quarter = static_cast<wide>(1.57079632679489661923132169163975144L);
+        const wide turns = std::nearbyint(angle / quarter);
+        const double left = static_cast<double>(angle - turns * quarter), c = std::cos(left), s = std::sin(left);
+        const std::size_t place = static_cast<std::size_t>(static_cast<std::int64_t>(turns) & 3);
+        const double around[] = {c, -s, -c, s, c};
+        cosine = static_cast<wide>(around[place]);
+        sine = static_cast<wide>(-around[place + 1]);
+    }
+
     // Cosines and sines of places times an angle: from one pixel to the next by a rotation, from the beginning again after
     // some, where that is off by far less than what is stored.
     template <class Put>
@@ -249,7 +275,10 @@ struct KernelTable {
         const wide along = std::cos(angle), up = std::sin(angle);
         wide cosine = 1, sine = 0;
         for (std::size_t i = 0; i < at.size(); ++i) {
-            if (i % most == 0 || at[i] - at[i - 1] != 1.0) {
+            const bool apart = i > 0 && at[i] - at[i - 1] != 1.0;
+            if (apart && wider) {
+                turn_once(static_cast<wide>(at[i]) * angle, cosine, sine);
+            } else if (apart || i % most == 0) {
                 cosine = std::cos(static_cast<wide>(at[i]) * angle);
                 sine = std::sin(static_cast<wide>(at[i]) * angle);
             } else {

@@ -160,7 +160,7 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
 
 // The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
 // by the sines. Of one pupil, of a vector of such pairs.
-template <bool Lone, class I, class Real>
+template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
     using V = typename Wave::V;
@@ -198,12 +198,24 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             Wave::wave(a - b, im[1], re[1]);
             Wave::wave(c + d, im[2], re[2]);
             Wave::wave(c - d, im[3], re[3]);
-            const double* const weight = table.weights.data() + (chord * half + first + r) * side;
-            V w;
-            if constexpr (Lone) {
-                w = weights_of(isa, weight, Real());
+            const auto weight = [&](const double* from) LOMMEL_INLINE_LAMBDA {
+                if constexpr (Lone) {
+                    return weights_of(isa, from, Real());
+                } else {
+                    return splat<V>(static_cast<Real>(*from));
+                }
+            };
+            const std::size_t node = (chord * half + first + r) * side;
+            V w = splat<V>(Real(1));
+            if constexpr (Own) {
+                for (std::size_t q = 0; q < 4; ++q) {
+                    const V a = weight(table.own.data() + 8 * node + 2 * q * side),
+                            b = weight(table.own.data() + 8 * node + (2 * q + 1) * side), c = re[q], s = im[q];
+                    re[q] = a * c - b * s;
+                    im[q] = a * s + b * c;
+                }
             } else {
-                w = splat<V>(static_cast<Real>(*weight));
+                w = weight(table.weights.data() + node);
             }
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;

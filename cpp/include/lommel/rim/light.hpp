@@ -230,7 +230,7 @@ struct RimLone {
         }
         return sum * sizeof(float);
     }
-    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
 // Waves of some radii: of each [kind][order][re and im of X, re and im of Y][lane]. Of one pupil, whose values stand in all lanes, of

@@ -1,0 +1,95 @@
+// Averages over pixels of apertures of any shape, by the nodes of the disk with weights that give the moments of the aperture; the
+// caller bounds the error.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
+#include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/node_sums.hpp"
+
+namespace lommel {
+
+// A rule of as many chords as nodes on each, its weights as those of TermTable::own.
+struct ApertureRule {
+    std::size_t size;
+    const double* weights;
+};
+
+// Terms at its nodes, kept for further images of the aperture.
+struct ApertureTable : TermTable {
+    std::vector<double> given;
+
+    ApertureTable(const ApertureRule& rule, const std::vector<ZernikeTerm>& list, const ChordLanes& in)
+        : TermTable({rule.size, rule.size}, list, Amplitude(), in),
+          given(rule.weights, rule.weights + 2 * rule.size * rule.size) {
+        weigh(rule.weights);
+    }
+    bool is(const ApertureRule& rule, const std::vector<ZernikeTerm>& list, const ChordLanes& in) const {
+        return count.chords == rule.size && lanes == in && terms == list &&
+               std::equal(given.begin(), given.end(), rule.weights, rule.weights + 2 * rule.size * rule.size);
+    }
+    std::size_t bytes() const { return TermTable::bytes() + given.size() * sizeof(double); }
+};
+
+template <class Real>
+class ApertureAverages {
+   public:
+    // Writes the brightest sample of each pupil, and the averages of `nodes`.
+    ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest)
+        : stack_(stack), nodes_(nodes), level_(processor_level()), lone_(ChordKernels<Real>::lone(level_, stack.count)),
+          brightest_(brightest) {
+        const ChordLanes in = ChordKernels<Real>::chord_lanes(level_, lone_);
+        disks_[0] = {cache<ApertureTable>.get(rule, stack.terms, in),
+                     cache<KernelTable<Real>>.get(ChordCount{rule.size, rule.size}, nodes.rows, nodes.columns, 1.0, in),
+                     nullptr};
+        weights_ = std::make_shared<const NodeWeights<Real>>(nodes, in);
+    }
+
+    void run(int threads) const {
+        const std::size_t side = lone_ ? 1 : ChordKernels<Real>::lanes(level_), batches = (stack_.count + side - 1) / side;
+        std::vector<std::size_t> pupils(stack_.count);
+        std::iota(pupils.begin(), pupils.end(), std::size_t{0});
+        const double size = static_cast<double>(disks_[0].terms->count.chords);
+        const double work = 2e-4 * size * size * size * static_cast<double>(stack_.count);
+        parallel_for(batches, worthwhile_threads(threads, work), [&](std::size_t, std::size_t b) {
+            thread_local ChordalScratch<Real> scratch;
+            const std::size_t first = b * side, here = std::min(side, stack_.count - first);
+            run_batch({level_, stack_, pupils.data() + first, here, 0.0, disks_, scratch});
+        });
+    }
+
+   private:
+    void run_batch(const ChordalBatch<Real>& batch) const {
+        const std::size_t lanes = batch.lanes(), vectors = batch.vectors();
+        batch.scratch.intensity.resize(vectors * lanes);
+        alignas(64) Real peaks[most_pupils] = {};
+        begin_averages(batch, *weights_);
+        batch.pupil_fields(false, [&](std::size_t y, const Real* u) {
+            ChordKernels<Real>::intensities(batch.level, u, vectors, batch.scratch.intensity.data(), peaks);
+            add_averages(batch, *weights_, y, batch.scratch.intensity.data());
+        });
+        store_averages(batch, *weights_, nodes_);
+        for (std::size_t lane = 0; lane < batch.here; ++lane) {
+            const Real* const own = batch.lone() ? std::max_element(peaks, peaks + lanes) : peaks + lane;
+            brightest_[batch.pupils[lane]] = static_cast<double>(*own);
+        }
+    }
+
+    const DiskStack& stack_;
+    const PixelNodes& nodes_;
+    Level level_;
+    bool lone_;
+    double* brightest_;
+    std::array<ChordalTables<Real>, 2> disks_;
+    std::shared_ptr<const NodeWeights<Real>> weights_;
+};
+
+}  // namespace lommel

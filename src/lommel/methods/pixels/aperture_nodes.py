@@ -1,0 +1,101 @@
+"""Averages over pixels of apertures of any shape: nodes of the window, and a rule with the moments of the aperture.
+
+The nodes of the rule are those of the chordal rule of the disk, its weights complex numbers of either sign, see
+:mod:`lommel.methods.moment_rule`: pupils stand side by side in vector lanes, as those of round apertures do.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core.answers import ToleranceError, Wanted
+from lommel.core.engine import DiskStack, NodeAverages, Window, aperture_averages
+from lommel.methods.moment_rule import MomentRule, degrees_and_error, moment_rule, nodes, roundings
+from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.methods.pixels.averaging import Averages, Disks, averaged_at_nodes
+from lommel.methods.pixels.window_nodes import WindowNodes
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
+
+_FEWEST = 4  # pupils, in whose lanes work is shared
+_STEPS = 8  # stacks, or steps of a fit, that take the same rule
+_MAKING, _SUMS, _SAMPLE = 2.4e-5, 5.5e-8, 1.15e-4  # ms by cubes of rows, by products, and of a sample of a filter
+_LARGEST = 400  # degree
+_SINGLE = 0.5  # of an error, what sums in single precision may lose
+_LEAST = 1e-12  # error of the field, below which roundings are in the way
+
+
+def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
+    """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
+    if pupil.mask is not None or wanted.terms or wanted.powers or math.prod(pupil.shape) < _FEWEST:
+        return None
+
+    def at_nodes(
+        stack: DiskStack,
+        window: Window,
+        axes: tuple[WindowNodes, WindowNodes],
+        tol: float,
+        threads: int,
+        *,
+        single: bool,
+    ) -> NodeAverages:
+        middles = (window.step * (0.5 * (n - 1) - c) for n, c in zip(window.shape, window.center, strict=True))
+        farthest = (np.abs(axis.places + at).max() for axis, at in zip(axes, middles, strict=True))
+        reach, aim = math.hypot(*farthest), 0.15 * tol
+        if aim < _LEAST:
+            raise ToleranceError
+        degree, fine, missed = degrees_and_error(pupil, reach, aim)
+        if degree > _LARGEST or not _pays(len(stack.edge), degree + 20.0, window, axes):
+            raise ToleranceError
+        rule = moment_rule(pupil.opening, degree, fine, aim)
+        lost = roundings(rule, pupil, reach, single=True)
+        single = single and lost < _SINGLE * tol
+        off = missed + 1.1 * aim + (lost if single else roundings(rule, pupil, reach))
+        # Chords of the rule are rows of the aperture, and those of the core are columns.
+        row, column = axes
+        values, numbers = aperture_averages(
+            turned(stack),
+            Window(window.shape[::-1], window.center[::-1], window.step),
+            (column.places, row.places),
+            (column.weights, row.weights),
+            of_quadrant(rule, pupil),
+            threads,
+            single=single,
+        )
+        return NodeAverages(values.swapaxes(1, 2), np.full(len(stack.edge), off), *numbers)
+
+    return averaged_at_nodes(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
+
+
+def _pays(count: int, rows: float, window: Window, axes: tuple[WindowNodes, WindowNodes]) -> bool:
+    """Return whether sums over nodes are likely to take less time than a filter of samples."""
+    down, across = (axis.places.size for axis in axes)
+    sums = _SUMS * rows * down * (rows + across)
+    samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
+    return _MAKING * rows**3 < _STEPS * count * (samples - sums)
+
+
+def turned(stack: DiskStack) -> DiskStack:
+    """Return the same with x and y exchanged: cosines of odd orders are sines then."""
+    n, m = stack.terms.T
+    odd, order = m % 2 != 0, np.abs(m)
+    terms = np.stack([n, np.where(odd, -m, m)], axis=1)
+    # cos(m (pi / 2 - theta)), and sin of that.
+    half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
+    signs = np.where(odd, half, np.where(m < 0, -half, half))
+    return stack._replace(terms=np.ascontiguousarray(terms, dtype=np.int32), edge=stack.edge * signs)
+
+
+def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
+    """Return the weights of a rule, with the amplitude of a pupil, as the core takes them, (chords, nodes, 8)."""
+    weight, half = rule.weight, rule.rows // 2
+    if not pupil.illumination.uniform:
+        at = nodes(rule.rows)
+        weight = weight * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+    # Rows fall from the top, nodes along them rise.
+    top, bottom = weight[:half], weight[: half - 1 : -1]
+    parts = [part for rows in (top, bottom) for part in (rows[:, : half - 1 : -1], rows[:, :half])]
+    return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)

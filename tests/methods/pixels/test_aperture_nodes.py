@@ -1,0 +1,122 @@
+"""Averages of stacks of apertures of any shape at nodes of a window, against sums of samples within each pixel."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.core import engine
+from lommel.core.answers import Wanted
+from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.methods.pixels import aperture_nodes
+from lommel.methods.pixels.aperture_nodes import averaged_apertures, turned
+from lommel.methods.pixels.window_nodes import window_nodes
+from lommel.optics.grid import Grid
+
+VANES = lm.Spider(0.03, angles=(10, 100, 190, 280))
+SEGMENTS = lm.Segments.hexagonal(rings=1, gap=0.02)
+PHASED = SEGMENTS.phased(0.1 * np.arange(6.0), unit="waves")
+
+
+def pupils(rng, count, waves, **more):
+    sizes = rng.normal(size=(count, 12)) * 2 * np.pi * waves / math.sqrt(12)
+    return lm.Pupil(lm.Wavefront.zernike({j + 4: sizes[:, j] for j in range(12)}, order="noll"), **more)
+
+
+def by_samples(pupil, grid, count):
+    """Return averages by Gauss's rule of samples within each pixel."""
+    x, weight = np.polynomial.legendre.leggauss(count)
+    row, column = grid.center
+    total = 0.0
+    for y, of_y in zip(0.5 * x, 0.5 * weight, strict=True):
+        for across, of_x in zip(0.5 * x, 0.5 * weight, strict=True):
+            at = (row - y, column - across)
+            made = lm.psf(
+                pupil, grid.shape, grid.pixel, center=at, integrate=False, method=lm.NonuniformFFT(1e-9),
+                normalize="strehl",
+            )  # fmt: skip
+            total = total + of_y * of_x * made.values
+    return total
+
+
+@pytest.fixture(autouse=True)
+def every_stack(monkeypatch):
+    monkeypatch.setattr(aperture_nodes, "_MAKING", 0.0)
+
+
+@pytest.mark.parametrize(
+    ("more", "grid", "tol"),
+    [
+        ({"spider": VANES, "obscuration": 0.3}, Grid((5, 8), 1.3, center=(2.2, 3.6), integrate=True), 1e-4),
+        ({"spider": VANES, "obscuration": 0.3, "apodization": 0.6}, Grid(6, 2.0, integrate=True), 1e-3),
+        ({"stop": PHASED}, Grid((7, 4), 1.0, center=(6.5, 1.0), integrate=True), 1e-6),
+    ],
+)  # fmt: skip
+def test_averages_are_within_their_bound(more, grid, tol, monkeypatch):
+    asked = []
+    of_core = aperture_nodes.aperture_averages
+    monkeypatch.setattr(
+        aperture_nodes, "aperture_averages", lambda *given, **kind: asked.append(kind) or of_core(*given, **kind)
+    )
+    rng = np.random.default_rng(4)
+    for count in (5, 21):
+        pupil = pupils(rng, count, 0.08, **more)
+        made = lm.psf(
+            pupil, grid.shape, grid.pixel, center=grid.center, integrate=True, tol=tol, normalize="strehl",
+            dtype=np.float32 if tol > 1e-5 else np.float64,
+        )  # fmt: skip
+        assert asked
+        exact = by_samples(pupil, grid, 7 + int(2.0 * grid.pixel))
+        wide = lm.psf(pupil, 25, grid.pixel, integrate=True, tol=1e-4, normalize="strehl").values.max(axis=(1, 2))
+        peak = np.maximum(wide, exact.max(axis=(1, 2)))
+        off = np.abs(made.values - exact).max(axis=(1, 2))
+        assert (off <= (np.asarray(made.error_bound) + 1e-8) * peak).all()
+        assert np.max(made.error_bound) <= tol
+
+
+@pytest.mark.parametrize("single", [False, True])
+def test_sums_are_those_of_the_disk_where_weights_are(single):
+    """The rule of the whole disk, in either way of the axes, gives what the chordal rule does."""
+    rng = np.random.default_rng(1)
+    pupil, grid = pupils(rng, 3, 0.1), Grid((4, 7), 1.1, center=(1.7, 3.2), integrate=True)
+    stack, window = disk_stack(pupil), window_of(pupil, grid)
+    axes = [window_nodes(window.step, n, 1e-8) for n in grid.shape]
+    places, weights = [a.places for a in axes], [a.weights for a in axes]
+    chords = engine.chordal_averages(stack, window, places, weights, 1e-10, 1, single=False)
+    size = 64
+    _, w = np.polynomial.legendre.leggauss(size)
+    angle = np.pi * np.arange(1, size // 2 + 1) / (size + 1)
+    quadrant = np.outer(np.sin(angle) ** 2 / (size + 1), w[size // 2 :][::-1])
+    rule = np.zeros((size // 2, size // 2, 8))
+    rule[:, :, ::2] = quadrant[:, :, None]
+    for swap in (False, True):
+        if swap:
+            given = turned(stack), window._replace(shape=window.shape[::-1], center=window.center[::-1])
+            values, numbers = engine.aperture_averages(*given, places[::-1], weights[::-1], rule, 1, single=single)
+            values = values.swapaxes(1, 2)
+        else:
+            values, numbers = engine.aperture_averages(stack, window, places, weights, rule, 1, single=single)
+        np.testing.assert_allclose(values, chords.values, atol=1e-5 if single else 1e-10)
+        np.testing.assert_allclose(numbers[1], values.max(axis=(1, 2)), rtol=1e-12)
+        np.testing.assert_allclose(numbers[2], values.sum(axis=(1, 2)), rtol=1e-12)
+        np.testing.assert_allclose(numbers[0], chords.brightest, rtol=1e-4 if single else 1e-8)
+
+
+def test_apertures_that_do_not_serve_have_none():
+    rng = np.random.default_rng(2)
+    wanted = Wanted(dtype=np.float64, threads=1)
+    grid = Grid(5, 1.0, integrate=True)
+    assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is not None
+    assert averaged_apertures(pupils(rng, 3, 0.1, spider=VANES), grid, 1e-4, wanted) is None
+    assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted._replace(terms=((2, 2),))) is None
+    assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), Grid(90, 4.0, integrate=True), 1e-4, wanted) is None
+
+
+def test_a_rule_is_made_where_enough_pupils_take_it(monkeypatch):
+    rng = np.random.default_rng(3)
+    wanted, grid = Wanted(dtype=np.float64, threads=1), Grid(15, 2.0, integrate=True)
+    monkeypatch.setattr(aperture_nodes, "_MAKING", 1.0)
+    assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is None

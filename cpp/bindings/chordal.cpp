@@ -291,8 +291,14 @@ void require_nodes(const Out<double, 3>& values, const In<double, 1>& rows, cons
 template <class... Center>
 double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
                 double step, double tol, int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down,
-                In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers) {
+                In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers,
+                In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 3> slope_numbers) {
     const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
+    const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
+    require(slopes.shape(0) == by.size() && slopes.shape(1) == pupils && slopes.shape(2) == height &&
+                slopes.shape(3) == width && slope_numbers.shape(0) == 2 && slope_numbers.shape(1) == by.size() &&
+                slope_numbers.shape(2) == pupils,
+            "one image of derivatives a term and pupil");
     require(values.shape(0) == pupils && numbers.shape(0) == 4 && numbers.shape(1) == pupils, "one image a pupil");
     require_nodes(values, rows, columns, down, across);
     const std::vector<double> down_at = places(rows), across_at = places(columns);
@@ -306,6 +312,12 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
             const auto ask = [&](auto pixel) {
                 using T = decltype(pixel);
                 const lommel::DiskAnswer<T> answer{nullptr, scales.data(), numbers.data(), numbers.data() + pupils};
+                if (!by.empty()) {
+                    double* const bounds = slope_numbers.data();
+                    const lommel::ChordalDerivatives<T> more{by, nullptr, bounds, slopes.data(), bounds + by.size() * pupils};
+                    return lommel::ChordalRenderer<T, lommel::ChordalDerivatives<T>>(stack, nodes, tol, threads, answer, more)
+                        .run();
+                }
                 Images<T> images(stack, nodes, tol, threads, answer);
                 if_cheaper ? images.run_if_cheaper() : images.run();
             };
@@ -373,12 +385,15 @@ void bindings::define_chordal(nb::module_& m) {
                                              "The same, unless the series is likely to take less time: a Declined then.");
     m.def("chordal_averages", &averages<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
-          "values"_a.noconvert(), "numbers"_a.noconvert(),
+          "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
           "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, the largest "
-          "samples, and of averages the largest and the sum.");
+          "samples, and of averages the largest and the sum. Their derivatives by the coefficients of `factors`, with bounds "
+          "on those "
+          "at nodes and the largest of these.");
     m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
-          "values"_a.noconvert(), "numbers"_a.noconvert(), "The same, each around an axis of its own.");
+          "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
+          "The same, each around an axis of its own.");
     m.def("aperture_averages", &aperture_averages, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "threads"_a,
           "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "values"_a.noconvert(), "numbers"_a.noconvert(),
           "The same of an aperture, by weights of the nodes of the disk: of a quadrant [chord][node][(+,+), (+,-), (-,+), "

@@ -203,11 +203,13 @@ def chordal_images(
 class NodeAverages(NamedTuple):
     """Averages over pixels from samples at nodes of their window."""
 
-    values: Array  # (n, height, width)
+    values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k coefficients
     error: Array  # (n,), bounds on the error of the field U at the nodes
     brightest: Array  # (n,), the largest sample
     largest: Array  # (n,), of the averages
     together: Array  # (n,), their sum
+    slope_error: Array  # (k, n), bounds on the errors of samples of the derivatives
+    steepest: Array  # (k, n), the largest modulus of these
 
 
 def chordal_averages(
@@ -220,17 +222,21 @@ def chordal_averages(
     *,
     single: bool,
     if_cheaper: bool = False,
+    terms: tuple[tuple[int, int], ...] = (),
 ) -> NodeAverages:
     """Return averages over pixels from samples at `nodes`, v of rows and columns about the middle of the window.
 
     The field U is within `tol` at the nodes, of `single` precision where that allows it. `weights` are those of the
-    nodes in rows and in columns of pixels, (height, nodes) and (width, nodes).
+    nodes in rows and in columns of pixels, (height, nodes) and (width, nodes). Derivatives by the coefficients of
+    `terms` follow.
     """
-    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((4, len(stack.edge)))
+    count, by = len(stack.edge), np.array(terms, dtype=np.int32).reshape(-1, 2)
+    values, numbers = np.empty((1 + len(by), count, *window.shape)), np.empty((4, count))
+    slopes = np.empty((2, len(by), count))
     compute: Callable[..., float] = _core.chordal_averages
-    asked = (*window.center, window.step, tol, threads, *nodes, *weights, single, if_cheaper, values, numbers)
-    _require(compute(*stack, *asked), tol, "the largest value in the window")
-    return NodeAverages(values, *numbers)
+    asked = (*window.center, window.step, tol, threads, *nodes, *weights, single, if_cheaper, values[0], numbers)
+    _require(compute(*stack, *asked, by, values[1:], slopes), tol, "the largest value in the window")
+    return NodeAverages(values, *numbers, *slopes)
 
 
 def aperture_averages(

@@ -109,6 +109,7 @@ class ChordalGauss(Method[Pupil]):
             threads: int,
             *,
             single: bool,
+            terms: tuple[tuple[int, int], ...],
         ) -> NodeAverages:
             places, weights = zip(*((axis.places, axis.weights) for axis in nodes), strict=True)
             return chordal_averages(
@@ -119,7 +120,8 @@ class ChordalGauss(Method[Pupil]):
                 tol,
                 threads,
                 single=single,
-                if_cheaper=self._if_cheaper,
+                if_cheaper=self._if_cheaper and not terms,
+                terms=terms,
             )
 
         return disk_images(sampled, pupil, grid, self.tol, wanted, at_nodes)

@@ -16,6 +16,8 @@ from lommel.methods.pixels import averaging
 from lommel.methods.pixels.window_nodes import prolate_zeros, window_nodes
 from lommel.optics.grid import Grid
 
+NOLL = {"noll 4": (2, 0), "noll 7": (3, -1), "noll 12": (4, 2)}
+
 
 def chords(w):
     """Return the autocorrelation of the disc, of area 1, summed along the other axis."""
@@ -129,7 +131,7 @@ def test_sums_are_those_of_samples_in_either_precision(count, single):
     # By filters, which take samples of a series.
     method = lm.NijboerZernike(1e-9)
     exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, method=method, normalize="strehl").values
-    off = np.abs(made.values - exact).max(axis=(1, 2))
+    off = np.abs(made.values[0] - exact).max(axis=(1, 2))
     assert (made.error <= tol).all()
     of_samples = made.error * (2 * np.sqrt(made.brightest) + made.error)
     assert (off <= rows.gain * columns.gain * of_samples + 1e-6 * single + 3e-9).all()
@@ -151,11 +153,12 @@ def test_the_bound_has_all_of_its_terms(tol):
         [],
     )
 
-    def made(stack, window, nodes, tol, threads, /, *, single):
+    def made(stack, window, nodes, tol, threads, /, *, single, terms):
         asked.append((nodes[0], tol, single))
         values = np.zeros((1, 5, 5))
         values[0, 2, 2] = 0.1
-        return engine.NodeAverages(values, np.full(1, 0.9 * tol), *np.array([[0.2], [0.1], [0.1]]))
+        slopes = np.full((1, 1), 3 * tol), np.full((1, 1), 0.05)
+        return engine.NodeAverages(values[None], np.full(1, 0.9 * tol), *np.array([[0.2], [0.1], [0.1]]), *slopes)
 
     wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
     disks = averaging.Disks(disk_stack(pupil), window_of(pupil, grid), made)
@@ -168,6 +171,37 @@ def test_the_bound_has_all_of_its_terms(tol):
     of_samples = 0.9 * of_field * (2 * math.sqrt(gain * light) + 0.9 * of_field * gain)
     total = of_samples + (2 + nodes.error) * nodes.error + rounding * light
     assert found.error[0, 0] == pytest.approx(total / 0.1, rel=1e-6)
+    slope = gain * (3 * of_field + rounding * 0.05) + 2 * (2 + nodes.error) * nodes.error
+    assert found.error[1, 0] == pytest.approx(slope / 0.1, rel=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_derivatives_at_nodes_are_within_their_bound(seed):
+    pupil, grid, tol = question(seed)
+    names = ["noll 4", "noll 7", "noll 12"]
+    more = {"center": grid.center, "integrate": True, "normalize": "strehl"}
+    dtype = np.float32 if tol > 1e-5 else np.float64
+    made = lm.psf(pupil, grid.shape, grid.pixel, method=lm.ChordalGauss(tol), dtype=dtype, derivatives=names, **more)
+    wide = [41 + 2 * (n // 2) for n in grid.shape]
+    middle = [(w - n) // 2 + np.asarray(c) for w, n, c in zip(wide, grid.shape, grid.center, strict=True)]
+    around = lm.psf(pupil, tuple(wide), grid.pixel, **(more | {"center": tuple(middle)}))
+    peak = around.values.max(axis=(1, 2))
+    step = 0.03  # radians at the edge
+    for name in names:
+        differences = 0.0
+        for far, share in ((1, 8 / 12), (2, -1 / 12)):
+            for sign in (1, -1):
+                moved = dict(zip(map(tuple, pupil.wavefront.indices.tolist()), pupil.wavefront.edge.T, strict=True))
+                n, m = NOLL[name]
+                moved[n, m] = moved[n, m] + sign * far * step
+                changed = lm.Pupil(
+                    lm.Wavefront.zernike(moved, normalization="edge"), obscuration=pupil.obscuration,
+                    apodization=pupil.apodization,
+                )  # fmt: skip
+                values = lm.psf(changed, grid.shape, grid.pixel, method=lm.NijboerZernike(3e-9), **more).values
+                differences = differences + sign * share * values / step
+        off = np.abs(made.derivatives[name] - differences).max(axis=(1, 2))
+        assert (off <= np.asarray(made.derivative_bounds[name]) * peak * 1.05 + 4e-7).all()
 
 
 def test_samples_weighed_by_moduli_are_below_what_averages_tell():

@@ -9,6 +9,7 @@
 
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/node_sums.hpp"
 #include "lommel/limits.hpp"
 
 namespace lommel {
@@ -37,11 +38,14 @@ struct ChordalDerivatives {
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;
+    double* averages = nullptr;  // or averages over pixels, where images are nowhere; bounds are then on errors at nodes
+    double* sizes = nullptr;     // and the largest moduli there
 
     // Of a batch whose U at each pixel and nodes are kept. scales[lane]; found(pupil, degree) is the root of the peak that was
-    // found, with bounds on the errors of U and of D for terms of that degree.
+    // found, with bounds on the errors of U and of D for terms of that degree. With weights of nodes averages are taken.
     template <class Real>
-    void follow(const ChordalBatch<Real>& batch, const double* scales, const FoundErrors& found) const {
+    void follow(const ChordalBatch<Real>& batch, const double* scales, const FoundErrors& found,
+                const NodeWeights<Real>* weights) const {
         using Kernels = ChordKernels<Real>;
         const std::size_t lanes = batch.lanes(), width = batch.columns(), pixels = batch.rows() * width;
         ChordalScratch<Real>& scratch = batch.scratch;
@@ -60,9 +64,15 @@ struct ChordalDerivatives {
             };
             const FactorLanes outer = given(0);
             alignas(64) Real tops[most_pupils] = {};
+            if (weights != nullptr) {
+                begin_averages(batch, *weights);
+            }
             batch.fields(prepare, nodes, [&](std::size_t y, const Real* d) {
                 const Real* u = scratch.fields.data() + y * width * 2 * lanes;
                 Kernels::slopes(batch.level, u, d, width, scratch.intensity.data(), tops);
+                if (weights != nullptr) {
+                    return add_averages(batch, *weights, y, scratch.intensity.data());
+                }
                 T* to[most_pupils];
                 double by[most_pupils];
                 for (std::size_t lane = 0; lane < outer.used(); ++lane) {
@@ -78,8 +88,15 @@ struct ChordalDerivatives {
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
                 // Two products and their difference, doubled; and storing.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
-                bounds[k * batch.stack.count + p] =
-                    2.0 * over_peak(u * wrong + d * error + wrong * error + u * d * rounding, u * u, error);
+                const double off = 2.0 * (u * wrong + d * error + wrong * error + u * d * rounding);
+                const std::size_t at = k * batch.stack.count + p;
+                if (weights == nullptr) {
+                    bounds[at] = over_peak(off, u * u, error);
+                    continue;
+                }
+                bounds[at] = off;
+                sizes[at] = 2.0 * u * d;
+                copy_averages(batch, *weights, lane, averages + at * weights->height * weights->width);
             }
             first += outer.count;
         }

@@ -67,10 +67,11 @@ class ChordalRenderer {
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
     // Averages over pixels from samples at nodes, which are not stored: the tolerance is that of U, which bounds are of.
-    ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer)
+    ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
+                    const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
-          more_(), degree_(0), area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads),
-          states_(stack.count), nodes_(&nodes) {}
+          more_(more), degree_(highest_degree(more.terms)), area_(stack.obscuration * stack.obscuration),
+          lines_(stack, rows_, columns_, step_, threads), states_(stack.count), nodes_(&nodes) {}
 
     void run();
 
@@ -320,9 +321,13 @@ class ChordalRenderer {
         }
         if constexpr (More::wanted) {
             if (any) {
-                more_.follow(batch, scale, [&](std::size_t p, std::size_t degree) {
-                    return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0), error_of(batch, p, degree)};
-                });
+                more_.follow(
+                    batch, scale,
+                    [&](std::size_t p, std::size_t degree) {
+                        return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0),
+                                                     error_of(batch, p, degree)};
+                    },
+                    weights);
             }
         }
     }

@@ -32,6 +32,18 @@ void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weig
     }
 }
 
+// What was added in a lane of pupils, of any sign.
+template <class Real>
+void copy_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t lane, double* to) {
+    const std::size_t lanes = batch.lanes();
+    for (std::size_t y = 0; y < weights.height; ++y) {
+        const double* const from = batch.scratch.sums.data() + (1 + y) * weights.vectors * lanes + lane;
+        for (std::size_t x = 0; x < weights.width; ++x) {
+            *to++ = from[x * lanes];
+        }
+    }
+}
+
 template <class Real>
 void store_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, const PixelNodes& nodes) {
     const std::size_t lanes = batch.lanes(), size = weights.height * weights.width;

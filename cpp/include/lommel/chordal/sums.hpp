@@ -63,7 +63,8 @@ class ChordalSums {
             }
         });
         if constexpr (More::wanted) {
-            more_.follow(batch, nullptr, [](std::size_t, std::size_t) { return std::array<double, 3>{}; });
+            const NodeWeights<float>* const none = nullptr;
+            more_.follow(batch, nullptr, [](std::size_t, std::size_t) { return std::array<double, 3>{}; }, none);
         }
     }
 

@@ -41,6 +41,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         threads: int,
         *,
         single: bool,
+        terms: tuple[tuple[int, int], ...],  # none
     ) -> NodeAverages:
         middles = (window.step * (0.5 * (n - 1) - c) for n, c in zip(window.shape, window.center, strict=True))
         farthest = (np.abs(axis.places + at).max() for axis, at in zip(axes, middles, strict=True))
@@ -65,7 +66,9 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
             threads,
             single=single,
         )
-        return NodeAverages(values.swapaxes(1, 2), np.full(len(stack.edge), off), *numbers)
+        (brightest, most, together), none = numbers, np.empty((len(terms), len(stack.edge)))
+        error = np.full(len(stack.edge), off)
+        return NodeAverages(values.swapaxes(1, 2)[None], error, brightest, most, together, none, none)
 
     return averaged_at_nodes(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
 

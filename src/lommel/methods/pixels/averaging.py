@@ -144,8 +144,9 @@ class NodeSample(Protocol):
         /,
         *,
         single: bool,
+        terms: tuple[tuple[int, int], ...],
     ) -> NodeAverages:
-        """Return them."""
+        """Return them, and their derivatives by the coefficients of terms."""
 
 
 class Disks(NamedTuple):
@@ -196,7 +197,13 @@ def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted
         single = err_field >= _SINGLE
         try:
             made = disks.at_nodes(
-                disks.stack, disks.window, (rows, columns), err_field, wanted.threads, single=single
+                disks.stack,
+                disks.window,
+                (rows, columns),
+                err_field,
+                wanted.threads,
+                single=single,
+                terms=wanted.terms,
             )
         except ToleranceError:
             return None
@@ -207,13 +214,16 @@ def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted
         error, longest = max(rows.error, columns.error), max(rows.places.size, columns.places.size)
         # Of squares, weights, products within blocks, and a sum along rows.
         rounding = (2 * _NODES + 8) * 2.0**-24 * single + (2 * longest + 11) * 2.0**-53
-        err_own = (2.0 + error) * error + rounding * light
+        missed = (2.0 + error) * error
+        err_own = missed + rounding * light
         peak = tops if normalize else np.maximum(tops, lowest * (made.brightest - off))
         if not peak.min() > 0:
             return None
         bounds = once_stored((err_given + err_own) / peak, wanted)
         if largest(bounds) <= tol:
-            return Averages(made.values[None], bounds[None], peak)
+            # The transfer function of a derivative is at most twice that of the disk.
+            slopes = (gain * (made.slope_error + rounding * made.steepest) + 2.0 * missed) / peak
+            return Averages(made.values, np.concatenate([bounds[None], slopes]), peak)
         err_samples /= max(2.0, 2.0 * float((err_given / peak).max()) / tol_stored)
         err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
     return None

@@ -48,11 +48,11 @@ _WORTH = 0.85  # of the time that nodes of the whole window take, for some pupil
 def averaged_disks(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted) -> Averages | None:
     """Return the intensity averaged over each pixel, of far ones from rims where that takes less time.
 
-    None where the window has no nodes, or where derivatives are wanted.
+    None where the window has no nodes. Rims have no derivatives.
     """
-    if wanted.terms or wanted.powers or not pupil.within_disc:
+    if wanted.powers or not pupil.within_disc:
         return None
-    made = averaged_from_rims(disks, pupil, tol, wanted)
+    made = None if wanted.terms else averaged_from_rims(disks, pupil, tol, wanted)
     return averaged_at_nodes(disks, pupil, tol, wanted) if made is None else made
 
 

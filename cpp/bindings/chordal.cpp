@@ -287,6 +287,17 @@ void require_nodes(const Out<double, 3>& values, const In<double, 1>& rows, cons
             "one weight a pixel and node");
 }
 
+// The terms of derivatives, none where there are none.
+std::vector<lommel::ZernikeTerm> slopes_of(const In<std::int32_t, 2>& factors, const Out<double, 3>& values,
+                                           const Out<double, 4>& slopes, const Out<double, 3>& numbers) {
+    const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
+    require(slopes.shape(0) == by.size() && slopes.shape(1) == values.shape(0) && slopes.shape(2) == values.shape(1) &&
+                slopes.shape(3) == values.shape(2) && numbers.shape(0) == 2 && numbers.shape(1) == by.size() &&
+                numbers.shape(2) == values.shape(0),
+            "one image of derivatives a term and pupil");
+    return by;
+}
+
 // Averages over pixels from samples at nodes, which are the same about the middle of the window for all pupils.
 template <class... Center>
 double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
@@ -294,11 +305,7 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
                 In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers,
                 In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 3> slope_numbers) {
     const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
-    const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
-    require(slopes.shape(0) == by.size() && slopes.shape(1) == pupils && slopes.shape(2) == height &&
-                slopes.shape(3) == width && slope_numbers.shape(0) == 2 && slope_numbers.shape(1) == by.size() &&
-                slope_numbers.shape(2) == pupils,
-            "one image of derivatives a term and pupil");
+    const std::vector<lommel::ZernikeTerm> by = slopes_of(factors, values, slopes, slope_numbers);
     require(values.shape(0) == pupils && numbers.shape(0) == 4 && numbers.shape(1) == pupils, "one image a pupil");
     require_nodes(values, rows, columns, down, across);
     const std::vector<double> down_at = places(rows), across_at = places(columns);
@@ -329,12 +336,14 @@ double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
 // The same of an aperture around one axis, by weights of the nodes of the disk.
 double aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step,
                          int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down, In<double, 2> across,
-                         In<double, 3> weights, bool single, Out<double, 3> values, Out<double, 2> numbers) {
+                         In<double, 3> weights, bool single, double off, Out<double, 3> values, Out<double, 2> numbers,
+                         In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 3> slope_numbers) {
     const std::size_t pupils = pupils_of(edge), size = 2 * weights.shape(0);
     require(values.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils, "one image a pupil");
     require(weights.shape(1) == weights.shape(0) && weights.shape(2) == 8 && size >= 2 && size <= 1024,
             "eight weights for each node of a quadrant");
     require_nodes(values, rows, columns, down, across);
+    const std::vector<lommel::ZernikeTerm> by = slopes_of(factors, values, slopes, slope_numbers);
     const std::vector<double> down_at = places(rows), across_at = places(columns);
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
@@ -348,11 +357,13 @@ double aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double c
             lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data(),
                                      found + pupils, found + 2 * pupils);
         const lommel::ApertureRule rule{size, weights.data()};
-        if (single) {
-            lommel::ApertureAverages<float>(stack, rule, nodes, found).run(threads);
-        } else {
-            lommel::ApertureAverages<double>(stack, rule, nodes, found).run(threads);
-        }
+        const auto ask = [&](auto real) {
+            using Real = decltype(real);
+            double* const bounds = slope_numbers.data();
+            const lommel::ChordalDerivatives<Real> more{by, nullptr, bounds, slopes.data(), bounds + by.size() * pupils};
+            lommel::ApertureAverages<Real>(stack, rule, nodes, found, more, off).run(threads);
+        };
+        single ? ask(float()) : ask(double());
     });
 }
 
@@ -395,10 +406,12 @@ void bindings::define_chordal(nb::module_& m) {
           "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
           "The same, each around an axis of its own.");
     m.def("aperture_averages", &aperture_averages, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "threads"_a,
-          "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "values"_a.noconvert(), "numbers"_a.noconvert(),
+          "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "off"_a, "values"_a.noconvert(),
+          "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
           "The same of an aperture, by weights of the nodes of the disk: of a quadrant [chord][node][(+,+), (+,-), (-,+), "
           "(-,-) in "
-          "x and y][re, im]. The brightest sample of each, the largest average and the sum of them.");
+          "x and y][re, im]. The brightest sample of each, the largest average and the sum of them; fields are `off` by so "
+          "much.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,
           "width"_a, "step"_a, "tol"_a, "single"_a,
           "Nanoseconds that images are likely to take by the chordal rule and by the series.");

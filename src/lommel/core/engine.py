@@ -245,21 +245,24 @@ def aperture_averages(
     nodes: tuple[Array, Array],
     weights: tuple[Array, Array],
     rule: Array,
+    off: float,
     threads: int,
     *,
     single: bool,
-) -> tuple[Array, Array]:
+    terms: tuple[tuple[int, int], ...] = (),
+) -> NodeAverages:
     """Return the same of an aperture around one axis, its amplitude in the weights of a rule of the disk.
 
     `rule` has for each chord and node of a quadrant the weights at (x, y), (x, -y), (-x, y), (-x, -y), of each the
-    real and the imaginary part: (chords, nodes, 8). Returned are averages (n, height, width), and of each the
-    brightest sample, the largest average and their sum, (3, n).
+    real and the imaginary part: (chords, nodes, 8). Fields are `off` by so much, which the caller knows.
     """
-    values, numbers = np.empty((len(stack.edge), *window.shape)), np.empty((3, len(stack.edge)))
+    count, by = len(stack.edge), np.array(terms, dtype=np.int32).reshape(-1, 2)
+    values, numbers = np.empty((1 + len(by), count, *window.shape)), np.empty((3, count))
+    slopes = np.empty((2, len(by), count))
     compute: Callable[..., float] = _core.aperture_averages
-    asked = (*window.center, window.step, threads, *nodes, *weights, rule, single, values, numbers)
-    compute(stack.terms, stack.edge, *asked)
-    return values, numbers
+    asked = (*window.center, window.step, threads, *nodes, *weights, rule, single, off, values[0], numbers)
+    compute(stack.terms, stack.edge, *asked, by, values[1:], slopes)
+    return NodeAverages(values, np.full(count, off), *numbers, *slopes)
 
 
 def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Array, Array]:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -12,7 +13,9 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
+#include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/derivatives.hpp"
 #include "lommel/chordal/node_sums.hpp"
 
 namespace lommel {
@@ -42,14 +45,19 @@ struct ApertureTable : TermTable {
 template <class Real>
 class ApertureAverages {
    public:
-    // Writes the brightest sample of each pupil, and the averages of `nodes`.
-    ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest)
-        : stack_(stack), nodes_(nodes), level_(processor_level()), lone_(ChordKernels<Real>::lone(level_, stack.count)),
-          brightest_(brightest) {
+    using More = ChordalDerivatives<Real>;
+
+    // Writes the brightest sample of each pupil, and the averages of `nodes`; then derivatives, where `more` has terms, of fields that
+    // are off by no more than `off`.
+    ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
+                     const More& more, double off)
+        : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),
+          lone_(more.terms.empty() && ChordKernels<Real>::lone(level_, stack.count)), brightest_(brightest) {
         const ChordLanes in = ChordKernels<Real>::chord_lanes(level_, lone_);
+        const ChordCount count{rule.size, rule.size};
         disks_[0] = {cache<ApertureTable>.get(rule, stack.terms, in),
-                     cache<KernelTable<Real>>.get(ChordCount{rule.size, rule.size}, nodes.rows, nodes.columns, 1.0, in),
-                     nullptr};
+                     cache<KernelTable<Real>>.get(count, nodes.rows, nodes.columns, 1.0, in),
+                     more.terms.empty() ? nullptr : cache<FactorTable>.get(count, more.terms, 1.0)};
         weights_ = std::make_shared<const NodeWeights<Real>>(nodes, in);
     }
 
@@ -72,7 +80,13 @@ class ApertureAverages {
         batch.scratch.intensity.resize(vectors * lanes);
         alignas(64) Real peaks[most_pupils] = {};
         begin_averages(batch, *weights_);
-        batch.pupil_fields(false, [&](std::size_t y, const Real* u) {
+        const bool follow = !more_.terms.empty();
+        const std::size_t line = 2 * batch.columns() * lanes;
+        batch.scratch.fields.resize(follow ? batch.rows() * line : 0);
+        batch.pupil_fields(follow, [&](std::size_t y, const Real* u) {
+            if (follow) {
+                std::copy_n(u, line, batch.scratch.fields.data() + y * line);
+            }
             ChordKernels<Real>::intensities(batch.level, u, vectors, batch.scratch.intensity.data(), peaks);
             add_averages(batch, *weights_, y, batch.scratch.intensity.data());
         });
@@ -81,10 +95,19 @@ class ApertureAverages {
             const Real* const own = batch.lone() ? std::max_element(peaks, peaks + lanes) : peaks + lane;
             brightest_[batch.pupils[lane]] = static_cast<double>(*own);
         }
+        if (follow) {
+            const auto found = [&](std::size_t p, std::size_t degree) {
+                const double more = ChordBound::factor_rounding(degree, sizeof(Real) == sizeof(float));
+                return std::array<double, 3>{std::sqrt(brightest_[p]), off_, off_ + more};
+            };
+            more_.follow(batch, nullptr, found, weights_.get());
+        }
     }
 
     const DiskStack& stack_;
     const PixelNodes& nodes_;
+    More more_;
+    double off_;
     Level level_;
     bool lone_;
     double* brightest_;

@@ -7,8 +7,10 @@ The nodes of the rule are those of the chordal rule of the disk, its weights com
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError, Wanted
@@ -20,7 +22,7 @@ from lommel.methods.pixels.window_nodes import WindowNodes
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_FEWEST = 4  # pupils, in whose lanes work is shared
+_FEWEST = 4  # pupils and their derivatives, in whose lanes work is shared
 _STEPS = 8  # stacks, or steps of a fit, that take the same rule
 _MAKING, _SUMS, _SAMPLE = 2.4e-5, 5.5e-8, 1.15e-4  # ms by cubes of rows, by products, and of a sample of a filter
 _LARGEST = 400  # degree
@@ -30,7 +32,9 @@ _LEAST = 1e-12  # error of the field, below which roundings are in the way
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
     """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
-    if pupil.mask is not None or wanted.terms or wanted.powers or math.prod(pupil.shape) < _FEWEST:
+    highest = max((n for n, _ in wanted.terms), default=0)
+    fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
+    if pupil.mask is not None or wanted.powers or fields < _FEWEST:
         return None
 
     def at_nodes(
@@ -41,7 +45,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         threads: int,
         *,
         single: bool,
-        terms: tuple[tuple[int, int], ...],  # none
+        terms: tuple[tuple[int, int], ...],
     ) -> NodeAverages:
         middles = (window.step * (0.5 * (n - 1) - c) for n, c in zip(window.shape, window.center, strict=True))
         farthest = (np.abs(axis.places + at).max() for axis, at in zip(axes, middles, strict=True))
@@ -49,26 +53,28 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         if aim < _LEAST:
             raise ToleranceError
         degree, fine, missed = degrees_and_error(pupil, reach, aim)
-        if degree > _LARGEST or not _pays(len(stack.edge), degree + 20.0, window, axes):
+        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, window, axes):
             raise ToleranceError
-        rule = moment_rule(pupil.opening, degree, fine, aim)
+        rule = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
         lost = roundings(rule, pupil, reach, single=True)
         single = single and lost < _SINGLE * tol
         off = missed + 1.1 * aim + (lost if single else roundings(rule, pupil, reach))
         # Chords of the rule are rows of the aperture, and those of the core are columns.
         row, column = axes
-        values, numbers = aperture_averages(
+        by, signs = exchanged(terms)
+        made = aperture_averages(
             turned(stack),
             Window(window.shape[::-1], window.center[::-1], window.step),
             (column.places, row.places),
             (column.weights, row.weights),
             of_quadrant(rule, pupil),
+            off,
             threads,
             single=single,
+            terms=tuple((int(n), int(m)) for n, m in by),
         )
-        (brightest, most, together), none = numbers, np.empty((len(terms), len(stack.edge)))
-        error = np.full(len(stack.edge), off)
-        return NodeAverages(values.swapaxes(1, 2)[None], error, brightest, most, together, none, none)
+        made.values[1:] *= signs[:, None, None, None]
+        return made._replace(values=made.values.swapaxes(2, 3))
 
     return averaged_at_nodes(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
 
@@ -81,15 +87,20 @@ def _pays(count: int, rows: float, window: Window, axes: tuple[WindowNodes, Wind
     return _MAKING * rows**3 < _STEPS * count * (samples - sums)
 
 
-def turned(stack: DiskStack) -> DiskStack:
-    """Return the same with x and y exchanged: cosines of odd orders are sines then."""
-    n, m = stack.terms.T
+def exchanged(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
+    """Return terms with x and y exchanged, cosines of odd orders being sines then, and their signs."""
+    n, m = np.reshape(np.asarray(terms, dtype=np.int32), (-1, 2)).T
     odd, order = m % 2 != 0, np.abs(m)
-    terms = np.stack([n, np.where(odd, -m, m)], axis=1)
     # cos(m (pi / 2 - theta)), and sin of that.
     half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
-    signs = np.where(odd, half, np.where(m < 0, -half, half))
-    return stack._replace(terms=np.ascontiguousarray(terms, dtype=np.int32), edge=stack.edge * signs)
+    other = np.stack([n, np.where(odd, -m, m)], axis=1)
+    return np.ascontiguousarray(other, dtype=np.int32), np.where(odd, half, np.where(m < 0, -half, half))
+
+
+def turned(stack: DiskStack) -> DiskStack:
+    """Return the same with x and y exchanged."""
+    terms, signs = exchanged(stack.terms)
+    return stack._replace(terms=terms, edge=stack.edge * signs)
 
 
 def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:

@@ -209,6 +209,24 @@ def test_rims_serve_stacks_whose_light_is_in_a_small_box(monkeypatch):
     assert taken(monkeypatch, pupils(rng, 20, 0.02, (4, 154)), 33, 2.65) == 0  # of degree 17
 
 
+@pytest.mark.parametrize("obscuration", [0.002, 0.01, 0.03, 0.1, 0.93])
+def test_obscurations_of_any_size_are_within_their_bound(obscuration):
+    rng = np.random.default_rng(12)
+    pupil, step = pupils(rng, 3, 0.01, (6, 12), obscuration=obscuration), 1.6 * np.pi
+    values, off, _, _ = from_rims(pupil, Grid(31, 1.6, integrate=True), 9, 1e-6)
+    for i in range(3):
+        places = [(0, 5), (5, 1), (-6, 9), (14, -15)]
+        exact = exact_averages(pupil[i], step, places)
+        assert (np.abs([values[i][15 + y, 15 + x] for y, x in places] - exact) <= off[i]).all()
+
+
+@pytest.mark.parametrize("row", [0.0, -1.0, -60.0, 2.0])
+def test_windows_beside_the_axis_are_divided_by_their_own_largest_value(row):
+    rng = np.random.default_rng(13)
+    made = lm.psf(pupils(rng, 20, 0.05), 33, 2.65, center=(row, 16.3), integrate=True, tol=1e-3, normalize="peak")
+    np.testing.assert_allclose(made.values.max(axis=(1, 2)), 1.0, rtol=1e-6)
+
+
 def test_pupils_that_fail_have_larger_boxes_and_then_nodes(monkeypatch):
     rng = np.random.default_rng(4)
     pupil, boxes, engine_averages = pupils(rng, 24, 0.05), [], rims.rim_averages

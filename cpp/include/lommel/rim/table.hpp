@@ -287,7 +287,7 @@ LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(cho
             RimWaves rim;
             rim.radius = radius;
             rim.weight = radius == 1.0 ? 1.0 : -std::sqrt(radius);
-            rim.orders = static_cast<std::size_t>(std::min(0.53 * v + 3.0, 0.85 * v - 1.0));
+            rim.orders = static_cast<std::size_t>(std::max(0.0, std::min(0.53 * v + 3.0, 0.85 * v - 1.0)));
             rim.angles = angles_of(asked.degree, rim.orders);
             rim.first = rim.orders + rim_orders - 1;
             rims.push_back(rim);
@@ -303,25 +303,22 @@ LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(cho
 LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
     const double nearest = rim.radius * window.nearest();
     const std::size_t most = rim.orders + 1;
-    // v^(1/2) e^-iv H1_n(v) from n = 0 and 1 by recurrence, which does not magnify errors: these by Hankel's series.
+    // v^(1/2) e^-iv H1_n(v) from n = 0 and 1 by recurrence, which does not magnify errors: these by Hankel's integral with t = s^2,
+    // for which equal steps are exact but for exp(-2 pi sqrt(v) / step).
     std::vector<std::vector<std::complex<double>>> hankel;
     for (const double place : rule.places) {
         const double v = nearest / place;
         std::vector<std::complex<double>> h(most + 2);
         for (std::size_t n = 0; n < 2; ++n) {
-            std::complex<double> sum = 0.0, term = 1.0;
-            const double order = 4.0 * static_cast<double>(n * n);
-            for (std::size_t k = 0; k < 60; ++k) {
-                sum += term;
-                const double odd = static_cast<double>(2 * k + 1);
-                const std::complex<double> next =
-                    term * std::complex<double>(0.0, (order - odd * odd) / (8.0 * static_cast<double>(k + 1) * v));
-                if (std::abs(next) > std::abs(term) || std::abs(next) < 1e-18) {
-                    break;
-                }
-                term = next;
+            constexpr double step = 0.04;
+            std::complex<double> sum = n == 0 ? 0.5 : 0.0;
+            for (double s = step; s < 7.0; s += step) {
+                const std::complex<double> root = std::sqrt(std::complex<double>(1.0, s * s / (2.0 * v)));
+                sum += std::exp(-s * s) * (n == 0 ? 1.0 / root : s * s * root);
             }
-            h[n] = std::sqrt(2.0 / pi) * sum * std::polar(1.0, -pi * (0.5 * static_cast<double>(n) + 0.25));
+            const double gamma = n == 0 ? std::sqrt(pi) : 0.5 * std::sqrt(pi);
+            h[n] =
+                std::sqrt(2.0 / pi) * 2.0 * step / gamma * sum * std::polar(1.0, -pi * (0.5 * static_cast<double>(n) + 0.25));
         }
         for (std::size_t n = 1; n <= most; ++n) {
             h[n + 1] = 2.0 * static_cast<double>(n) / v * h[n] - h[n - 1];

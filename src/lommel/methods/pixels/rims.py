@@ -91,7 +91,8 @@ def averaged_from_rims(disks: Disks, pupil: BasePupil, tol: float, wanted: Wante
             error[which] = np.maximum(near.error[0], once_stored(off / near.peak, wanted))
         # Where light is fainter than it was likely to be, the next larger boxes.
         larger = boxes + 2
-        boxes = np.where((error > tol) & (boxes > 0) & (larger < _WIDEST * min(window.shape)), larger, 0)
+        fits = (larger < _WIDEST * min(window.shape)) & (larger // 2 <= _beside(axes, window))
+        boxes = np.where((error > tol) & (boxes > 0) & fits, larger, 0)
     rest = np.flatnonzero(~(error <= tol))
     if rest.size:
         made = averaged_at_nodes(_of_part(disks, rest), pupil, tol, wanted)
@@ -116,9 +117,18 @@ def _chosen(disks: Disks, asked: Array, threads: int) -> tuple[NDArray[np.intp],
         some = _of_part(disks, np.arange(0, count, every))
         remainders, axes = rim_remainders(some.stack, some.window, threads)
         boxes = _smallest(sizes, remainders, asked[::every], step)
+        # Tables grow with the way to the farthest pixel; and boxes are within the window, as its peak is.
+        reach = np.maximum(axes, np.array([height - 1, width - 1]) - axes).max(axis=1)
+        far = math.sqrt(2.0) * (2.0 * reach + 1.0) > _REACH * math.sqrt(count)
+        boxes[far | (_beside(axes, window) < boxes // 2)] = 0
         if np.where(boxes > 0, _nodes(step, boxes.astype(np.float64)) ** 2 + rims, whole).mean() > _WORTH * whole:
             return None
     return boxes, remainders, axes
+
+
+def _beside(axes: Array, window: Window) -> Array:
+    """Return how many pixels there are at the least between each axis and the edges of the window."""
+    return np.asarray(np.minimum(axes, np.array(window.shape) - 1.0 - axes).min(axis=1))
 
 
 def _nodes(step: float, pixels: _Size) -> _Size:

@@ -150,16 +150,21 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    std::vector<double> e(2 * slopes.orders.size());
+    // Sums over terms, and those of moduli, to which their rounding is relative.
+    std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
+        apart[i] = std::abs(e[i]);
     }
     for (std::size_t i = 0; i < slopes.parts.size(); ++i) {
-        e[slopes.parts[i].at] += static_cast<double>(slopes.weights[i]) * own[slopes.parts[i].term];
+        const double part = static_cast<double>(slopes.weights[i]) * own[slopes.parts[i].term];
+        e[slopes.parts[i].at] += part;
+        apart[slopes.parts[i].at] += std::abs(part);
     }
-    std::vector<double> moduli(slopes.orders.size());
+    std::vector<double> moduli(slopes.orders.size()), summed(moduli.size());
     for (std::size_t i = 0; i < moduli.size(); ++i) {
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
+        summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
     // Along theta +- i t the coefficients of exp(i mu theta) are exp(|mu| t) times as large at most, and |P| is no more than the
     // exponent of what the imaginary part of the phase may be.
@@ -181,7 +186,7 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         std::array<double, rim_most_degree> size{};
         for (std::size_t j = 0, i = 0; j < slopes.degree; ++j) {
             for (; i < slopes.ends[j]; ++i) {
-                size[j] += moduli[i] * grown[static_cast<std::size_t>(std::abs(slopes.orders[i]))];
+                size[j] += (t > 0.0 ? moduli : summed)[i] * grown[static_cast<std::size_t>(std::abs(slopes.orders[i]))];
             }
         }
         double exponent = -t * static_cast<double>(rim.angles - rim.orders);
@@ -318,7 +323,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
         const std::vector<double>& all = d == 0 ? stack_.outer : stack_.inner;
         strangers(rim, *lines_[d], all.data() + pupil * stack_.terms.size(), each, rounded);
         const double v = rim.radius * nearest, orders = static_cast<double>(2 * rim.orders + 1);
-        const double sums = 1.5 * std::sqrt(orders) * (0.25 * static_cast<double>(rim.angles) + 8.0);
+        const double sums = 1.5 * std::sqrt(static_cast<double>(rim.angles)) * (0.25 * static_cast<double>(rim.angles) + 8.0);
         for (std::size_t k = 0; k < rim_orders; ++k) {
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +

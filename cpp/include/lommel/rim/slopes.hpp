@@ -140,19 +140,20 @@ struct RimSlopes {
     }
 };
 
-// The E of a circle, [E][re, im][lane], from coefficients, [term][lane].
-template <class I>
+// The E of a circle, [E][re, im][lane], from coefficients, [term][lane]; or the sums of the moduli of what they are sums of.
+template <bool Moduli = false, class I>
 LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
     using V = typename I::floats;
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     const std::size_t count = 2 * table.orders.size();
     const float* weights = table.weights.data() + circle * table.parts.size();
+    const auto part = [](V v) LOMMEL_INLINE_LAMBDA { return Moduli ? larger(v, splat<V>(0.0f) - v) : v; };
     for (std::size_t i = 0; i < count; ++i) {
-        store(e + i * lanes, splat<V>(table.fixed[circle * count + i]));
+        store(e + i * lanes, part(splat<V>(table.fixed[circle * count + i])));
     }
     for (std::size_t i = 0; i < table.parts.size(); ++i) {
         float* const to = e + table.parts[i].at * lanes;
-        store(to, load<V>(to) + splat<V>(weights[i]) * load<V>(coefficients + table.parts[i].term * lanes));
+        store(to, load<V>(to) + part(splat<V>(weights[i]) * load<V>(coefficients + table.parts[i].term * lanes)));
     }
 }
 
@@ -294,11 +295,11 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
             }
         }
         V size[Degree], power[rim_orders + 1];
+        slopes_of_circle<true>(isa, disk.slopes, circle, coefficients, e);
         for (std::size_t j = 0, i = 0; j < Degree; ++j) {
             size[j] = zero;
             for (; j < disk.slopes.degree && i < 2 * disk.slopes.ends[j]; ++i) {
-                const V part = load<V>(e + i * lanes);
-                size[j] = size[j] + larger(part, zero - part);
+                size[j] = size[j] + load<V>(e + i * lanes);
             }
         }
         power[0] = splat<V>(1.0f);

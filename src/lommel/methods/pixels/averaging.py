@@ -209,7 +209,7 @@ def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted
             return None
         tops, off = made.largest, made.error * (2.0 * np.sqrt(made.brightest) + made.error)
         # Samples weighed by moduli of weights: what all pixels together make of them, but for a factor.
-        light = np.minimum(gain * made.brightest, 1.001 * spread * made.together)
+        light = np.minimum(gain * made.brightest, 1.01 * spread * made.together)
         err_given = made.error * (2.0 * np.sqrt(gain * light) + gain * made.error)
         error, longest = max(rows.error, columns.error), max(rows.places.size, columns.places.size)
         # Of squares, weights, products within blocks, and a sum along rows.

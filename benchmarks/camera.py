@@ -14,6 +14,7 @@ from benchmarks.engine import stack
 from benchmarks.settings import Settings
 from benchmarks.targets import Measured
 from benchmarks.timing import Contender, race
+from benchmarks.truth import intensity
 from lommel.special.legendre import gauss_legendre
 
 WAVELENGTH = 550e-9
@@ -99,13 +100,12 @@ def against_fft(
 
 def averaged(fresh: Callable[[int], list[lm.Pupil]], pixel: float, tol: float) -> Contender:
     """Make a stack averaged over pixels by one ``lm.psf``."""
-    sampled = stack(fresh, SIDE, pixel, method=None, dtype=np.float32)
 
     def call(pupils: lm.Pupil) -> lm.PSF:
         return lm.psf(pupils, SIDE, pixel, integrate=True, tol=tol, dtype=np.float32, threads=1)
 
     config = f"lm.psf(..., integrate=True, tol={tol:g}, dtype=float32, threads=1)"
-    return Contender("averaged", call, config, fresh, sampled.values)
+    return Contender("averaged", call, config, fresh, intensity)
 
 
 def over_samples(settings: Settings, *, f_number: float, pitch: float, waves: float) -> Measured:

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "lommel/chordal/aperture_averages.hpp"
 #include "lommel/chordal/field_gradient.hpp"
 #include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
-#include "lommel/chordal/aperture_averages.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/chordal/series_errors.hpp"
 #include "lommel/chordal/sums.hpp"
@@ -399,8 +399,7 @@ void bindings::define_chordal(nb::module_& m) {
           "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
           "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, the largest "
           "samples, and of averages the largest and the sum. Their derivatives by the coefficients of `factors`, with bounds "
-          "on those "
-          "at nodes and the largest of these.");
+          "on those at nodes and the largest of these.");
     m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
           "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
@@ -409,8 +408,8 @@ void bindings::define_chordal(nb::module_& m) {
           "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "off"_a, "values"_a.noconvert(),
           "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
           "The same of an aperture, by weights of the nodes of the disk: of a quadrant [chord][node][(+,+), (+,-), (-,+), "
-          "(-,-) in "
-          "x and y][re, im]. The brightest sample of each, the largest average and the sum of them; fields are `off` by so "
+          "(-,-) in x and y][re, im]. The brightest sample of each, the largest average and the sum of them; fields are `off` "
+          "by so "
           "much.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,
           "width"_a, "step"_a, "tol"_a, "single"_a,

@@ -1,6 +1,6 @@
-// Pupils with arbitrary Zernike terms, by their series.
-#include "lommel/zernike/far_averages.hpp"
+// Pupils with arbitrary Zernike terms, by their series, and by their rims.
 #include "lommel/rim/averages.hpp"
+#include "lommel/zernike/far_averages.hpp"
 #include "lommel/zernike/images.hpp"
 
 #include "pupils.hpp"

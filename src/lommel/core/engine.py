@@ -200,6 +200,18 @@ def chordal_images(
     return made._replace(slopes=slopes)
 
 
+class NodeQuestion(NamedTuple):
+    """Averages over pixels that are wanted, and derivatives of them, from samples at nodes of their window."""
+
+    stack: DiskStack
+    window: Window
+    places: tuple[Array, Array]  # of nodes, v of rows and of columns about the middle of the window
+    weights: tuple[Array, Array]  # of nodes in rows and in columns of pixels, (height, nodes) and (width, nodes)
+    threads: int = 0
+    single: bool = False  # precision, where that is enough
+    terms: tuple[tuple[int, int], ...] = ()  # by whose coefficients derivatives are wanted
+
+
 class NodeAverages(NamedTuple):
     """Averages over pixels from samples at nodes of their window."""
 
@@ -212,57 +224,36 @@ class NodeAverages(NamedTuple):
     steepest: Array  # (k, n), the largest modulus of these
 
 
-def chordal_averages(
-    stack: DiskStack,
-    window: Window,
-    nodes: tuple[Array, Array],
-    weights: tuple[Array, Array],
-    tol: float,
-    threads: int,
-    *,
-    single: bool,
-    if_cheaper: bool = False,
-    terms: tuple[tuple[int, int], ...] = (),
-) -> NodeAverages:
-    """Return averages over pixels from samples at `nodes`, v of rows and columns about the middle of the window.
+def _node_answer(asked: NodeQuestion) -> tuple[Array, Array, NDArray[np.int32], Array]:
+    """Return where the core writes values and numbers of each pupil, the terms, and where numbers of slopes go."""
+    count, by = len(asked.stack.edge), np.array(asked.terms, dtype=np.int32).reshape(-1, 2)
+    values = np.empty((1 + len(by), count, *asked.window.shape))
+    return values, np.empty((4, count)), by, np.empty((2, len(by), count))
 
-    The field U is within `tol` at the nodes, of `single` precision where that allows it. `weights` are those of the
-    nodes in rows and in columns of pixels, (height, nodes) and (width, nodes). Derivatives by the coefficients of
-    `terms` follow.
-    """
-    count, by = len(stack.edge), np.array(terms, dtype=np.int32).reshape(-1, 2)
-    values, numbers = np.empty((1 + len(by), count, *window.shape)), np.empty((4, count))
-    slopes = np.empty((2, len(by), count))
+
+def chordal_averages(asked: NodeQuestion, tol: float, *, if_cheaper: bool = False) -> NodeAverages:
+    """Return averages by the chordal rule, the field U within `tol` at the nodes."""
+    values, numbers, by, slopes = _node_answer(asked)
     compute: Callable[..., float] = _core.chordal_averages
-    asked = (*window.center, window.step, tol, threads, *nodes, *weights, single, if_cheaper, values[0], numbers)
-    _require(compute(*stack, *asked, by, values[1:], slopes), tol, "the largest value in the window")
+    given = (*asked.stack, *asked.window.center, asked.window.step, tol, asked.threads, *asked.places, *asked.weights)
+    wanted = asked.single, if_cheaper, values[0], numbers, by, values[1:], slopes
+    _require(compute(*given, *wanted), tol, "the largest value in the window")
     return NodeAverages(values, *numbers, *slopes)
 
 
-def aperture_averages(
-    stack: DiskStack,
-    window: Window,
-    nodes: tuple[Array, Array],
-    weights: tuple[Array, Array],
-    rule: Array,
-    off: float,
-    threads: int,
-    *,
-    single: bool,
-    terms: tuple[tuple[int, int], ...] = (),
-) -> NodeAverages:
-    """Return the same of an aperture around one axis, its amplitude in the weights of a rule of the disk.
+def aperture_averages(asked: NodeQuestion, rule: Array, off: float) -> NodeAverages:
+    """Return averages of an aperture around one axis, its amplitude in the weights of a rule of the disk.
 
     `rule` has for each chord and node of a quadrant the weights at (x, y), (x, -y), (-x, y), (-x, -y), of each the
     real and the imaginary part: (chords, nodes, 8). Fields are `off` by so much, which the caller knows.
     """
-    count, by = len(stack.edge), np.array(terms, dtype=np.int32).reshape(-1, 2)
-    values, numbers = np.empty((1 + len(by), count, *window.shape)), np.empty((3, count))
-    slopes = np.empty((2, len(by), count))
+    values, numbers, by, slopes = _node_answer(asked)
     compute: Callable[..., float] = _core.aperture_averages
-    asked = (*window.center, window.step, threads, *nodes, *weights, rule, single, off, values[0], numbers)
-    compute(stack.terms, stack.edge, *asked, by, values[1:], slopes)
-    return NodeAverages(values, np.full(count, off), *numbers, *slopes)
+    stack, window = asked.stack, asked.window
+    given = stack.terms, stack.edge, *window.center, window.step, asked.threads, *asked.places, *asked.weights
+    compute(*given, rule, asked.single, off, values[0], numbers[1:], by, values[1:], slopes)
+    numbers[0] = off
+    return NodeAverages(values, *numbers, *slopes)
 
 
 def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Array, Array]:

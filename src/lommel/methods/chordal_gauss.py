@@ -17,8 +17,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
 if TYPE_CHECKING:
-    from lommel.core.engine import DiskStack, Window
-    from lommel.methods.pixels.window_nodes import WindowNodes
+    from lommel.core.engine import NodeQuestion
 
 
 @dataclass(frozen=True)
@@ -101,28 +100,8 @@ class ChordalGauss(Method[Pupil]):
             stack, window = disk_stack(some), window_of(some, pixels)
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
-        def at_nodes(
-            stack: DiskStack,
-            window: Window,
-            nodes: tuple[WindowNodes, WindowNodes],
-            tol: float,
-            threads: int,
-            *,
-            single: bool,
-            terms: tuple[tuple[int, int], ...],
-        ) -> NodeAverages:
-            places, weights = zip(*((axis.places, axis.weights) for axis in nodes), strict=True)
-            return chordal_averages(
-                stack,
-                window,
-                places,
-                weights,
-                tol,
-                threads,
-                single=single,
-                if_cheaper=self._if_cheaper and not terms,
-                terms=terms,
-            )
+        def at_nodes(asked: NodeQuestion, tol: float) -> NodeAverages:
+            return chordal_averages(asked, tol, if_cheaper=self._if_cheaper and not asked.terms)
 
         return disk_images(sampled, pupil, grid, self.tol, wanted, at_nodes)
 

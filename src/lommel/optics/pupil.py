@@ -376,7 +376,7 @@ _PARTS = ("spider", "vignetting", "mask", "stop", "colour")
 @lru_cache(maxsize=64)
 def _variances(terms: tuple[tuple[int, int], ...]) -> Array:
     """Return the variances on the disk of Zernike terms that are 1 at the edge."""
-    return np.array([1.0 / ((n + 1.0) * (2.0 if m else 1.0)) for n, m in terms])
+    return np.array([zernike.rms_factor(n, m) ** -2.0 for n, m in terms])
 
 
 @lru_cache(maxsize=8)

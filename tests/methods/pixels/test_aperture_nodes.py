@@ -15,6 +15,7 @@ from lommel.methods.pixels import aperture_nodes
 from lommel.methods.pixels.aperture_nodes import averaged_apertures, turned
 from lommel.methods.pixels.window_nodes import window_nodes
 from lommel.optics.grid import Grid
+from pixel_samples import averages_of_samples
 
 VANES = lm.Spider(0.03, angles=(10, 100, 190, 280))
 SEGMENTS = lm.Segments.hexagonal(rings=1, gap=0.02)
@@ -26,20 +27,10 @@ def pupils(rng, count, waves, **more):
     return lm.Pupil(lm.Wavefront.zernike({j + 4: sizes[:, j] for j in range(12)}, order="noll"), **more)
 
 
-def by_samples(pupil, grid, count):
-    """Return averages by Gauss's rule of samples within each pixel."""
-    x, weight = np.polynomial.legendre.leggauss(count)
-    row, column = grid.center
-    total = 0.0
-    for y, of_y in zip(0.5 * x, 0.5 * weight, strict=True):
-        for across, of_x in zip(0.5 * x, 0.5 * weight, strict=True):
-            at = (row - y, column - across)
-            made = lm.psf(
-                pupil, grid.shape, grid.pixel, center=at, integrate=False, method=lm.NonuniformFFT(1e-9),
-                normalize="strehl",
-            )  # fmt: skip
-            total = total + of_y * of_x * made.values
-    return total
+def by_rows(pupil, grid, count):
+    """Return averages of samples from rows of the aperture, for which one pupil at a time asks."""
+    method = lm.NonuniformFFT(1e-9)
+    return np.concatenate([averages_of_samples(pupil[i : i + 1], grid, count, method)[0] for i in range(len(pupil))])
 
 
 @pytest.fixture(autouse=True)
@@ -58,9 +49,7 @@ def every_stack(monkeypatch):
 def test_averages_are_within_their_bound(more, grid, tol, monkeypatch):
     asked = []
     of_core = aperture_nodes.aperture_averages
-    monkeypatch.setattr(
-        aperture_nodes, "aperture_averages", lambda *given, **kind: asked.append(kind) or of_core(*given, **kind)
-    )
+    monkeypatch.setattr(aperture_nodes, "aperture_averages", lambda *given: asked.append(given) or of_core(*given))
     rng = np.random.default_rng(4)
     for count in (5, 21):
         pupil = pupils(rng, count, 0.08, **more)
@@ -69,7 +58,7 @@ def test_averages_are_within_their_bound(more, grid, tol, monkeypatch):
             dtype=np.float32 if tol > 1e-5 else np.float64,
         )  # fmt: skip
         assert asked
-        exact = by_samples(pupil, grid, 7 + int(2.0 * grid.pixel))
+        exact = by_rows(pupil, grid, 7 + int(2.0 * grid.pixel))
         wide = lm.psf(pupil, 25, grid.pixel, integrate=True, tol=1e-4, normalize="strehl").values.max(axis=(1, 2))
         peak = np.maximum(wide, exact.max(axis=(1, 2)))
         off = np.abs(made.values - exact).max(axis=(1, 2))
@@ -84,8 +73,8 @@ def test_sums_are_those_of_the_disk_where_weights_are(single):
     pupil, grid = pupils(rng, 3, 0.1), Grid((4, 7), 1.1, center=(1.7, 3.2), integrate=True)
     stack, window = disk_stack(pupil), window_of(pupil, grid)
     axes = [window_nodes(window.step, n, 1e-8) for n in grid.shape]
-    places, weights = [a.places for a in axes], [a.weights for a in axes]
-    chords = engine.chordal_averages(stack, window, places, weights, 1e-10, 1, single=False)
+    places, weights = tuple(a.places for a in axes), tuple(a.weights for a in axes)
+    chords = engine.chordal_averages(engine.NodeQuestion(stack, window, places, weights, 1), 1e-10)
     size = 64
     _, w = np.polynomial.legendre.leggauss(size)
     angle = np.pi * np.arange(1, size // 2 + 1) / (size + 1)
@@ -95,10 +84,12 @@ def test_sums_are_those_of_the_disk_where_weights_are(single):
     for swap in (False, True):
         if swap:
             given = turned(stack), window._replace(shape=window.shape[::-1], center=window.center[::-1])
-            made = engine.aperture_averages(*given, places[::-1], weights[::-1], rule, 1e-9, 1, single=single)
+            asked = engine.NodeQuestion(*given, places[::-1], weights[::-1], 1, single)
+            made = engine.aperture_averages(asked, rule, 1e-9)
             values = made.values[0].swapaxes(1, 2)
         else:
-            made = engine.aperture_averages(stack, window, places, weights, rule, 1e-9, 1, single=single)
+            asked = engine.NodeQuestion(stack, window, places, weights, 1, single)
+            made = engine.aperture_averages(asked, rule, 1e-9)
             values = made.values[0]
         np.testing.assert_allclose(values, chords.values[0], atol=1e-5 if single else 1e-10)
         np.testing.assert_allclose(made.largest, values.max(axis=(1, 2)), rtol=1e-12)

@@ -15,6 +15,7 @@ from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import averaging
 from lommel.methods.pixels.window_nodes import prolate_zeros, window_nodes
 from lommel.optics.grid import Grid
+from pixel_samples import averages_of_samples
 
 NOLL = {"noll 4": (2, 0), "noll 7": (3, -1), "noll 12": (4, 2)}
 
@@ -63,21 +64,6 @@ def test_windows_that_are_too_large_or_too_fine_have_none():
     assert window_nodes(0.5, 200, 1e-6) is None
 
 
-def by_samples(pupil, grid, count):
-    """Return averages by Gauss's rule of samples within each pixel, of 1e-10 of the peak."""
-    x, weight = np.polynomial.legendre.leggauss(count)
-    row, column = grid.center
-    total = 0.0
-    for y, of_y in zip(0.5 * x, 0.5 * weight, strict=True):
-        for across, of_x in zip(0.5 * x, 0.5 * weight, strict=True):
-            at = (row - y, column - across)
-            made = lm.psf(
-                pupil, grid.shape, grid.pixel, center=at, method=lm.NijboerZernike(1e-10), normalize="strehl"
-            )
-            total = total + of_y * of_x * made.values
-    return total
-
-
 def question(seed):
     rng = np.random.default_rng(seed)
     count = int(rng.integers(1, 6))
@@ -107,7 +93,7 @@ def test_averages_at_nodes_are_within_their_bound(seed):
         pupil, grid.shape, grid.pixel, center=grid.center, integrate=True, method=lm.ChordalGauss(tol), dtype=dtype,
         normalize="strehl",
     )  # fmt: skip
-    exact = by_samples(pupil, grid, 8 + int(2.2 * np.pi * grid.pixel))
+    exact = averages_of_samples(pupil, grid, 8 + int(2.2 * np.pi * grid.pixel), lm.NijboerZernike(1e-10))[0]
     # Bounds are over the largest average that there is, also beyond the window.
     wide = [41 + 2 * (n // 2) for n in grid.shape]
     middle = [(w - n) // 2 + np.asarray(c) for w, n, c in zip(wide, grid.shape, grid.center, strict=True)]
@@ -127,7 +113,8 @@ def test_sums_are_those_of_samples_in_either_precision(count, single):
     window = window_of(pupil, grid)
     places, weights = (rows.places, columns.places), (rows.weights, columns.weights)
     tol = 1e-3 if single else 1e-11
-    made = engine.chordal_averages(disk_stack(pupil), window, places, weights, tol, 1, single=single)
+    asked = engine.NodeQuestion(disk_stack(pupil), window, places, weights, 1, single)
+    made = engine.chordal_averages(asked, tol)
     # By filters, which take samples of a series.
     method = lm.NijboerZernike(1e-9)
     exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, method=method, normalize="strehl").values
@@ -146,15 +133,17 @@ def test_windows_that_have_nodes_take_no_filter(monkeypatch):
 
 
 @pytest.mark.parametrize("tol", [1e-3, 1e-7])
-def test_the_bound_has_all_of_its_terms(tol):
+def test_the_bound_has_all_of_its_terms(tol, monkeypatch):
+    used = []
+    monkeypatch.setattr(averaging, "window_nodes", lambda *side: used.append(window_nodes(*side)) or used[-1])
     pupil, grid, asked = (
         lm.Pupil(lm.Wavefront.zernike({8: np.ones(1)}, order="noll")),
         Grid(5, 2.0, integrate=True),
         [],
     )
 
-    def made(stack, window, nodes, tol, threads, /, *, single, terms):
-        asked.append((nodes[0], tol, single))
+    def made(question, tol):
+        asked.append((question, tol))
         values = np.zeros((1, 5, 5))
         values[0, 2, 2] = 0.1
         slopes = np.full((1, 1), 3 * tol), np.full((1, 1), 0.05)
@@ -163,11 +152,12 @@ def test_the_bound_has_all_of_its_terms(tol):
     wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
     disks = averaging.Disks(disk_stack(pupil), window_of(pupil, grid), made)
     found = averaging.averaged_at_nodes(disks, pupil, tol, wanted)
-    nodes, of_field, single = asked[-1]
-    assert single == (tol == 1e-3)
+    (question, of_field), nodes = asked[-1], used[-1]
+    assert (question.places[0] == nodes.places).all()
+    assert question.single == (tol == 1e-3)
     gain, light = nodes.gain**2, 1.01 * nodes.spread**2 * 0.1  # less than all of the brightest sample
     assert light < 0.2 * gain
-    rounding = (2 * nodes.places.size + 11) * 2.0**-53 + (24 * 2.0**-24 if single else 0.0)
+    rounding = (2 * nodes.places.size + 11) * 2.0**-53 + (24 * 2.0**-24 if question.single else 0.0)
     of_samples = 0.9 * of_field * (2 * math.sqrt(gain * light) + 0.9 * of_field * gain)
     total = of_samples + (2 + nodes.error) * nodes.error + rounding * light
     assert found.error[0, 0] == pytest.approx(total / 0.1, rel=1e-6)
@@ -225,4 +215,4 @@ def test_weights_and_nodes_that_do_not_fit_are_refused():
         ((nodes.places[1:].copy(), nodes.places), (nodes.weights, nodes.weights)),
     ):
         with pytest.raises(Exception, match="node"):
-            engine.chordal_averages(*asked, places, weights, 1e-6, 1, single=False)
+            engine.chordal_averages(engine.NodeQuestion(*asked, places, weights, 1), 1e-6)

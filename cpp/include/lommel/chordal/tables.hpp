@@ -109,7 +109,7 @@ struct TermTable {
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
-        return own.empty() && count == n && lanes == in && amplitude == light && terms == list;
+        return count == n && lanes == in && amplitude == light && terms == list;
     }
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }

@@ -466,6 +466,12 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     });
 }
 
+// Calls f(Size<N>) with a number that the degree is not above.
+template <class F>
+LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
+    degree <= 4 ? f(Size<4>{}) : degree <= 7 ? f(Size<7>{}) : f(Size<rim_most_degree>{});
+}
+
 // Kernels, compiled once for each instruction set.
 struct RimKernels {
     // As many pupils as these stand side by side.

@@ -233,17 +233,6 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
     }
 }
 
-template <std::size_t N>
-struct RimDegree {
-    static constexpr std::size_t value = N;
-};
-
-// Calls f(RimDegree<N>) with a number that the degree is not above.
-template <class F>
-LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
-    degree <= 4 ? f(RimDegree<4>{}) : degree <= 7 ? f(RimDegree<7>{}) : f(RimDegree<rim_most_degree>{});
-}
-
 // Nodes of a rule that is exact for |Q_K|^2 on the disk: circles and angles.
 struct RimDisk {
     RimSlopes slopes;

@@ -14,6 +14,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/rim/slopes.hpp"
+#include "lommel/special/chebyshev.hpp"
 #include "lommel/special/legendre.hpp"
 
 namespace lommel {
@@ -87,6 +88,7 @@ class AngleWeights {
 class RadiusRule {
    public:
     std::vector<double> places, shares;  // and the weights that were found for one x
+    std::vector<double> barycentric;     // of the places
     double low;
 
     RadiusRule(double from, std::size_t points);
@@ -225,8 +227,9 @@ LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
 
 LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) {
     for (std::size_t i = 0; i < points; ++i) {
-        const double angle = 3.14159265358979323846 * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
-        places.push_back(0.5 * (1.0 + low) + 0.5 * (1.0 - low) * std::cos(angle));
+        const double point = chebyshev_point(i, points);
+        places.push_back(0.5 * (1.0 + low) + 0.5 * (1.0 - low) * point);
+        barycentric.push_back((i % 2 == 0 ? 1.0 : -1.0) * std::sqrt((1.0 - point) * (1.0 + point)));
     }
     shares.resize(points);
 }
@@ -234,18 +237,15 @@ LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) 
 LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
     // Of T_k with a coefficient of 2 / rho^k at most, k = n, n + 1, .., and of what of lower degree has the same values.
     const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
-    const double n = static_cast<double>(places.size());
-    return out >= rho ? 1e300
-                      : 2.0 * (std::pow(out / rho, n) / (1.0 - out / rho) + std::pow(out / rho, n) / out / (1.0 - 1.0 / rho));
+    const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
+    return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
 }
 
 LOMMEL_ONCE double RadiusRule::at(double x) {
-    const std::size_t n = places.size();
     double all = 0.0, moduli = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double angle = 3.14159265358979323846 * (static_cast<double>(i) + 0.5) / static_cast<double>(n),
-                     off = x - places[i];
-        shares[i] = (i % 2 == 0 ? 1.0 : -1.0) * std::sin(angle) / (std::abs(off) < 1e-14 ? 1e-14 : off);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double off = x - places[i];
+        shares[i] = barycentric[i] / (std::abs(off) < 1e-14 ? 1e-14 : off);
         all += shares[i];
     }
     for (double& share : shares) {

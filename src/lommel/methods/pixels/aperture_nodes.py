@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError, Wanted
-from lommel.core.engine import DiskStack, NodeAverages, Window, aperture_averages
+from lommel.core.engine import DiskStack, NodeAverages, NodeQuestion, Window, aperture_averages
 from lommel.methods.moment_rule import MomentRule, degrees_and_error, moment_rule, nodes, roundings
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels.averaging import Averages, Disks, averaged_at_nodes
-from lommel.methods.pixels.window_nodes import WindowNodes
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -37,51 +36,41 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     if pupil.mask is not None or wanted.powers or fields < _FEWEST:
         return None
 
-    def at_nodes(
-        stack: DiskStack,
-        window: Window,
-        axes: tuple[WindowNodes, WindowNodes],
-        tol: float,
-        threads: int,
-        *,
-        single: bool,
-        terms: tuple[tuple[int, int], ...],
-    ) -> NodeAverages:
+    def at_nodes(asked: NodeQuestion, tol: float) -> NodeAverages:
+        window = asked.window
         middles = (window.step * (0.5 * (n - 1) - c) for n, c in zip(window.shape, window.center, strict=True))
-        farthest = (np.abs(axis.places + at).max() for axis, at in zip(axes, middles, strict=True))
+        farthest = (np.abs(places + at).max() for places, at in zip(asked.places, middles, strict=True))
         reach, aim = math.hypot(*farthest), 0.15 * tol
         if aim < _LEAST:
             raise ToleranceError
         degree, fine, missed = degrees_and_error(pupil, reach, aim)
-        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, window, axes):
+        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, asked):
             raise ToleranceError
         rule = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
         lost = roundings(rule, pupil, reach, single=True)
-        single = single and lost < _SINGLE * tol
+        single = asked.single and lost < _SINGLE * tol
         off = missed + 1.1 * aim + (lost if single else roundings(rule, pupil, reach))
         # Chords of the rule are rows of the aperture, and those of the core are columns.
-        row, column = axes
-        by, signs = exchanged(terms)
-        made = aperture_averages(
-            turned(stack),
+        by, signs = exchanged(asked.terms)
+        other = NodeQuestion(
+            turned(asked.stack),
             Window(window.shape[::-1], window.center[::-1], window.step),
-            (column.places, row.places),
-            (column.weights, row.weights),
-            of_quadrant(rule, pupil),
-            off,
-            threads,
-            single=single,
-            terms=tuple((int(n), int(m)) for n, m in by),
+            asked.places[::-1],
+            asked.weights[::-1],
+            asked.threads,
+            single,
+            tuple((int(n), int(m)) for n, m in by),
         )
+        made = aperture_averages(other, of_quadrant(rule, pupil), off)
         made.values[1:] *= signs[:, None, None, None]
         return made._replace(values=made.values.swapaxes(2, 3))
 
     return averaged_at_nodes(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
 
 
-def _pays(count: int, rows: float, window: Window, axes: tuple[WindowNodes, WindowNodes]) -> bool:
+def _pays(count: int, rows: float, asked: NodeQuestion) -> bool:
     """Return whether sums over nodes are likely to take less time than a filter of samples."""
-    down, across = (axis.places.size for axis in axes)
+    (down, across), window = (places.size for places in asked.places), asked.window
     sums = _SUMS * rows * down * (rows + across)
     samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
     return _MAKING * rows**3 < _STEPS * count * (samples - sums)

@@ -14,16 +14,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
 from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
-from lommel.core.engine import DiskStack, FarPixels, NodeAverages, Window, average_samples
+from lommel.core.engine import DiskStack, FarPixels, NodeAverages, NodeQuestion, Window, average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.transfer_rule import band_points, mean_rule
-from lommel.methods.pixels.window_nodes import WindowNodes, window_nodes
+from lommel.methods.pixels.window_nodes import window_nodes
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -131,22 +131,8 @@ Far = Callable[[P, Grid, float, float, int], FarPixels]
 Band = tuple[float, float]
 
 
-class NodeSample(Protocol):
-    """Averages over pixels from fields at the nodes of rows and columns, each within a tolerance."""
-
-    def __call__(
-        self,
-        stack: DiskStack,
-        window: Window,
-        nodes: tuple[WindowNodes, WindowNodes],
-        tol: float,
-        threads: int,
-        /,
-        *,
-        single: bool,
-        terms: tuple[tuple[int, int], ...],
-    ) -> NodeAverages:
-        """Return them, and their derivatives by the coefficients of terms."""
+# From pupils and nodes of their window, and the error that fields may have there, to averages.
+NodeSample = Callable[[NodeQuestion, float], NodeAverages]
 
 
 class Disks(NamedTuple):
@@ -197,13 +183,16 @@ def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted
         single = err_field >= _SINGLE
         try:
             made = disks.at_nodes(
-                disks.stack,
-                disks.window,
-                (rows, columns),
+                NodeQuestion(
+                    disks.stack,
+                    disks.window,
+                    (rows.places, columns.places),
+                    (rows.weights, columns.weights),
+                    wanted.threads,
+                    single,
+                    wanted.terms,
+                ),
                 err_field,
-                wanted.threads,
-                single=single,
-                terms=wanted.terms,
             )
         except ToleranceError:
             return None
@@ -407,7 +396,9 @@ def _near_and_far(
         bounds = once_stored(off, wanted)
         if bounds.max() <= tol:
             away.values[:, inside[0], inside[1]] = near.values[0]
-            return Averages(away.values[None], np.maximum(near.error, bounds), near.peak)
+            # Values divided by their own largest one are at most 1 wherever that is.
+            top = away.values.max(axis=(1, 2)) if wanted.scale is None else near.peak
+            return Averages(away.values[None], np.maximum(near.error, bounds), np.maximum(near.peak, top))
         asked *= 0.8 * room / float(off.max())
     return None
 

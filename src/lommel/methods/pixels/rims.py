@@ -30,6 +30,7 @@ from lommel.methods.pixels.averaging import (
     once_stored,
 )
 from lommel.optics.base_pupil import BasePupil
+from lommel.special.zernike import rms_factor
 
 _Size = TypeVar("_Size", float, Array)
 
@@ -148,9 +149,9 @@ def _of_part(disks: Disks, which: NDArray[np.intp]) -> Disks:
 
 def _likely_largest(stack: DiskStack, step: float) -> Array:
     """Return about the largest average of each pupil."""
-    n, m = np.abs(stack.terms).T
-    edge = np.where(n > 1, np.clip(stack.edge, -1e6, 1e6), 0.0)  # but for piston and tilt
-    variance = (edge * edge) @ (1.0 / ((n + 1.0) * np.where(m > 0, 2.0, 1.0)))
+    edge = np.clip(stack.edge, -1e6, 1e6)
+    # But for piston and tilt.
+    variance = (edge * edge) @ [rms_factor(n, m) ** -2.0 * (n > 1) for n, m in stack.terms.tolist()]
     return np.asarray(np.minimum(4.4 * least_average(step) / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance)))
 
 

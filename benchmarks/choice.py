@@ -46,7 +46,7 @@ def prepared(question: DiskQuestion, method: lm.Method | None) -> Call | None:
         grid.side,
         method=named,
         tol=tol,
-        center=grid.axis,
+        center=grid.center,
         integrate=grid.integrate,
         normalize="strehl",
         threads=1,

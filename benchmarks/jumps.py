@@ -1,10 +1,11 @@
 """The largest jumps of cost where one number of a random question changes by a fifth.
 
-    python -m benchmarks.jumps [--first 0] [--count 300]
+    python -m benchmarks.jumps [--first 0] [--count 300] [--camera]
 
-Questions are those of benchmarks/choice.py. Of each one number is made a fifth larger: the side of the window, the
-pixel, the phase, the tolerance or the number of pupils. Prints quantiles of the ratio of processor times, over what
-the pixels and pupils themselves are more, and the largest.
+Questions are those of benchmarks/choice.py, or, with ``--camera``, averages over pixels of 0.7 to 8 lambda N. Of each
+one number is made a fifth larger: the side of the window, the pixel, the phase, the tolerance or the number of
+pupils. Prints quantiles of the ratio of processor times, over what the pixels and pupils themselves are more, and the
+largest.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from benchmarks.choice import prepared, seconds
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
 
-from disk_questions import DiskQuestion, disk_question
+from disk_questions import DiskQuestion, camera_question, disk_question
 
 _MORE = 1.2
 
@@ -32,11 +33,11 @@ def changed(question: DiskQuestion, what: str) -> tuple[DiskQuestion, float] | N
     pupil, grid, tol = question
     if what == "side":
         side = math.ceil(_MORE * grid.height)
-        axis = tuple(part + (side - grid.height) // 2 for part in grid.axis)
-        more = lm.Grid(side, grid.side, center=axis, integrate=grid.integrate)
+        row, column = (part + (side - grid.height) // 2 for part in grid.center)
+        more = lm.Grid(side, grid.side, center=(row, column), integrate=grid.integrate)
         return DiskQuestion(pupil, more, tol), (side / grid.height) ** 2
     if what == "pixel":
-        more = lm.Grid(grid.shape, _MORE * grid.side, center=grid.axis, integrate=grid.integrate)
+        more = lm.Grid(grid.shape, _MORE * grid.side, center=grid.center, integrate=grid.integrate)
         return DiskQuestion(pupil, more, tol), 1.0
     if what == "phase":
         stronger = replace(pupil, wavefront=_MORE * pupil.wavefront)
@@ -46,8 +47,8 @@ def changed(question: DiskQuestion, what: str) -> tuple[DiskQuestion, float] | N
     count = math.prod(pupil.shape)
     if pupil.shape == () or count < 2:
         return None
-    more_pupils = pupil[np.arange(math.ceil(_MORE * count)) % count]
-    return DiskQuestion(more_pupils, grid, tol), math.ceil(_MORE * count) / count
+    which = np.arange(math.ceil(_MORE * count)) % count
+    return DiskQuestion(pupil[which], grid[which] if grid.stack else grid, tol), which.size / count
 
 
 def main() -> None:
@@ -55,10 +56,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--camera", action="store_true")
     options = parser.parse_args()
-    found = []
+    questions, found = camera_question if options.camera else disk_question, []
     for index in range(options.first, options.first + options.count):
-        question = disk_question(index)
+        question = questions(index)
         what = ("side", "pixel", "phase", "tol", "pupils")[index % 5]
         other = changed(question, what)
         if other is None:

@@ -6,3 +6,4 @@
 #define LOMMEL_DEFINES
 
 #include "lommel/rim/averages.hpp"
+#include "lommel/rim/boxes.hpp"

@@ -57,3 +57,30 @@ def disk_question(index: int, *, averages: bool = False) -> DiskQuestion:
     return DiskQuestion(
         lm.Pupil(wavefront, obscuration=obscuration), lm.Grid(side, pixel, center=center, integrate=integrate), tol
     )
+
+
+def camera_question(index: int) -> DiskQuestion:
+    """Return a question of a camera, the same for the same index: averages over pixels of 0.7 to 8 lambda N.
+
+    Windows of 7² to 120², axes in the middle or near it, in a third of the stacks one for each of up to 1000 pupils;
+    0.01 to 0.6 waves rms of up to 40 Zernike terms.
+    """
+    rng = np.random.default_rng([index, 67])
+
+    def between(low: float, high: float) -> float:
+        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+    side, count, pupils = round(between(7, 120)), round(between(2, 40)), 1
+    if rng.random() > 0.35:
+        pupils = round(between(2, 1000 if side <= 48 else 60))
+    c = rng.standard_normal((count, pupils))
+    c *= 2.0 * math.pi * between(0.01, 0.6) / np.sqrt((c**2).sum(axis=0))
+    terms = dict(zip(range(4, 4 + count), c if pupils > 1 else c[:, 0], strict=True))
+    obscuration = 0.0 if rng.random() < 0.7 else float(rng.uniform(0.1, 0.5))
+    place, middle = rng.random(), side // 2
+    own = (pupils,) if pupils > 1 and place > 0.7 else ()
+    away = 0.1 * side if place > 0.4 else 0.0
+    row, column = (middle + away * rng.uniform(-1.0, 1.0, own) for _ in range(2))
+    wavefront = lm.Wavefront.zernike(terms, order="noll")
+    grid = lm.Grid(side, between(0.7, 8.0), center=(row, column), integrate=True)
+    return DiskQuestion(lm.Pupil(wavefront, obscuration=obscuration), grid, 10.0 ** rng.uniform(-6.5, -2.5))

@@ -210,6 +210,7 @@ class NodeQuestion(NamedTuple):
     threads: int = 0
     single: bool = False  # precision, where that is enough
     terms: tuple[tuple[int, int], ...] = ()  # by whose coefficients derivatives are wanted
+    sole: bool = True  # whether nothing has been computed that would be lost if these were declined
 
 
 class NodeAverages(NamedTuple):
@@ -269,6 +270,27 @@ def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Arra
 
 
 RIM_ORDERS: int = _core.RIM_ORDERS
+
+
+class RimBoxes(NamedTuple):
+    """Of each pupil, the box around its axis outside which averages over pixels are likely to come from its rim."""
+
+    sides: NDArray[np.int64]  # (n,), pixels, odd; 0 where the whole window had best have nodes
+    axes: NDArray[np.int64]  # (n, 2), the pixel of the axis
+    remainders: Array  # (n,), as those of :func:`rim_remainders`
+    tolerances: Array  # (n,), what averages may be off by, likely
+
+
+def rim_boxes(stack: DiskStack, window: Window, tol: float, lowest: float, threads: int) -> RimBoxes | None:
+    """Return boxes for averages within `tol` of the largest; None where those are not likely to take less time.
+
+    `lowest` is the least that the best placed pixel averages, over the peak of I.
+    """
+    count = len(stack.edge)
+    sides, axes, numbers = np.empty(count, np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
+    compute: Callable[..., bool] = _core.rim_boxes
+    pays = compute(*stack, *window.center, *window.shape, window.step, tol, lowest, threads, sides, axes, numbers)
+    return RimBoxes(sides, axes, *numbers) if pays else None
 
 
 def rim_averages(

@@ -101,7 +101,7 @@ class ChordalGauss(Method[Pupil]):
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
         def at_nodes(asked: NodeQuestion, tol: float) -> NodeAverages:
-            return chordal_averages(asked, tol, if_cheaper=self._if_cheaper and not asked.terms)
+            return chordal_averages(asked, tol, if_cheaper=self._if_cheaper and asked.sole and not asked.terms)
 
         return disk_images(sampled, pupil, grid, self.tol, wanted, at_nodes)
 

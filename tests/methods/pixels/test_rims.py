@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -11,8 +12,10 @@ import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel import _core
 from lommel.core import engine
+from lommel.methods import chordal_gauss
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import rims
+from lommel.methods.pixels.averaging import least_average
 from lommel.optics.grid import Grid
 
 NOLL = tuple(range(4, 16))  # the degrees 2 to 4
@@ -241,29 +244,49 @@ def test_pupils_that_fail_have_larger_boxes_and_then_nodes(monkeypatch):
     made = lm.psf(pupil, 33, 2.65, integrate=True, tol=1e-4, dtype=np.float32)
     assert len(set(boxes)) >= 3
     assert np.max(made.error_bound) <= 1e-4
-    monkeypatch.setattr(rims, "_REACH", 0.0)
+    monkeypatch.setattr(rims, "rim_boxes", lambda *given: None)
     by_nodes = lm.psf(pupil, 33, 2.65, integrate=True, tol=1e-6)
     off = np.abs(made.values - by_nodes.values).max(axis=(1, 2)) / by_nodes.values.max(axis=(1, 2))
     assert off.max() <= 1.1e-4
 
 
 def test_few_of_a_box_go_with_a_larger_one():
-    sizes = np.arange(5, 23, 2)
-    remainders = np.array([1.0] * 20 + [1e10] * 3 + [1e11] * 12 + [1e30] * 2)
-    boxes = rims._smallest(sizes, remainders, np.full(37, 1e-6), 8.0)
-    assert len(set(boxes[:20])) == 1
-    assert boxes[0] < boxes[20] == boxes[25]
-    assert (boxes[35:] == 0).all()
+    rng = np.random.default_rng(3)
+    waves = np.array([0.02] * 20 + [0.05] * 3 + [0.1] * 12 + [1.0] * 2)
+    made = np.stack([pupils(rng, 1, each).wavefront.edge[0] for each in waves])
+    stack = disk_stack(pupils(rng, 37, 0.1))._replace(edge=made)
+    boxes = engine.rim_boxes(stack, engine.Window((33, 33), (16.0, 16.0), 8.0), 1e-4, least_average(8.0), 1)
+    sides = boxes.sides
+    assert len(set(sides[:20])) == 1
+    counts = Counter(sides[:35].tolist())
+    assert all(many >= 8 for side, many in counts.items() if side < max(counts))
+    assert sides[0] < sides[25]
+    assert (sides[35:] == 0).all()
 
 
 def test_the_largest_average_is_about_as_guessed():
     rng = np.random.default_rng(6)
-    for waves, pixel in ((0.02, 1.0), (0.1, 2.65), (0.1, 6.0), (0.2, 2.65)):
+    for waves, pixel in ((0.02, 1.6), (0.1, 2.65), (0.1, 6.0), (0.2, 2.65)):
         pupil = pupils(rng, 20, waves)
         exact = lm.psf(pupil, 21, pixel, integrate=True, normalize="strehl").values.max(axis=(1, 2))
-        guess = rims._likely_largest(disk_stack(pupil), pixel * np.pi)
-        assert (guess / exact > 0.6).all()
-        assert (guess / exact < 1.7).all()
+        window = window_of(pupil, Grid(121, pixel, integrate=True))
+        boxes = engine.rim_boxes(disk_stack(pupil), window, 1e-3, least_average(window.step), 1)
+        assert (boxes.tolerances / (1e-3 * exact) > 0.6).all()
+        assert (boxes.tolerances / (1e-3 * exact) < 1.7).all()
+
+
+def test_pupils_left_over_do_not_make_others_start_again(monkeypatch):
+    asked, engine_averages = [], engine.chordal_averages
+    pupil = lm.Pupil(lm.Wavefront.zernike({(2, 0): np.r_[[0.3] * 38, [9.0] * 2], (3, 1): np.full(40, 0.1)}))
+
+    def averages(question, tol, *, if_cheaper):
+        asked.append((question.window.shape[0], len(question.stack.edge), if_cheaper))
+        return engine_averages(question, tol, if_cheaper=if_cheaper)
+
+    monkeypatch.setattr(chordal_gauss, "chordal_averages", averages)
+    made = lm.psf(pupil, 25, 2.65, integrate=True, tol=1e-5, threads=1)
+    assert np.max(made.error_bound) <= 1e-5
+    assert [(count, declines) for side, count, declines in asked if side == 25] == [(2, False)]
 
 
 @pytest.mark.parametrize("waves", [0.02, 0.05, 0.1, 0.2, 0.4, 1.0])

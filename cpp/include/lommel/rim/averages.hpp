@@ -31,9 +31,31 @@ class RimStack {
     void remainders(int threads, double* out) const;
 
    protected:
+    // Pupils side by side; or one, whose lanes are angles, and radii, of which a window has tables.
+    struct Batch {
+        Level level;
+        std::size_t first, here;
+        bool lone;
+        std::size_t pupils() const { return lone ? 1 : RimKernels::lanes(level); }  // what lanes hold, some twice
+    };
+    // Where few are left over, one by one.
+    struct Batches {
+        std::size_t count, together, alone;
+        explicit Batches(std::size_t pupils) : count(pupils) {
+            const std::size_t most = RimKernels::lanes(processor_level()), few = pupils % most;
+            alone = 3 * few < most ? few : 0;
+            together = (pupils - alone + most - 1) / most;
+        }
+        Batch operator[](std::size_t b) const {
+            const Level widest = processor_level();
+            const std::size_t most = RimKernels::lanes(widest);
+            return b < together ? Batch{widest, b * most, std::min(most, count - b * most), false}
+                                : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
+        }
+    };
     // Coefficients of some pupils in lanes, of the aperture or of its obscuration.
-    void gather(Level level, bool inner, std::size_t first, std::size_t here, const RimLine* line, RimScratch& scratch) const {
-        const std::size_t lanes = RimKernels::lanes(level), terms = stack_.terms.size();
+    void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
+        const std::size_t lanes = batch.pupils(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
         scratch.coefficients.resize(terms * lanes);
         if (line != nullptr) {
@@ -85,13 +107,6 @@ class RimAverages : RimStack {
     void run(int threads) const;
 
    private:
-    // Pupils side by side, or one whose lanes are radii.
-    struct Batch {
-        Level level;
-        std::size_t first, here;
-        const RimLone* lone;
-        std::size_t lanes() const { return RimKernels::lanes(level); }
-    };
     // Pixels about the axis that any of some pupils has.
     struct Around {
         std::int64_t top, bottom, left, right;
@@ -103,7 +118,7 @@ class RimAverages : RimStack {
         }
     };
 
-    void render(const Batch& batch) const;
+    void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
     // Writes an image; the largest average outside the box.
@@ -123,26 +138,24 @@ class RimAverages : RimStack {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
-    const Level widest = processor_level(), narrow = RimKernels::narrow(widest);
-    const Level level = stack_.count <= RimKernels::lanes(narrow) ? narrow : widest;
-    const std::size_t lanes = RimKernels::lanes(level), batches = (stack_.count + lanes - 1) / lanes;
+    const Batches batches(stack_.count);
     const auto disk = cache<RimDisk>.get(stack_.terms, stack_.amplitude);
-    parallel_for(batches, worthwhile_threads(threads, 3.0 * static_cast<double>(stack_.count)),
+    parallel_for(batches.together + batches.alone, worthwhile_threads(threads, 3.0 * static_cast<double>(stack_.count)),
                  [&](std::size_t, std::size_t b) {
                      thread_local RimScratch scratch;
-                     const std::size_t first = b * lanes, here = std::min(lanes, stack_.count - first);
-                     gather(level, false, first, here, nullptr, scratch);
-                     scratch.e.resize(2 * disk->slopes.orders.size() * lanes);
-                     scratch.mean.resize(lanes);
-                     scratch.largest.resize(lanes);
-                     RimKernels::mean(level, *disk, scratch);
-                     for (std::size_t lane = 0; lane < here; ++lane) {
+                     const Batch batch = batches[b];
+                     gather(batch, false, nullptr, scratch);
+                     scratch.e.resize(2 * disk->slopes.orders.size() * batch.pupils());
+                     scratch.mean.resize(batch.pupils());
+                     scratch.largest.resize(batch.pupils());
+                     RimKernels::mean(batch.level, batch.lone, *disk, scratch);
+                     for (std::size_t lane = 0; lane < batch.here; ++lane) {
                          const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
                                       rounding = 0x1p-24 * disk->slopes.units() * rim_orders *
                                                  std::sqrt(static_cast<double>(scratch.largest[lane]));
                          // What overflows is no number.
                          const double all = rim_scale(rim_orders) * (1.0001 * mean + rounding);
-                         out[first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
+                         out[batch.first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
                      }
                  });
 }
@@ -208,34 +221,27 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
 }
 
 LOMMEL_ONCE void RimAverages::run(int threads) const {
-    // Where few are left over, one by one.
-    const Level widest = processor_level(), narrow = RimKernels::narrow(widest);
-    const std::size_t count = stack_.count, most = RimKernels::lanes(widest), few = count % most,
-                      alone = 3 * few < most ? few : 0, together = (count - alone + most - 1) / most;
-    const auto lone = alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(narrow)) : nullptr;
-    const double work = 9.0 * static_cast<double>(count) + 20.0 * static_cast<double>(alone);
-    parallel_for(together + alone, worthwhile_threads(threads, work), [&](std::size_t, std::size_t b) {
-        if (b < together) {
-            render({widest, b * most, std::min(most, count - b * most), nullptr});
-        } else {
-            render({narrow, count - alone + b - together, 1, lone.get()});
-        }
-    });
+    const Batches batches(stack_.count);
+    const auto lone =
+        batches.alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(RimKernels::narrow(processor_level()))) : nullptr;
+    const double work = 9.0 * static_cast<double>(stack_.count) + 20.0 * static_cast<double>(batches.alone);
+    parallel_for(batches.together + batches.alone, worthwhile_threads(threads, work),
+                 [&](std::size_t, std::size_t b) { render(batches[b], lone.get()); });
 }
 
-LOMMEL_ONCE void RimAverages::render(const Batch& batch) const {
+LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) const {
     thread_local RimScratch scratch;
-    const std::size_t lanes = batch.lanes();
+    const std::size_t lanes = RimKernels::lanes(batch.level);
     for (std::size_t d = 0; d < table_->rims.size(); ++d) {
-        gather(batch.level, d == 1, batch.first, batch.here, lines_[d].get(), scratch);
+        gather(batch, d == 1, lines_[d].get(), scratch);
         const double edge = (d == 0 ? stack_.amplitude : within_).at(1.0);
-        RimKernels::coefficients(batch.level, table_->rims[d], *lines_[d], edge, d, scratch);
+        RimKernels::coefficients(batch.level, batch.lone, table_->rims[d], *lines_[d], edge, d, scratch);
     }
     look();
     const Around pixels = around(batch);
     scratch.out.assign(pixels.size() * lanes, 0.0f);
-    RimKernels::light(batch.level, *table_, batch.lone, jobs(pixels, lanes), scratch);
-    if (batch.lone != nullptr) {  // sums and largest numbers over radii
+    RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
+    if (batch.lone) {  // sums and largest numbers over radii
         for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
             scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
         }

@@ -46,7 +46,9 @@ struct RimLine {
     bool is(const std::vector<ZernikeTerm>& terms, const Amplitude& light, std::size_t angles) const {
         return turns.count == angles && slopes.is(terms, light, {1.0});
     }
-    std::size_t bytes() const { return slopes.bytes() + turns.turns.size() * sizeof(float) + phases.size() * sizeof(double); }
+    std::size_t bytes() const {
+        return slopes.bytes() + (turns.turns.size() + turns.beside.size()) * sizeof(float) + phases.size() * sizeof(double);
+    }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
@@ -59,10 +61,19 @@ struct RimSums {
 
 struct RimScratch {
     Floats coefficients, e, points, folded, sums, values[2], waves[2], light, out;
-    Doubles phases;
+    Doubles phases, turned;
     std::array<RimSums, 2> of;
     Floats squares, largest, mean;
 };
+
+// Sums of values at theta, pi - theta, and half a turn on from both, to which each kind of sums over angles is the same.
+template <class V, class Put>
+LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
+    put(0, (a + c) + (b + d));
+    put(1, (a + c) - (b + d));
+    put(2, (a - c) - (b - d));
+    put(3, (a - c) + (b - d));
+}
 
 // Coefficients of Q_k P along a rim, by those of phases: values[nu][k][re, im][lane], 0 where they are left out.
 template <std::size_t Degree, class I>
@@ -101,7 +112,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
                 q[point][0][part] = load<V>(points + (2 * at[point] + part) * lanes);
             }
         }
-        rim_powers<Degree, K - 1>(isa, line.slopes, line.turns.at(l), scratch.e.data(), q);
+        rim_powers<Degree, K - 1, false>(isa, line.slopes, line.turns.at(l), scratch.e.data(), q);
         for (std::size_t k = 1; k < K; ++k) {
             for (std::size_t point = 0; point < 2; ++point) {
                 for (std::size_t part = 0; part < 2; ++part) {
@@ -120,19 +131,14 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     const V by = splat<V>(1.0f / static_cast<float>(angles));
     V whole[2] = {};
     for (std::size_t k = 0; k < K; ++k) {
-        // Angles at theta, pi - theta, and half a turn on from both.
         for (std::size_t l = 0; l < quarter; ++l) {
             for (std::size_t part = 0; part < 2; ++part) {
                 const auto at = [&](std::size_t angle) LOMMEL_INLINE_LAMBDA {
                     return load<V>(points + (2 * (k * angles + angle) + part) * lanes);
                 };
-                const V a = at(l), b = at(2 * quarter - 1 - l), c = at(l + 2 * quarter), d = at(4 * quarter - 1 - l);
-                const auto put = [&](std::size_t kind, V value)
-                                     LOMMEL_INLINE_LAMBDA { store(folded + (2 * (kind * quarter + l) + part) * lanes, value); };
-                put(0, (a + c) + (b + d));
-                put(1, (a + c) - (b + d));
-                put(2, (a - c) - (b - d));
-                put(3, (a - c) + (b - d));
+                fold(at(l), at(2 * quarter - 1 - l), at(l + 2 * quarter), at(4 * quarter - 1 - l),
+                     [&](std::size_t kind, V value)
+                         LOMMEL_INLINE_LAMBDA { store(folded + (2 * (kind * quarter + l) + part) * lanes, value); });
             }
         }
         for (std::size_t kind = 0; kind < 4; ++kind) {
@@ -178,6 +184,140 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
         of.size[ellipse].resize(lanes);
         store(of.size[ellipse].data(), whole[ellipse]);
+    }
+}
+
+// P at angles of the rim of one pupil by the coefficients of its phases: scratch.e[angle][re, im].
+template <class I>
+LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scratch, float* out) {
+    using Wave = Waves<I, float>;
+    using V = typename Wave::V;
+    using Pack = typename I::pack;
+    constexpr std::size_t lanes = Wave::lanes, each = lanes / Wave::vectors;
+    const ChordLanes order{lanes, true};
+    const std::size_t angles = line.turns.count, columns = line.orders.size();
+    scratch.turned.assign((angles + lanes - 1) / lanes * lanes, 0.0);
+    for_tiles(angles, node_tile, [&](std::size_t from, std::size_t size) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t c = 0; c < columns; ++c) {
+            for (std::size_t r = 0; r < size; ++r) {
+                const std::size_t angle = from + r, first = angle / lanes * lanes;
+                scratch.turned[first + order.place(angle % lanes)] +=
+                    scratch.phases[c] * line.phases[from * columns + c * size + r];
+            }
+        }
+    });
+    for (std::size_t l = 0; l < angles; l += lanes) {
+        Pack sums[Wave::vectors];
+        for (std::size_t i = 0; i < Wave::vectors; ++i) {
+            sums[i] = Wave::zero() + load<Pack>(scratch.turned.data() + l + i * each);
+        }
+        V wave[2];
+        Wave::wave(Wave::phase(sums), wave[1], wave[0]);
+        for (std::size_t part = 0; part < 2; ++part) {
+            float values[lanes];
+            store(values, splat<V>(edge) * wave[part]);
+            for (std::size_t i = 0; i < std::min(lanes, angles - l); ++i) {
+                out[2 * (l + i) + part] = values[i];
+            }
+        }
+    }
+}
+
+// rim_coefficients() of one pupil. Angles are side by side, then what Q_k P is of all k, [re, im][k].
+template <std::size_t Degree, class I>
+LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
+                                             RimScratch& scratch, Floats& values, RimSums& of) {
+    using V = typename I::floats;
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float), K = rim_orders, numbers = 2 * K, vectors = numbers / lanes;
+    static_assert(K % lanes == 0, "k fill vectors");
+    const std::size_t angles = rim.angles, half = angles / 2, quarter = angles / 4, most = angles / 4 + 1;
+    scratch.e.resize(2 * line.slopes.orders.size());
+    slopes_of_pupil(line.slopes, 0, false, scratch.coefficients.data(), scratch.e.data());
+    scratch.folded.resize(std::max(4 * quarter * numbers, 2 * angles));
+    rim_edge(isa, line, static_cast<float>(amplitude), scratch, scratch.folded.data());
+    scratch.points.resize(angles * numbers);
+    float* const points = scratch.points.data();
+    for (std::size_t l = 0; l < half; l += lanes) {
+        const std::size_t here = std::min(lanes, half - l);
+        V q[2][K + 1][2];
+        for (std::size_t point = 0; point < 2; ++point) {
+            for (std::size_t part = 0; part < 2; ++part) {
+                float first[lanes] = {};
+                for (std::size_t i = 0; i < here; ++i) {
+                    first[i] = scratch.folded[2 * (point * half + l + i) + part];
+                }
+                q[point][0][part] = load<V>(first);
+            }
+        }
+        rim_powers<Degree, K - 1, true>(isa, line.slopes, line.turns.from(l), scratch.e.data(), q);
+        for (std::size_t point = 0; point < 2; ++point) {
+            for (std::size_t number = 0; number < numbers; ++number) {
+                float at[lanes];
+                store(at, q[point][number % K][number / K]);
+                for (std::size_t i = 0; i < here; ++i) {
+                    points[(point * half + l + i) * numbers + number] = at[i];
+                }
+            }
+        }
+    }
+    scratch.sums.resize(4 * most * numbers);
+    float *const folded = scratch.folded.data(), *const sums = scratch.sums.data();
+    for (std::size_t l = 0; l < quarter; ++l) {
+        for (std::size_t i = 0; i < numbers; i += lanes) {
+            const auto at = [&](std::size_t angle) LOMMEL_INLINE_LAMBDA { return load<V>(points + angle * numbers + i); };
+            fold(at(l), at(half - 1 - l), at(l + half), at(angles - 1 - l),
+                 [&](std::size_t kind, V value)
+                     LOMMEL_INLINE_LAMBDA { store(folded + (kind * quarter + l) * numbers + i, value); });
+        }
+    }
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+        const std::size_t forth = (half + 2 - kind / 2) / 2;
+        for_fixed_tiles<rim_orders_tile>(forth, [&](std::size_t from, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            V sum[R][vectors] = {};
+            multiply<R, vectors>(rim.forward[kind].data() + from * quarter, folded + kind * quarter * numbers, quarter, sum);
+            for (std::size_t r = 0; r < R; ++r) {
+                for (std::size_t i = 0; i < vectors; ++i) {
+                    store(sums + (kind * most + from + r) * numbers + i * lanes, sum[r][i]);
+                }
+            }
+        });
+    }
+    values.assign(rim.count() * K * 2 * lanes, 0.0f);
+    of.left.assign(K * lanes, 0.0f);
+    of.energy.assign(K * lanes, 0.0f);
+    const float by = 1.0f / static_cast<float>(angles);
+    float left[K] = {}, energy[K] = {}, whole[2] = {};
+    for (std::size_t mu = 0; mu <= half; ++mu) {
+        const float *const cosine = sums + (2 * (mu % 2) * most + mu / 2) * numbers, *const sine = cosine + most * numbers;
+        for (std::size_t side = 0; side < (mu == 0 ? 1 : 2); ++side) {
+            const float sign = side == 0 ? by : -by;
+            float re[K], im[K];
+            for (std::size_t k = 0; k < K; ++k) {
+                re[k] = by * cosine[k] + sign * sine[K + k];
+                im[k] = by * cosine[K + k] - sign * sine[k];
+                const float square = re[k] * re[k] + im[k] * im[k];
+                energy[k] += square;
+                left[k] += mu > rim.orders ? square : 0.0f;
+            }
+            for (std::size_t k = 0; k < K && mu <= rim.orders; ++k) {
+                const std::size_t i = side == 0 ? rim.first + mu - k : rim.first - mu - k;
+                float* const to = values.data() + (i * K + k) * 2 * lanes;
+                store(to, splat<V>(re[k]));
+                store(to + lanes, splat<V>(im[k]));
+                const std::size_t at = k * (2 * rim.orders + 1) + (side == 0 ? rim.orders + mu : rim.orders - mu);
+                const float a = std::abs(re[k]), b = std::abs(im[k]), modulus = std::max(a, b) + 0.4286f * std::min(a, b);
+                whole[0] += rim.size[0][at] * modulus;
+                whole[1] += rim.size[1][at] * modulus;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < K; ++k) {
+        of.left[k * lanes] = left[k];
+        of.energy[k * lanes] = energy[k];
+    }
+    for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
+        of.size[ellipse].assign(lanes, whole[ellipse]);
     }
 }
 
@@ -479,15 +619,23 @@ struct RimKernels {
     // Of one pupil, whose lanes are radii or idle.
     static constexpr Level narrow(Level level) { return std::min(level, Level::avx2); }
 
-    static void mean(Level level, const RimDisk& disk, RimScratch& scratch);
-    static void coefficients(Level level, const RimWaves& rim, const RimLine& line, double amplitude, std::size_t disk,
-                             RimScratch& scratch);
+    static void mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch);
+    static void coefficients(Level level, bool lone, const RimWaves& rim, const RimLine& line, double amplitude,
+                             std::size_t disk, RimScratch& scratch);
     static void light(Level level, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
                       RimScratch& scratch);
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void RimKernels::mean(Level level, const RimDisk& disk, RimScratch& scratch) {
+LOMMEL_ONCE void RimKernels::mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch) {
+    if (lone) {
+        return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+            with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+                mean_of_pupil<decltype(degree)::value>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
+                                                       scratch.mean.data(), scratch.largest.data());
+            });
+        });
+    }
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
             mean_of_disk<decltype(degree)::value>(isa, disk, scratch.coefficients.data(), scratch.e.data(), scratch.mean.data(),
@@ -495,8 +643,16 @@ LOMMEL_ONCE void RimKernels::mean(Level level, const RimDisk& disk, RimScratch& 
         });
     });
 }
-LOMMEL_ONCE void RimKernels::coefficients(Level level, const RimWaves& rim, const RimLine& line, double amplitude,
+LOMMEL_ONCE void RimKernels::coefficients(Level level, bool lone, const RimWaves& rim, const RimLine& line, double amplitude,
                                           std::size_t disk, RimScratch& scratch) {
+    if (lone) {
+        return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+            with_degree(line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+                rim_coefficients_of_pupil<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
+                                                                   scratch.of[disk]);
+            });
+        });
+    }
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         with_degree(line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
             rim_coefficients<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],

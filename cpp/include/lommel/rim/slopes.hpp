@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
@@ -157,29 +158,53 @@ LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circl
     }
 }
 
+// The same of one pupil, [E][re, im].
+inline void slopes_of_pupil(const RimSlopes& table, std::size_t circle, bool moduli, const float* coefficients, float* e) {
+    const std::size_t count = 2 * table.orders.size();
+    const float* weights = table.weights.data() + circle * table.parts.size();
+    std::copy_n(table.fixed.data() + circle * count, count, e);
+    std::for_each(e, e + count, [&](float& part) { part = moduli ? std::abs(part) : part; });
+    for (std::size_t i = 0; i < table.parts.size(); ++i) {
+        const float part = weights[i] * coefficients[table.parts[i].term];
+        e[table.parts[i].at] += moduli ? std::abs(part) : part;
+    }
+}
+
+constexpr std::size_t rim_side = 8;  // angles side by side
+
 // Cosines and sines of mu theta, mu = 0, 1, .., at angles (l + 1/2) 2 pi / count of half a circle.
 struct RimTurns {
     std::size_t count, orders;
-    Floats turns;  // [angle][mu][cos, sin]
+    Floats turns;   // [angle][mu][cos, sin]
+    Floats beside;  // [block of angles][mu][cos, sin][angle of the block], 0 beyond the last
 
-    RimTurns(std::size_t angles, std::size_t degree) : count(angles), orders(degree + 1), turns(angles * (degree + 1)) {
+    RimTurns(std::size_t angles, std::size_t degree)
+        : count(angles), orders(degree + 1), turns(angles * (degree + 1)), beside(blocks() * 2 * orders * rim_side, 0.0f) {
         for (std::size_t l = 0; l < count / 2; ++l) {
             for (std::size_t mu = 0; mu < orders; ++mu) {
                 const double angle = 2.0 * 3.14159265358979323846 * static_cast<double>(mu) * (static_cast<double>(l) + 0.5) /
                                      static_cast<double>(count);
-                turns[2 * (l * orders + mu)] = static_cast<float>(std::cos(angle));
-                turns[2 * (l * orders + mu) + 1] = static_cast<float>(std::sin(angle));
+                for (std::size_t part = 0; part < 2; ++part) {
+                    const float value = static_cast<float>(part == 0 ? std::cos(angle) : std::sin(angle));
+                    turns[2 * (l * orders + mu) + part] = value;
+                    beside[(l / rim_side * 2 * orders + 2 * mu + part) * rim_side + l % rim_side] = value;
+                }
             }
         }
     }
     const float* at(std::size_t angle) const { return turns.data() + 2 * angle * orders; }
+    std::size_t blocks() const { return (count / 2 + rim_side - 1) / rim_side; }
+    // From an angle on, which is where a vector of a block begins.
+    const float* from(std::size_t angle) const {
+        return beside.data() + angle / rim_side * 2 * orders * rim_side + angle % rim_side;
+    }
 };
 
 // Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn on, from P there: q[point][k][re, im]. Of phases of such a degree
-// at most, in which loops are unrolled.
-template <std::size_t Degree, std::size_t Last, class I, class V>
+// at most, in which loops are unrolled. Lanes hold pupils, or angles of one pupil, whose E are numbers then.
+template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
-    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    constexpr std::size_t lanes = Lone ? 1 : sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
         // Orders from -(degree - 1 - j) to degree - 1 - j, every other of which is even.
@@ -188,8 +213,18 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
         for (std::size_t parity = 0; parity < 2; ++parity) {
             V rc = splat<V>(0.0f), ic = rc, rs = rc, is = rc;
             const auto add = [&](std::size_t i, std::size_t order, bool down) LOMMEL_INLINE_LAMBDA {
-                const V c = splat<V>(turns[2 * order]), s = splat<V>(turns[2 * order + 1]);
-                const V a = load<V>(e + 2 * (from + i) * lanes), b = load<V>(e + (2 * (from + i) + 1) * lanes);
+                V c, s, a, b;
+                if constexpr (Lone) {
+                    c = load<V>(turns + 2 * order * rim_side);
+                    s = load<V>(turns + (2 * order + 1) * rim_side);
+                    a = splat<V>(e[2 * (from + i)]);
+                    b = splat<V>(e[2 * (from + i) + 1]);
+                } else {
+                    c = splat<V>(turns[2 * order]);
+                    s = splat<V>(turns[2 * order + 1]);
+                    a = load<V>(e + 2 * (from + i) * lanes);
+                    b = load<V>(e + (2 * (from + i) + 1) * lanes);
+                }
                 rc = rc + a * c;
                 ic = ic + b * c;
                 rs = down ? rs - a * s : rs + a * s;
@@ -245,7 +280,7 @@ struct RimDisk {
     bool is(const std::vector<ZernikeTerm>& terms, const Amplitude& light) const {
         return slopes.is(terms, light, slopes.radii);
     }
-    std::size_t bytes() const { return slopes.bytes() + turns.turns.size() * sizeof(float); }
+    std::size_t bytes() const { return slopes.bytes() + (turns.turns.size() + turns.beside.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
    private:
@@ -277,7 +312,7 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
                 point[0][0] = splat<V>(1.0f);
                 point[0][1] = zero;
             }
-            rim_powers<Degree, rim_orders>(isa, disk.slopes, disk.turns.at(l), e, q);
+            rim_powers<Degree, rim_orders, false>(isa, disk.slopes, disk.turns.at(l), e, q);
             for (const auto& point : q) {
                 const V re = point[rim_orders][0], im = point[rim_orders][1];
                 sum = sum + (re * re + im * im);
@@ -305,6 +340,50 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
     }
     store(mean, all);
     store(moduli, most);
+}
+
+// The same of one pupil, whose angles are side by side.
+template <std::size_t Degree, class I>
+LOMMEL_INLINE void mean_of_pupil(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
+    using V = typename I::floats;
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    static_assert(rim_side % lanes == 0, "blocks are vectors");
+    float all = 0.0f, most = 0.0f;
+    for (std::size_t circle = 0; circle < disk.weights.size(); ++circle) {
+        slopes_of_pupil(disk.slopes, circle, false, coefficients, e);
+        V sum = splat<V>(0.0f);
+        for (std::size_t l = 0; l < disk.turns.count / 2; l += lanes) {
+            V q[2][rim_orders + 1][2];
+            for (auto& point : q) {
+                point[0][0] = splat<V>(1.0f);
+                point[0][1] = splat<V>(0.0f);
+            }
+            rim_powers<Degree, rim_orders, true>(isa, disk.slopes, disk.turns.from(l), e, q);
+            for (const auto& point : q) {
+                const V re = point[rim_orders][0], im = point[rim_orders][1];
+                sum = sum + (re * re + im * im);
+            }
+        }
+        float squares[lanes];
+        store(squares, sum);
+        slopes_of_pupil(disk.slopes, circle, true, coefficients, e);
+        float size[Degree] = {}, power[rim_orders + 1] = {1.0f};
+        for (std::size_t j = 0, i = 0; j < std::min(Degree, disk.slopes.degree); ++j) {
+            for (; i < 2 * disk.slopes.ends[j]; ++i) {
+                size[j] += e[i];
+            }
+        }
+        for (std::size_t k = 0; k < rim_orders; ++k) {
+            for (std::size_t j = 0; j < std::min(k + 1, Degree); ++j) {
+                power[k + 1] += size[j] * power[k - j] / static_cast<float>(k + 1);
+            }
+        }
+        const float weight = static_cast<float>(disk.weights[circle]);
+        all += std::accumulate(squares, squares + lanes, 0.0f) * weight / static_cast<float>(disk.turns.count);
+        most += power[rim_orders] * power[rim_orders] * weight;
+    }
+    *mean = all;
+    *moduli = most;
 }
 
 }  // namespace lommel

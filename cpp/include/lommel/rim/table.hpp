@@ -69,10 +69,37 @@ class AngleWeights {
 
     AngleWeights(std::size_t taps, double most, double apart);
     // Finds them for such a part of the way between the two; the sum of the squares of the misfits of all orders.
-    double at(double part);
+    LOMMEL_INLINE double at(double part) {
+        const std::size_t taps = shares.size();
+        const double t = (part + static_cast<double>(taps / 2 - 1)) * apart_, sine = std::sin(0.5 * t),
+                     cosine = std::cos(0.5 * t), fast = std::sin((order_ + 0.5) * t), other = std::cos((order_ + 0.5) * t);
+        double wanted[most_taps], misfits[most_taps] = {}, own[most_taps] = {};
+        for (std::size_t j = 0; j < taps; ++j) {
+            const double* const turn = turns_.data() + 4 * j;
+            const double below = sine * turn[2] - cosine * turn[3];
+            wanted[j] = std::abs(below) < 1e-9 ? 2.0 * order_ + 1.0 : (fast * turn[0] - other * turn[1]) / below;
+        }
+        // Both matrices are symmetric.
+        multiply(inverse_, wanted, taps, own);
+        multiply(common_, own, taps, misfits);
+        double misfit = 2.0 * order_ + 1.0;
+        for (std::size_t i = 0; i < taps; ++i) {
+            shares[i] = own[i];
+            misfit += own[i] * (misfits[i] - 2.0 * wanted[i]);
+        }
+        return std::max(misfit, 0.0) + 1e-13 * order_;
+    }
+    static constexpr std::size_t most_taps = 12;
 
    private:
     static constexpr double ridge = 1e-8;
+    LOMMEL_INLINE static void multiply(const std::vector<double>& matrix, const double* by, std::size_t taps, double* to) {
+        for (std::size_t j = 0; j < taps; ++j) {
+            for (std::size_t i = 0; i < taps; ++i) {
+                to[i] += matrix[j * taps + i] * by[j];
+            }
+        }
+    }
     double dirichlet(double t) const {
         return std::abs(t) < 1e-9 ? 2.0 * order_ + 1.0 : std::sin((order_ + 0.5) * t) / std::sin(0.5 * t);
     }
@@ -80,7 +107,6 @@ class AngleWeights {
     double order_, apart_;
     std::vector<double> common_, inverse_;  // what angles have in common, and the inverse of nearly that
     std::vector<double> turns_;    // cosine and sine of (order + 1/2) times angles, and of half of them
-    std::vector<double> wanted_;
 };
 
 // Interpolation between Chebyshev's points of [low, 1], of functions that are analytic within an ellipse around it which leaves 0
@@ -103,7 +129,21 @@ class RadiusRule {
     // What functions that are 1 in an ellipse at most are off by at x.
     double error(double x, double rho) const;
     // Finds weights; the sum of their moduli.
-    double at(double x);
+    LOMMEL_INLINE double at(double x) {
+        double all = 0.0, moduli = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double off = x - places[i];
+            shares[i] = barycentric[i] / (std::abs(off) < 1e-14 ? 1e-14 : off);
+        }
+        for (const double share : shares) {
+            all += share;
+            moduli += std::abs(share);
+        }
+        for (double& share : shares) {
+            share /= all;
+        }
+        return moduli / std::abs(all);
+    }
 };
 
 struct RimTable {
@@ -159,7 +199,7 @@ struct RimTable {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apart)
-    : shares(taps), order_(most), apart_(apart), common_(taps * taps), inverse_(taps * taps, 0.0), wanted_(taps) {
+    : shares(taps), order_(most), apart_(apart), common_(taps * taps), inverse_(taps * taps, 0.0) {
     for (std::size_t i = 0; i < taps; ++i) {
         const double angle = static_cast<double>(i) * apart;
         turns_.insert(turns_.end(), {std::cos((most + 0.5) * angle), std::sin((most + 0.5) * angle), std::cos(0.5 * angle),
@@ -189,32 +229,6 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
     }
 }
 
-LOMMEL_ONCE double AngleWeights::at(double part) {
-    const std::size_t taps = shares.size();
-    const double t = (part + static_cast<double>(taps / 2 - 1)) * apart_, sine = std::sin(0.5 * t), cosine = std::cos(0.5 * t),
-                 fast = std::sin((order_ + 0.5) * t), other = std::cos((order_ + 0.5) * t);
-    for (std::size_t j = 0; j < taps; ++j) {
-        const double* const turn = turns_.data() + 4 * j;
-        const double below = sine * turn[2] - cosine * turn[3];
-        wanted_[j] = std::abs(below) < 1e-9 ? 2.0 * order_ + 1.0 : (fast * turn[0] - other * turn[1]) / below;
-    }
-    for (std::size_t i = 0; i < taps; ++i) {
-        shares[i] = 0.0;
-        for (std::size_t j = 0; j < taps; ++j) {
-            shares[i] += inverse_[i * taps + j] * wanted_[j];
-        }
-    }
-    double misfit = 2.0 * order_ + 1.0;
-    for (std::size_t i = 0; i < taps; ++i) {
-        double sum = -2.0 * wanted_[i];
-        for (std::size_t j = 0; j < taps; ++j) {
-            sum += common_[i * taps + j] * shares[j];
-        }
-        misfit += shares[i] * sum;
-    }
-    return std::max(misfit, 0.0) + 1e-13 * order_;
-}
-
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
     // cos(w a t / 2) of t in [-1, 1] and |w| <= 2, by Bernstein ellipses.
     double least = 1.0;
@@ -239,20 +253,6 @@ LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
     const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
     const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
     return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
-}
-
-LOMMEL_ONCE double RadiusRule::at(double x) {
-    double all = 0.0, moduli = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const double off = x - places[i];
-        shares[i] = barycentric[i] / (std::abs(off) < 1e-14 ? 1e-14 : off);
-        all += shares[i];
-    }
-    for (double& share : shares) {
-        share /= all;
-        moduli += std::abs(share);
-    }
-    return moduli;
 }
 
 // The fewest points, for pixels up to the farthest: those there count little, and may lie beyond.
@@ -401,14 +401,14 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
 LOMMEL_ONCE void RimTable::choose_angles() {
     for (double many = 3.4; many < 8.0; many *= 1.25) {
         around = 8 * static_cast<std::size_t>(std::ceil(many * (order() + 1.0) / 8.0));
-        for (taps = 4; taps <= 12; taps += 2) {
+        for (taps = 4; taps <= AngleWeights::most_taps; taps += 2) {
             const double off = std::sqrt(AngleWeights(taps, order(), apart()).at(0.5));
             if (4.0 * together() * off <= 0.15 * window.error * std::pow(window.nearest(), 3)) {
                 return;
             }
         }
     }
-    taps = 12;
+    taps = AngleWeights::most_taps;
 }
 
 LOMMEL_ONCE void RimTable::make_pixels() {
@@ -443,31 +443,36 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             const std::size_t count =
                 static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
             sums.assign(radii() * count * channels(), 0.0);
-            for (std::size_t i = 0; i < points; ++i) {
-                for (std::size_t j = 0; j < points; ++j) {
-                    const double y = down + 0.5 * x[i], z = right + 0.5 * x[j];
-                    const double v = window.step * std::hypot(y, z), place = nearest / v;
-                    const double angle = std::atan2(y, z) / apart() - 0.5, before = std::floor(angle);
-                    const double misfit = std::sqrt(angles.at(angle - before)), along = rule.at(place),
-                                 size = 1.0 / (v * v * v);
-                    double moduli = 0.0;
-                    for (const double share : angles.shares) {
-                        moduli += std::abs(share);
-                    }
-                    off_angles = std::max(off_angles, together() * size * along * misfit);
-                    for (std::size_t e = 0; e < 2; ++e) {
-                        off_radii[e] = std::max(off_radii[e], 4.0 * size * rule.error(place, rule.rho(e)));
-                    }
-                    gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
-                    const double by = 0.25 * w[i] * w[j] * size;
-                    std::array<double, 9> waves{by};
-                    for (std::size_t f = 0; f < frequencies.size(); ++f) {
-                        waves[1 + 2 * f] = by * std::cos(frequencies[f] * v);
-                        waves[2 + 2 * f] = by * std::sin(frequencies[f] * v);
-                    }
-                    const std::size_t at = static_cast<std::size_t>(before - static_cast<double>(taps / 2 - 1) - begin);
-                    const double* const shares = angles.shares.data();
-                    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            // Errors between radii are largest at one of the ends.
+            const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
+                         last = window.step * std::hypot(down + 0.5, right + 0.5);
+            for (std::size_t e = 0; e < 2; ++e) {
+                const double worst =
+                    std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
+                off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
+            }
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t i = 0; i < points; ++i) {
+                    for (std::size_t j = 0; j < points; ++j) {
+                        const double y = down + 0.5 * x[i], z = right + 0.5 * x[j];
+                        const double v = window.step * std::hypot(y, z), place = nearest / v;
+                        const double angle = std::atan2(y, z) / apart() - 0.5, before = std::floor(angle);
+                        const double misfit = std::sqrt(angles.at(angle - before)), along = rule.at(place),
+                                     size = 1.0 / (v * v * v);
+                        double moduli = 0.0;
+                        for (const double share : angles.shares) {
+                            moduli += std::abs(share);
+                        }
+                        off_angles = std::max(off_angles, together() * size * along * misfit);
+                        gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
+                        const double by = 0.25 * w[i] * w[j] * size;
+                        std::array<double, 9> waves{by};
+                        for (std::size_t f = 0; f < frequencies.size(); ++f) {
+                            waves[1 + 2 * f] = by * std::cos(frequencies[f] * v);
+                            waves[2 + 2 * f] = by * std::sin(frequencies[f] * v);
+                        }
+                        const std::size_t at = static_cast<std::size_t>(before - static_cast<double>(taps / 2 - 1) - begin);
+                        const double* const shares = angles.shares.data();
                         for (std::size_t r = 0; r < radii(); ++r) {
                             for (std::size_t k = 0; k < channels(); ++k) {
                                 const double weight = rule.shares[r] * waves[k];
@@ -477,9 +482,9 @@ LOMMEL_ONCE void RimTable::make_pixels() {
                                 }
                             }
                         }
-                    });
+                    }
                 }
-            }
+            });
             margin = std::max(margin, count + taps);
             // Rings, of which pixels average the fast ones, are no more than the smooth channel.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {

@@ -141,6 +141,7 @@ class Disks(NamedTuple):
     stack: DiskStack
     window: Window
     at_nodes: NodeSample
+    sole: bool = True  # whether all that is wanted is asked of these
 
 
 class Averages(NamedTuple):
@@ -191,6 +192,7 @@ def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted
                     wanted.threads,
                     single,
                     wanted.terms,
+                    disks.sole,
                 ),
                 err_field,
             )

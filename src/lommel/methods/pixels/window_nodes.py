@@ -23,7 +23,7 @@ from lommel.base.arrays import Array
 from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 
 _LARGEST = 450.0  # bandwidth 2 L: larger windows have filters
-_GAIN = 2.0  # sum of the magnitudes of weights, from which on more nodes are tried
+_GAIN, _HIGHEST = 2.0, 5.0  # sum of the magnitudes of weights, from which on more nodes are tried, and none serve
 _TRIED = 8  # numbers of nodes, two more each
 
 
@@ -48,8 +48,14 @@ def window_nodes(step: float, pixels: int, error: float) -> WindowNodes | None:
         return None
     count = bandwidth * 2.0 / math.pi + math.log(bandwidth + 3.0) * math.log(0.3 / error) / math.pi**2
     least = 2 * max(2, math.floor(0.5 * count))
-    made = (_weighed(step, pixels, least + 2 * k) for k in range(_TRIED))
-    return next((one for one in made if one.error <= error and one.gain <= _GAIN), None)
+    best = None
+    for more in range(_TRIED):
+        made = _weighed(step, pixels, least + 2 * more)
+        if made.error <= error and (best is None or made.gain < best.gain):
+            best = made
+            if best.gain <= _GAIN:
+                break
+    return best if best is not None and best.gain <= _HIGHEST else None
 
 
 @lru_cache(maxsize=64)

@@ -3,6 +3,7 @@
 
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/fft.hpp"
+#include "lommel/special/least_squares.hpp"
 #include "lommel/special/legendre.hpp"
 
 #include "python.hpp"
@@ -43,6 +44,16 @@ std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
     return {nodes, weights};
 }
 
+Out<double, 2> least_squares(In<double, 2> matrix, In<double, 2> wanted) {
+    require(matrix.shape(0) > 0 && matrix.shape(1) > 0 && wanted.shape(0) == matrix.shape(0), "as many rows, one at least");
+    auto found = new_array<double, 2>({matrix.shape(1), wanted.shape(1)});
+    released([&] {
+        lommel::LeastSquares(matrix.shape(0), matrix.shape(1), wanted.shape(1), matrix.data(), wanted.data())
+            .solve(found.data());
+    });
+    return found;
+}
+
 }  // namespace
 
 void bindings::define_special(nb::module_& m) {
@@ -51,4 +62,7 @@ void bindings::define_special(nb::module_& m) {
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
           "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
+    m.def(
+        "least_squares", &least_squares, "matrix"_a, "wanted"_a,
+        "The x that make |A x - b| least for each column b, in directions in which A is not below about 1e-13 of the largest.");
 }

@@ -7,3 +7,4 @@
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/special/gridding.hpp"
+#include "lommel/special/least_squares.hpp"

@@ -36,6 +36,7 @@ filter_planes = _core.filter_planes
 gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum
+least_squares = _core.least_squares
 legendre_transforms = _core.legendre_transforms
 levels = _core.levels
 product = _core.product

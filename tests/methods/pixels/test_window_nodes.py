@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh_tridiagonal
 from scipy.special import pro_ang1
 
 import lommel as lm
@@ -13,7 +14,7 @@ from lommel.core import engine
 from lommel.core.answers import Wanted
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import averaging
-from lommel.methods.pixels.window_nodes import prolate_zeros, window_nodes
+from lommel.methods.pixels.window_nodes import eigenvector, prolate_zeros, window_nodes
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
@@ -35,6 +36,23 @@ def test_nodes_are_zeros_of_a_prolate_function(degree, bandwidth):
     assert zeros.size == degree // 2
     beside = np.array([pro_ang1(0, degree, bandwidth, x)[0] for x in np.concatenate([zeros - 1e-4, zeros + 1e-4])])
     assert (beside[: zeros.size] * beside[zeros.size :] < 0).all()
+
+
+@pytest.mark.parametrize(("size", "index"), [(2, 0), (2, 1), (9, 4), (60, 0), (60, 59), (150, 40)])
+def test_eigenvectors_are_those_of_a_library(size, index):
+    rng = np.random.default_rng(size)
+    diagonal, beside = np.sort(rng.uniform(0, 100, size)), rng.uniform(1, 5, size - 1)
+    found = eigenvector(diagonal, beside, index)
+    _, wanted = eigh_tridiagonal(diagonal, beside, select="i", select_range=(index, index))
+    assert abs(abs(found @ wanted[:, 0]) - 1.0) <= 1e-11
+
+
+def test_windows_whose_weights_are_of_either_sign_have_nodes_yet():
+    # No number of nodes that is tried has a smaller sum of moduli than 2.
+    made = window_nodes(3.27, 56, 1.8e-6)
+    assert made is not None
+    assert 2.0 < made.gain < 5.0
+    np.testing.assert_allclose(np.abs(made.weights).sum(axis=1).max(), made.gain, rtol=1e-12)
 
 
 @pytest.mark.parametrize("pixels", [1, 2, 5, 9, 16])

@@ -20,7 +20,15 @@ import numpy as np
 
 from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
-from lommel.core.engine import DiskStack, FarPixels, NodeAverages, NodeQuestion, Window, average_samples
+from lommel.core.engine import (
+    DiskStack,
+    FarPixels,
+    NodeAverages,
+    NodeQuestion,
+    Window,
+    average_samples,
+    least_squares,
+)
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 from lommel.methods.pixels.window_nodes import window_nodes
@@ -58,7 +66,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
     else:
         weighed, aim = basis, wanted
-    c: Array = np.linalg.lstsq(weighed, aim, rcond=1e-13)[0].astype(np.float64, copy=False)
+    c: Array = least_squares(np.ascontiguousarray(weighed), aim[:, None])[:, 0]
     c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
     gain = float((times * np.abs(c)).sum())
     rounding = 2.0**-52 * (x.size + 3) * gain

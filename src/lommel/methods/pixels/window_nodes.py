@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
+from lommel.core.engine import least_squares
 from lommel.methods.pixels.transfer_rule import band_points, mean_rule
 
 _LARGEST = 450.0  # bandwidth 2 L: larger windows have filters
@@ -72,7 +73,7 @@ def _weighed(step: float, pixels: int, count: int) -> WindowNodes:
     squares, most = np.zeros(pixels), np.zeros(pixels)
     for wave in (np.cos, np.sin):
         basis, aim = root * 2.0 * wave(np.outer(at, x)), root * _wanted(wave, at, step, middles)
-        c = np.asarray(np.linalg.lstsq(basis, aim, rcond=1e-13)[0], np.float64)
+        c = least_squares(basis, aim)
         parts.append(c)
         squares += ((basis @ c - aim) ** 2).sum(axis=0)
         off = np.abs(2.0 * wave(np.outer(w, x)) @ c - _wanted(wave, w, step, middles)).max(axis=0)
@@ -100,14 +101,11 @@ def prolate_zeros(degree: int, bandwidth: float) -> Array:
     The function is a sum of even Legendre polynomials whose coefficients are an eigenvector of a symmetric matrix of
     three diagonals (Xiao, Rokhlin and Yarvin 2001, section 3).
     """
-    from scipy.linalg import eigh_tridiagonal
-
     k = 2.0 * np.arange((degree + 60) // 2 + math.ceil(0.35 * bandwidth))
     square = bandwidth * bandwidth
     diagonal = k * (k + 1.0) + (2.0 * k * (k + 1.0) - 1.0) / ((2.0 * k + 3.0) * (2.0 * k - 1.0)) * square
     beside = (k + 2.0) * (k + 1.0) / ((2.0 * k + 3.0) * np.sqrt((2.0 * k + 1.0) * (2.0 * k + 5.0))) * square
-    which = (degree // 2, degree // 2)
-    vector = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=which)[1][:, 0]
+    vector = eigenvector(diagonal, beside[:-1], degree // 2)
     terms = np.zeros(2 * k.size)
     terms[::2] = vector * np.sqrt(k + 0.5)
     x = np.sin(np.linspace(0.0, 0.5 * math.pi, 8 * degree))
@@ -122,3 +120,35 @@ def prolate_zeros(degree: int, bandwidth: float) -> Array:
         low, below = np.where(same, middle, low), np.where(same, value, below)
         high, above = np.where(same, high, middle), np.where(same, above, value)
     return np.asarray((low * above - high * below) / (above - below))
+
+
+def eigenvector(diagonal: Array, beside: Array, index: int) -> Array:
+    """Return an eigenvector of a symmetric matrix of three diagonals, by the number of smaller eigenvalues.
+
+    Eigenvalues by bisection, for as many are below a shift as pivots are negative; the vector from the pivots of both
+    directions, which meet where they leave least (I. S. Dhillon and B. N. Parlett 2004,
+    doi:10.1016/j.laa.2003.12.028, section 3).
+    """
+    reach = 2.0 * float(beside.max())
+    low, high = float(diagonal.min()) - reach, float(diagonal.max()) + reach
+    while high - low > 4e-16 * max(abs(low), abs(high)):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        below = sum(pivot < 0.0 for pivot in _pivots(diagonal - middle, beside))
+        low, high = (low, middle) if below > index else (middle, high)
+    shifted = diagonal - 0.5 * (low + high)
+    down, up = np.array(_pivots(shifted, beside)), np.array(_pivots(shifted[::-1], beside[::-1]))[::-1]
+    meet = int(np.abs(down + up - shifted).argmin())
+    vector = np.ones(diagonal.size)
+    vector[meet + 1 :] = np.cumprod(-beside[meet:] / up[meet + 1 :])
+    vector[:meet] = np.cumprod((-beside[:meet] / down[:meet])[::-1])[::-1]
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+def _pivots(diagonal: Array, beside: Array) -> list[float]:
+    """Return the pivots of Gauss's elimination of a symmetric matrix of three diagonals, none of them 0."""
+    pivots = [float(diagonal[0]) or 1e-290]
+    for own, square in zip(diagonal[1:].tolist(), (beside * beside).tolist(), strict=True):
+        pivots.append(own - square / pivots[-1] or 1e-290)
+    return pivots

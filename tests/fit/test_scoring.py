@@ -66,29 +66,21 @@ def test_steps_that_swing_beside_the_answer_are_damped():
 class Curve:
     """One parameter of a quartic, whose steps are by the curvature, as a problem of its own."""
 
-    tested = 100
+    tested, alternatives = 100, False
 
     def worth(self, x):
         return Scores(*(np.array([part]) for part in (x**4, -4.0 * x**3, 12.0 * x**2 + 1e-9, 1.0, 0.1)))
 
     def step(self, x, now, at, damping):
-        step = float(now.slope[0] / (now.information[0] * (1.0 + damping[0])))
-        return step, np.array([step * float(now.slope[0])])
-
-    def of(self, step, moving):
-        return step
+        step = now.slope / (now.information * (1.0 + damping))
+        return step, step * now.slope
 
     def rms(self, step):
-        return np.array([abs(step)])
+        return np.abs(step)
 
     def attempt(self, x, now, at, step, factor):
-        return x + float(factor[0]) * step, self.worth(x + float(factor[0]) * step)
-
-    def merged(self, x, now, tried, new, at, better):
-        return tried, new
-
-    def enough(self, done, now, at):
-        return bool(done.all())
+        tried = x + float(factor[0] * step[0])
+        return tried, self.worth(tried)
 
 
 class Interrupted(Curve):

@@ -282,5 +282,5 @@ def model_error(model: BeadModel, state: State) -> float:
     except ValueError:  # aberrations beyond what is certified
         return math.inf
     few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
-    quick = model.images.values(setup, state.waves, place._replace(drift=(0.0, 0.0)), few)
+    quick = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), few)
     return float(np.abs(quick - true.values).max() / true.values.max())

@@ -28,7 +28,6 @@ from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.stratified import Layer
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
@@ -147,34 +146,33 @@ _OWN = ("pixel", "diameter", "blur", "step")
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
     """Return an objective with another sample, immersion, NA, cover glass or apodization; same design."""
-    given: dict[str, Any] = {name: getattr(objective, name) for name in _OPTICS}
+    given: dict[str, Any] = {name: value}
     if name == "coverslip":
         assert objective.coverslip is not None
-        given[name] = Layer(objective.coverslip.index, value)
+        given = {name: replace(objective.coverslip, thickness=value)}
     elif name in AMPLITUDES:
         terms = illumination(objective.apodization).to_zernike()
-        given["apodization"] = Apodization.zernike(terms | {AMPLITUDES[name]: value})
-    else:
-        given[name] = value
-    return Objective(**given)
-
-
-_OPTICS = (
-    "NA", "magnification", "immersion", "working_distance", "coverslip", "sample", "films", "design", "apodization",
-)  # fmt: skip
+        given = {"apodization": Apodization.zernike(terms | {AMPLITUDES[name]: value})}
+    return replace(objective, **given)
 
 
 class Place(NamedTuple):
     """Where a bead is: pixels from the middle of its window, stage position from paraxial focus on the glass, depth.
 
-    `drift` is how far it moves, in pixels, from the middle of the stack to either end.
+    The drift is how far it moves, in pixels, from the middle of the stack to either end.
     """
 
     row: float
     column: float
     focus: float
     depth: float
-    drift: tuple[float, float] = (0.0, 0.0)
+    drift_row: float = 0.0
+    drift_column: float = 0.0
+
+    @property
+    def drift(self) -> tuple[float, float]:
+        """Along rows and along columns."""
+        return self.drift_row, self.drift_column
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,6 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
@@ -82,29 +81,14 @@ class Evaluated:
     interrupted: bool = False
 
     @property
-    def deviance(self) -> Array:
-        """Minus the logarithm of the likelihood and of the priors."""
-        return self.scores.deviance
-
-    @property
-    def chi2(self) -> Array:
-        """Pearson's, per degree of freedom."""
-        return self.scores.chi2
-
-    @property
-    def spread(self) -> Array:
-        """Standard deviation of chi2 where the model is right."""
-        return self.scores.spread
-
-    @property
     def log_posterior(self) -> float:
         """Logarithm of the likelihood and of the priors."""
-        return -float(self.deviance[0])
+        return -float(self.scores.deviance[0])
 
     @property
     def quality(self) -> tuple[float, float]:
         """Chi2 and its standard deviation."""
-        return float(self.chi2[0]), float(self.spread[0])
+        return float(self.scores.chi2[0]), float(self.scores.spread[0])
 
 
 @dataclass(eq=False)
@@ -120,6 +104,7 @@ class BeadModel:
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)
     tested: int = field(init=False)
+    alternatives = False  # as of a `Problem`: one set of parameters
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
@@ -149,10 +134,11 @@ class BeadModel:
             for j, (prior, place) in enumerate(zip(self.depths, state.places, strict=True)):
                 yield self.columns(j, len(names))[at], prior, place.depth
 
-    def lit(self, state: State) -> tuple[State, list[Array], float]:
-        """Return a state with the light of maximum likelihood, the images, and its deviance with priors.
+    def evaluated(self, state: State, most: float = math.inf) -> Evaluated:
+        """Return what a state is worth with the light of maximum likelihood, with priors.
 
-        Declined or ValueError where the aberrations are too strong or there is no such microscope.
+        Declined or ValueError where its deviance is not below `most`, before slopes, which take far longer than
+        images; where the aberrations are too strong; or where there is no such microscope.
         """
         light, values = [], []
         total = sum(prior.pull(at)[0] for _, prior, at in self._known(state, self.names))
@@ -161,15 +147,12 @@ class BeadModel:
             values.append(psf)
             light.append(bead_images.light_of(psf, stack.star, state.light[k] if state.light else None))
             total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
-        if not math.isfinite(total):
-            raise Declined("the likelihood is not finite")
-        return replace(state, light=tuple(light)), values, total
-
-    def evaluated(self, state: State, values: list[Array], deviance: float) -> Evaluated:
-        """Return what a state with its light is worth."""
+        if not total < most:
+            raise Declined("the likelihood is not finite, or no better")
+        state = replace(state, light=tuple(light))
         parts, information, slope = self.normal(state, values)
         chi2, spread = (np.array([each]) for each in self.chi2_of(parts))
-        scores = Scores(np.array([deviance]), slope[None], information[None], chi2, spread)
+        scores = Scores(np.array([total]), slope[None], information[None], chi2, spread)
         return Evaluated(state, values, parts, scores)
 
     def normal(
@@ -219,9 +202,9 @@ class BeadModel:
             chain[:, row, column] = factor
         return np.stack(found), chain
 
-    def step(self, x: State, now: Evaluated, at: Rows, damping: Array) -> tuple[Array, Array]:
+    def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
         """Return a damped step, (1, parameters), and the gain that it promises."""
-        scores, state = now.scores, now.state
+        scores, state = now, x.state
         found = damped_steps(scores, damping)
         if "depth" in self.own:
             depth, least = self.own.index("depth"), lowest(state.setup)
@@ -232,61 +215,41 @@ class BeadModel:
             found = damped_steps(scores, damping)
         return found
 
-    def of(self, step: Array, moving: NDArray[np.bool_]) -> Array:
-        """Return the step."""
-        return step
-
     def rms(self, step: Array) -> Array:
         """Return its rms phase."""
         return np.asarray(np.linalg.norm(step[:, : len(self.images.solved)], axis=1))
 
     def attempt(
-        self, x: State, now: Evaluated, at: Rows, step: Array, factor: Array
-    ) -> tuple[State, Evaluated | None]:
-        """Return the state after a step, and what it is worth where that is more than before."""
+        self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
+    ) -> tuple[Evaluated, Scores | None]:
+        """Return the state after a step and its scores, where these are better than before."""
         with suppress(Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
-            tried, values, deviance = self.lit(self.moved(now.state, step[0]))
-            if deviance < now.deviance[0]:  # slopes take far longer than images
-                return tried, self.evaluated(tried, values, deviance)
+            tried = self.evaluated(self.moved(x.state, step[0]), float(now.deviance[0]))
+            return tried, tried.scores
         return x, None
-
-    def merged(
-        self, x: State, now: Evaluated, tried: State, new: Evaluated, at: Rows, better: NDArray[np.bool_]
-    ) -> tuple[State, Evaluated]:
-        """Return the state after a step, which is the better one."""
-        return tried, new
-
-    def enough(self, done: NDArray[np.bool_], now: Evaluated, at: Rows) -> bool:
-        """Return whether the search has settled."""
-        return bool(done.all())
 
     def moved(self, state: State, step: Array) -> State:
         """Return the parameters after a step, cut to what it may change at most."""
-        k, shared = len(self.images.solved), len(self.names)
-        setup, each = state.setup, step[shared:].reshape(-1, len(self.own))
-        longest = [math.sqrt(float(step[:k] @ step[:k])) / _FAR]
-        longest += [abs(own[j]) / _REACH[name] for own in each for j, name in enumerate(self.own)]
-        for name, by in zip(self.priors, step[k:shared], strict=True):
-            given = CONSTANTS[name]
-            longest.append(abs(float(by)) / (given.reach * (setup.value(name) if given.relative else 1.0)))
+        k, shared, setup = len(self.images.solved), len(self.names), state.setup
+        each = step[shared:].reshape(-1, len(self.own))
+        given = [CONSTANTS[name] for name in self.priors]
+        constants = np.array([setup.value(name) for name in self.priors])
+        reach = [one.reach * (at if one.relative else 1.0) for one, at in zip(given, constants, strict=True)]
+        longest = [math.sqrt(float(step[:k] @ step[:k])) / _FAR, *(np.abs(step[k:shared]) / reach)]
+        longest += [*(np.abs(each) / [_REACH[name] for name in self.own]).ravel()]
         cut = 1.0 / max(1.0, *longest)
-        each_by = zip(self.priors, step[k:shared], strict=True)
-        setup = setup.with_constants({name: setup.value(name) + cut * float(by) for name, by in each_by})
+        changed = (constants + cut * step[k:shared]).tolist()
+        setup = setup.with_constants(dict(zip(self.priors, changed, strict=True)))
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("no such blur or bead")
         places = []
-        for stack, place, own in zip(self.stacks, state.places, each, strict=True):
-            to = dict.fromkeys(DRIFT, 0.0) | dict(zip(self.own, (cut * own).tolist(), strict=True))
-            height, width = (0.5 * side for side in stack.shape)
-            places.append(
-                Place(
-                    float(np.clip(place.row + to["row"], -height, height)),
-                    float(np.clip(place.column + to["column"], -width, width)),
-                    place.focus + to["focus"],
-                    max(place.depth + to.get("depth", 0.0), lowest(setup)),
-                    (place.drift[0] + to[DRIFT[0]], place.drift[1] + to[DRIFT[1]]),
-                )
+        for stack, place, own in zip(self.stacks, state.places, cut * each, strict=True):
+            to = place._replace(**{n: getattr(place, n) + by for n, by in zip(self.own, own.tolist(), strict=True)})
+            row, column = (
+                float(np.clip(at, -0.5 * side, 0.5 * side))
+                for at, side in zip((to.row, to.column), stack.shape, strict=True)
             )
+            places.append(to._replace(row=row, column=column, depth=max(to.depth, lowest(setup))))
         return replace(state, setup=setup, waves=state.waves + cut * step[:k], places=tuple(places))
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
@@ -320,9 +283,10 @@ def _of_camera(name: str, mean: Array) -> Array:
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
     """Take damped steps from a start until they settle; an interrupt ends the search with the best so far."""
-    now = model.evaluated(*model.lit(start))
-    end = fisher_scoring(model, now.state, now, most, report, _POLICY)
-    return replace(end.now, settled=bool(end.settled[0]), steps=end.steps, interrupted=end.interrupted)
+    begin = model.evaluated(start)
+    end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
+    best: Evaluated = end.x
+    return replace(best, settled=bool(end.settled[0]), steps=end.steps, interrupted=end.interrupted)
 
 
 @dataclass(eq=False)
@@ -343,7 +307,7 @@ class Search:
         """Return the best fit of all beads, and which are part of it."""
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
-        middle = float(np.median([one.chi2 for one in singles]))
+        middle = float(np.median([one.quality[0] for one in singles]))
         most = [max(_LEFT * middle, float(goodness_of_fit.most(one.quality[1]))) for one in singles]
         used = [one.quality[0] < limit for one, limit in zip(singles, most, strict=True)]
         kept = [k for k in range(count) if used[k]]

@@ -695,7 +695,7 @@ def _beads(
         errors, scatter = dict[str, float](), np.full((len(stack.z), 2), math.nan)
         if not used[j]:
             place = start_of(stack, setup, model.depths[j].value, 0.0)
-            one, t = alone.evaluated(*alone.lit(State(setup, fit.state.waves, (place,)))), 0
+            one, t = alone.evaluated(State(setup, fit.state.waves, (place,))), 0
         place, light, image, part = one.state.places[t], one.state.light[t], one.values[t], one.parts[t]
         if used[j]:
             at = [*range(k), *joint.columns(t, k)]

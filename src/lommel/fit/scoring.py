@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Generic, NamedTuple, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,50 +78,26 @@ class RowModel(Protocol):
         return damped_steps(scores, damping)
 
 
-class Evaluation(Protocol):
-    """Quality of the fit of several sets of parameters, as :class:`Scores` has it."""
-
-    @property
-    def deviance(self) -> Array:
-        """Minus the log-likelihood."""
-
-    @property
-    def chi2(self) -> Array:
-        """Pearson's, over its expectation."""
-
-    @property
-    def spread(self) -> Array:
-        """Standard deviation of chi2 where the model is right."""
-
-
-Point = TypeVar("Point")
-Step = TypeVar("Step")
-Value = TypeVar("Value", bound=Evaluation)
 Rows = NDArray[np.intp]
 
 
-class Problem(Protocol[Point, Step, Value]):
-    """What a search asks: `x` are several sets of parameters, `now` what they are worth, `at` those that move."""
+class Problem(Protocol):
+    """What a search asks: `x` are several sets of parameters, `now` their scores, `at` those that move.
+
+    Sets are the rows of an array, or `x` is a single one of any type.
+    """
 
     tested: int
+    alternatives: bool  # whether the first set that fits ends the search
 
-    def step(self, x: Point, now: Value, at: Rows, damping: Array) -> tuple[Step, Array]:
+    def step(self, x: Any, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
         """Return damped steps and the gain in deviance that they promise."""
 
-    def of(self, step: Step, moving: NDArray[np.bool_]) -> Step:
-        """Return some of the steps."""
-
-    def rms(self, step: Step) -> Array:
+    def rms(self, step: Array) -> Array:
         """Return the rms phase of steps, radians."""
 
-    def attempt(self, x: Point, now: Value, at: Rows, step: Step, factor: Array) -> tuple[Point, Value | None]:
-        """Return parameters so many steps on and what they are worth, None where that cannot be computed."""
-
-    def merged(self, x: Point, now: Value, tried: Point, new: Value, at: Rows, better: Any) -> tuple[Point, Value]:
-        """Return the better of parameters before and after a step."""
-
-    def enough(self, done: NDArray[np.bool_], now: Value, at: Rows) -> bool:
-        """Return whether the search ends with those of `at` that are done."""
+    def attempt(self, x: Any, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
+        """Return parameters so many steps on and their scores, None where these cannot be computed."""
 
 
 @dataclass(frozen=True)
@@ -141,25 +117,25 @@ class Policy:
     interruptible: bool = False
 
 
-class Ascent(NamedTuple, Generic[Point, Value]):
-    """The end of a search: parameters, what they are worth, which have settled, how many steps were taken."""
+class Ascent(NamedTuple):
+    """The end of a search: parameters, their scores, which have settled, how many steps were taken."""
 
-    x: Point
-    now: Value
+    x: Any
+    now: Scores
     settled: NDArray[np.bool_]
     steps: int
     interrupted: bool
 
 
 def fisher_scoring(
-    problem: Problem[Point, Step, Value],
-    x: Point,
-    now: Value,
+    problem: Problem,
+    x: Any,
+    now: Scores,
     most: int,
     report: Report,
     policy: Policy,
-    last: Callable[[Point, Step, Rows, NDArray[np.bool_]], object] | None = None,
-) -> Ascent[Point, Value]:
+    last: Callable[[Any, Array, Rows, NDArray[np.bool_]], object] | None = None,
+) -> Ascent:
     """Take at most so many damped steps from parameters `x`, worth `now`, until they settle or one is enough.
 
     `last` gets the steps of those that have settled, which are not taken.
@@ -177,12 +153,13 @@ def fisher_scoring(
             done = (promised < policy.settled) & (damping[at] <= 1.0)
             settled[at] = done
             moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < patience)
-            if turn == most or not moving.any() or problem.enough(done, now, at):
+            fits = done & (now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE))
+            if turn == most or not moving.any() or (problem.alternatives and fits.any()):
                 if last is not None and done.any():
                     last(x, step, at, done)
                 break
             go = moving[at]
-            at, promised, step = at[go], promised[go], problem.of(step, go)
+            at, promised, step = at[go], promised[go], step[go]
             factor = np.ones(at.size)
             if policy.stretch:
                 factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
@@ -204,8 +181,14 @@ def fisher_scoring(
                 excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
                 slow = better & (gain < _STALLED * problem.tested * excess)
                 stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
-            if new is not None:
-                x, now = problem.merged(x, now, tried, new, at, better)
+            if new is None or not better.any():
+                continue
+            if better.all() and at.size == count:
+                x, now = tried, new
+                continue
+            x[at[better]] = tried[better]
+            for mine, theirs in zip(now, new, strict=True):
+                mine[at[better]] = theirs[better]
     except KeyboardInterrupt:
         if not policy.interruptible:
             raise
@@ -217,7 +200,8 @@ class _RowProblem:
     """The problem of a model of rows: a `fast` one computes images as exactly as a search needs."""
 
     def __init__(self, model: RowModel, fast: bool) -> None:
-        self.model, self.fast, self.tested = model, fast, model.tested
+        self.model, self.fast, self.rms = model, fast, model.rms
+        self.tested, self.alternatives = model.tested, model.alternatives
 
     def step(self, x: Array, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
         there = now if at.size == len(x) else Scores(*(part[at] for part in now))
@@ -226,33 +210,11 @@ class _RowProblem:
         allowed = self.model.within(x[at] + step, x[at]) - x[at]
         return step, np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
 
-    def of(self, step: Array, moving: NDArray[np.bool_]) -> Array:
-        return step[moving]
-
-    def rms(self, step: Array) -> Array:
-        return self.model.rms(step)
-
     def attempt(self, x: Array, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Array, Scores | None]:
         tried = self.model.within(x[at] + factor[:, None] * step, x[at])
         with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
             return tried, self.model.scores(tried, fast=self.fast, rows=at)
         return tried, None
-
-    def merged(
-        self, x: Array, now: Scores, tried: Array, new: Scores, at: Rows, better: NDArray[np.bool_]
-    ) -> tuple[Array, Scores]:
-        if at.size == len(x) and better.all():
-            return tried, new
-        x[at[better]] = tried[better]
-        for mine, theirs in zip(now, new, strict=True):
-            mine[at[better]] = theirs[better]
-        return x, now
-
-    def enough(self, done: NDArray[np.bool_], now: Scores, at: Rows) -> bool:
-        if not self.model.alternatives:
-            return False
-        fits = now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE)
-        return bool((done & fits).any())
 
     def take(self, x: Array, step: Array, at: Rows, done: NDArray[np.bool_]) -> None:
         """Take steps of rows that are done, in place; their scores stay."""

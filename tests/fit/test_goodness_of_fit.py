@@ -1,4 +1,7 @@
-"""What chi2 noise alone explains, beside draws of chi2 and of counts of few electrons."""
+"""What chi2 noise alone explains, beside draws of chi2 and of counts of few electrons.
+
+And the score test of excess noise: right on a register's counts, silent where means or noise are otherwise wrong.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,10 @@ import pytest
 from scipy import stats
 
 from lommel.fit import goodness_of_fit
+from lommel.recorded.noise import Noise
+
+Y, X = np.mgrid[:21, :21] - 10.0
+READ = 0.2
 
 
 @pytest.mark.parametrize("freedom", [5, 40, 1500, 2e4])
@@ -38,3 +45,50 @@ def test_a_chi2_that_noise_seldom_exceeds_is_remarked_on():
         "rare_chi2", "note", "noise alone exceeds this chi2 in 0.03 % of fits"
     )  # fmt: skip
     assert 1.13 < goodness_of_fit.most(spread) < 1.15
+
+
+def spot(width: float, flux: float = 2000.0, background: float = 8.0) -> np.ndarray:
+    return flux * np.exp(-0.5 * (X**2 + Y**2) / width**2) / (2.0 * np.pi * width**2) + background
+
+
+def outcome(mean: np.ndarray, model: np.ndarray, noise: Noise, images: int = 40, seed: int = 1):
+    seen = noise.electrons(noise.record(np.broadcast_to(mean, (images, *mean.shape)), seed))
+    return goodness_of_fit.excess_test(seen - model, model, READ**2)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_register_is_told_with_its_share(seed):
+    found = outcome(spot(2.0), spot(2.0), Noise(read=READ, excess=2.0), seed=seed)
+    assert found.share == pytest.approx(1.0, abs=0.06)
+    assert found.found
+    (said,) = found.findings(1.0)
+    assert (said.code, said.severity) == ("excess_noise", "error")
+    assert "state excess=2" in said.text
+    assert said.numbers["factor"] == pytest.approx(2.0, abs=0.06)
+    assert not found.findings(2.0)
+
+
+def test_where_the_noise_is_right_the_share_is_0_within_its_error():
+    sizes = np.array([outcome(spot(2.0), spot(2.0), Noise(read=READ), 4, seed).sigmas for seed in range(100)])
+    assert 0.8 < sizes.std() < 1.2
+    assert abs(sizes.mean()) < 0.4
+
+
+@pytest.mark.parametrize("width", [1.7, 1.8, 2.3])
+def test_a_wrong_mean_is_not_taken_for_it(width):
+    found = outcome(spot(2.0), spot(width), Noise(read=READ))
+    assert found.sigmas > 5.0
+    assert not found.found
+    assert not found.findings(1.0)
+
+
+@pytest.mark.parametrize("excess", [1.3, 4.0])
+def test_other_factors_are_not_called_a_register(excess):
+    assert not outcome(spot(2.0), spot(2.0), Noise(read=READ, excess=excess)).found
+
+
+def test_read_noise_says_nothing_of_it():
+    found = goodness_of_fit.excess_test(np.random.default_rng(1).normal(0, 5.0, 1000), 0.5, 4.0)
+    assert found.share > 1.0
+    found = goodness_of_fit.excess_test(np.full(100, np.nan), 1.0, 1.0)
+    assert (found.sigmas, found.found) == (0.0, False)

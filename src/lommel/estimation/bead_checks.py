@@ -11,7 +11,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, Setup, Stack, expected
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, UNITS, Setup, Stack, expected
 from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, State, climb, lowest, start_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
@@ -50,7 +50,6 @@ _NEIGHBOR = 0.3  # of the light of a bead, that one beside it may have
 _BESIDE = 2.0  # Rayleigh distances: a nearer one is another shape of the bead
 _JUMP = 4.0  # times the median of the planes, that a plane that moved is off
 _MOVED = 5.0  # standard deviations
-_UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "": (1.0, "")}
 
 
 def available_constants(setup: Setup) -> list[str]:
@@ -172,7 +171,7 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluate
         shown = ", ".join(" +- ".join(with_error(one, own)) for one, own in zip(each, test.errors, strict=True))
         return f"{name} = {shown}{unit} {sigmas}"
     given = joint.depths[0].value if name == "depth" else stated.value(name)
-    factor, unit = _UNITS[CONSTANTS[name].unit]
+    factor, unit = UNITS[CONSTANTS[name].unit]
     value = given + size
     if not possible(stated, name, value):
         way = "lower" if size < 0.0 else "higher"

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -23,7 +23,7 @@ from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import light_by_rule
 from lommel.methods.layers.chordal_debye import Rule
-from lommel.methods.layers.light_by_rule import HALF, Filter, Planes, Samples
+from lommel.methods.layers.light_by_rule import HALF, Planes, Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective
@@ -63,6 +63,8 @@ CONSTANTS: Mapping[str, Constant] = {
     "depth": Constant(4e-9, "m", 3e-7),
     **{f"apodization_{n}": Constant(1e-2, "", 0.3) for n in (2, 4, 6, 8)},
 }
+UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
+"""Factors and words of units in texts."""
 AMPLITUDES: Mapping[str, int] = {name: int(name[-1]) for name in CONSTANTS if name.startswith("apodization")}
 """Degrees of the radial terms of the logarithm of the amplitude, whose coefficients (nepers rms) are constants."""
 
@@ -182,10 +184,6 @@ class Stack:
     star: Array  # (4, planes, pixels)
     shape: tuple[int, int]
     z: Array  # (planes,), metres
-    tested: int = field(init=False)
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "tested", int(self.star[3].sum()))
 
     @property
     def times(self) -> Array:
@@ -298,7 +296,8 @@ class BeadImages:
             # The projected ball has the variance of a fifth of its radius squared.
             disc, variance = (setup.radius * math.sqrt(1.0 - up**2), 0.0) if ball else (0.0, setup.radius**2 / 5.0)
             part = found[:, k * count : (k + 1) * count]
-            pixels = self._filter(samples, disc, variance, setup)
+            blurred = variance + setup.blur * samples.step**2
+            pixels = light_by_rule.pixel_filter(samples, disc, blurred, integrate=setup.integrate)
             total = total + share * pixels.of(part if by is None else part.astype(np.float32))
         made = np.asarray(scale * total)
         if by is not None:
@@ -310,10 +309,6 @@ class BeadImages:
                 made[k] -= _light_slope(setup, name, depths) * made[0]
             made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
         return made
-
-    def _filter(self, samples: Samples, disc: float, variance: float, setup: Setup) -> Filter:
-        more = setup.blur * samples.step**2
-        return light_by_rule.pixel_filter(samples, disc, variance + more, integrate=setup.integrate)
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
         """Return the rule for phases; Declined where these are too strong, as in too long a step."""

@@ -111,7 +111,7 @@ class BeadModel:
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
-        self.tested = sum(stack.tested - 2 * len(stack.z) for stack in self.stacks) - self.size
+        self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
 
     def alone(self, k: int) -> BeadModel:
         """Return the model of one bead, with the constants of the microscope and its depth fixed."""

@@ -16,12 +16,11 @@ from lommel.base.arrays import Array
 from lommel.base.plain import fields_of, plain
 from lommel.base.units import with_error
 from lommel.estimation import bead_checks
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, expected
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
 from lommel.estimation.phase_retrieval import star_counts
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
-from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
@@ -50,9 +49,6 @@ USUAL: Mapping[str, float] = {
     "diameter": 0.1,
 }
 """Standard errors of the constants that are unknowns by default; of pixel and diameter relative ones."""
-
-
-_SHOWN = {"m": (1e6, " um")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -287,10 +283,10 @@ class BeadFit(FitReport):
     def __repr__(self) -> str:
         lines = [f"<BeadFit: {self.message}"]
         for name, value in self.coefficients.items():
-            unit = CONSTANTS[name].unit if isinstance(name, str) else "rad"
-            factor, unit = _SHOWN.get(unit, (1.0, f" {unit}".rstrip()))
+            constant = isinstance(name, str)
+            factor, unit = UNITS[CONSTANTS[name].unit if constant else "rad"]
             shown, error = with_error(factor * value, factor * self.errors[name])
-            lines.append(f"  {name if isinstance(name, str) else label(name)}: {shown} +- {error}{unit}")
+            lines.append(f"  {name if constant else label(name)}: {shown} +- {error}{unit}")
         return "\n".join(lines) + ">"
 
 
@@ -490,17 +486,14 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
 def _stacks(stacks: Any) -> list[Any]:
     """Return the stacks, one or several."""
     stacks = validation.computed(stacks)
-    if isinstance(stacks, list | tuple) and len(stacks) and len(_shape(stacks[0])) == 3:
-        return list(stacks)
-    dimensions = len(_shape(stacks))
-    if dimensions == 4:
-        return list(stacks)
-    if dimensions != 3:
+    several = isinstance(stacks, list | tuple) and len(stacks) and len(_shape(stacks[0])) == 3
+    dimensions = 4 if several else len(_shape(stacks))
+    if dimensions not in (3, 4):
         raise ValueError(
             f"stacks must have the shape (planes, height, width), or be a sequence of such, got {dimensions} "
             f"dimension{'s' * (dimensions != 1)}"
         )
-    return [stacks]
+    return list(stacks) if dimensions == 4 else [stacks]
 
 
 def _shape(held: Any) -> tuple[int, ...]:
@@ -648,7 +641,7 @@ def _excess_findings(joint: BeadModel, found: Evaluated, noise: Noise) -> list[F
     """Return the finding of excess noise that was not stated."""
     light = np.stack([expected(*each) for each in zip(found.state.light, found.values, strict=True)])
     counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
-    return excess_findings(np.where(valid, counted - light, np.nan), light, read, noise.excess)
+    return goodness_of_fit.excess_test(np.where(valid, counted - light, np.nan), light, read).findings(noise.excess)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:

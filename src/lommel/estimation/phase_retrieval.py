@@ -27,12 +27,11 @@ from lommel.estimation.star_images import (
     uncertainty,
 )
 from lommel.fit import goodness_of_fit
-from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
-from lommel.methods.derivative_names import POWERS, SHIFTS, Name
+from lommel.methods.derivative_names import SHIFTS, Name, term_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
@@ -181,13 +180,10 @@ class Retrieval(FitReport):
             If the file cannot be written.
         """
         table = zernike_tables.ZernikeTable.from_wavefront(self.wavefront, wavelength=self.pupil.wavelength)
-        errors = {}
-        for name in self.coefficients:
-            if name in _UNITS or name in POWERS:
-                continue
-            order, index = name.split() if isinstance(name, str) else ("nm", "")
-            term = zernike.term(int(index), order) if isinstance(name, str) else name
-            errors[int(zernike.index_of(*term, "noll"))] = self.errors[name] / (2.0 * np.pi)
+        terms = {name: term for name in self.coefficients if (term := term_of(name)) is not None}
+        errors = {
+            int(zernike.index_of(*term, "noll")): self.errors[name] / (2.0 * np.pi) for name, term in terms.items()
+        }
         zernike_tables.save_table(path, table, errors)
 
     def plot(self, *, unit: str = "radians", names: Sequence[str] | None = None) -> Figure:
@@ -478,8 +474,7 @@ def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool
     for i, (image, good) in enumerate(zip(electrons, valid, strict=True)):
         seen = np.concatenate([good[edge] for edge in edges])
         rim = np.concatenate([image[edge] for edge in edges])[seen] if seen.any() else image[good]
-        rim.sort()
-        level = 0.5 * float(rim[(rim.size - 1) // 2] + rim[rim.size // 2])
+        level = float(np.median(rim))
         noise = np.sqrt(max(level, 0.0) + model.read[i].mean())
         light = np.where(good & (image > level + 3.0 * noise), image - level, 0.0)
         total = light.sum()
@@ -546,8 +541,10 @@ def _retrieval(
     wavefront = model.wavefront(x[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
+    layered = isinstance(model.pupil, ObjectivePupil)
+    known = "z (step, direction)" if layered else "the defocus of an image (unit, order)"
     causes = (
-        f"pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, the images are blurred "
+        f"pupil, pixel, noise or {known} are wrong, terms are missing, the images are blurred "
         "(blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
@@ -555,7 +552,8 @@ def _retrieval(
     found += [*dark, *_sign_findings(model, x), *lacking]
     if "misfit" in Findings(found).codes and not Findings(lacking).get("other_explanation"):
         read = model.read.reshape(residual.shape)
-        found[:0] = excess_findings(residual * np.sqrt(model.variance(mean)), mean, read, noise.excess)
+        off = residual * np.sqrt(model.variance(mean))
+        found[:0] = goodness_of_fit.excess_test(off, mean, read).findings(noise.excess)
     if not settled:
         found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
     light = counts.filled().sum(axis=(1, 2))
@@ -631,11 +629,6 @@ def _of_blurred(
         steps=0,
         starts=0,
     )
-
-
-def _between(pupil: Pupil | ObjectivePupil) -> str:
-    """Return what images differ in that is known."""
-    return "z (step, direction)" if isinstance(pupil, ObjectivePupil) else "the defocus of an image (unit, order)"
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:

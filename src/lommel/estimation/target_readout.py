@@ -33,6 +33,7 @@ _PAD = 5.0  # lambda*N that what is cut off at the edge of the transforms needs 
 _ALIAS = 12.0  # minus the logarithm of what the Gaussian leaves where copies of the spectrum begin
 _APART = 12.0  # standard deviations of the Gaussian: lines farther apart do not touch
 _FLAT = 6.5  # of them: beyond, an edge is flat
+_ENDLESS = 1e30  # lambda*N: the side of squares of one crossing alone
 _TURNS = 90  # directions, of half a turn, in which a crossing is looked for
 
 
@@ -98,27 +99,20 @@ class TargetReadout:
         """Return along the normal of a line e, g, g1 of the formula above, summed over lines, and dp/da."""
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
         along = self._y * math.cos(angle) - self._x * math.sin(angle)
-        pitch = self.target.size * self.pixel
-        if not pitch <= _APART * self._width:  # at each point the nearest line, for the others are straight edges
-            k = np.rint(p / pitch) if math.isfinite(pitch) else np.zeros_like(p)
-            at = (p - k * pitch if math.isfinite(pitch) else p) / self._width
-            sign = 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
-            even, density, first = np.copysign(sign, sign * at), np.zeros_like(p), np.zeros_like(p)
+        pitch = min(self.target.size * self.pixel, _ENDLESS)
+        even, density, first = (np.zeros_like(p) for _ in range(3))
+        if pitch > _APART * self._width:  # at each point the nearest line, for the others are straight edges
+            k = np.rint(p / pitch)
+            at, sign = (p - k * pitch) / self._width, 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
             near = np.abs(at) < _FLAT
-            inside, sign = at[near], sign[near]
-            bell = np.exp(-0.5 * inside * inside) * (sign / math.sqrt(2.0 * math.pi))
-            even[near] = sign * special.erf(inside * math.sqrt(0.5))
-            density[near], first[near] = bell, inside * bell
+            even = np.copysign(sign, sign * at)
+            even[near], density[near], first[near] = _line(at[near], sign[near])
             return even, density, first, along / self._width
         most = math.ceil(1.5 * float(np.abs(p).max()) / pitch)
-        even, density, first = np.zeros_like(p), np.zeros_like(p), np.zeros_like(p)
         for k in range(-most, most + 1):
-            at = (p - k * pitch) / self._width
-            sign = -1.0 if k % 2 else 1.0
-            even += sign * special.erf(at * math.sqrt(0.5))
-            bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))
-            density += bell
-            first += at * bell
+            parts = _line((p - k * pitch) / self._width, -1.0 if k % 2 else 1.0)
+            for total, part in zip((even, density, first), parts, strict=True):
+                total += part
         return even, density, first, along / self._width
 
     def _corners(self, angles: Array) -> list[Values]:
@@ -182,6 +176,12 @@ class TargetReadout:
     def _at_pixels(self, spectrum: Values) -> Values:
         image = fft.irfft2(spectrum, self._sides)
         return np.asarray(image[tuple(slice(0, side * self._every, self._every) for side in self._pixels)])
+
+
+def _line(at: Values, sign: Values | float) -> tuple[Values, Values, Values]:
+    """Return e, g, g1 of the formula above of one line, `at` standard deviations of the Gaussian from it."""
+    bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))
+    return sign * special.erf(at * math.sqrt(0.5)), bell, at * bell
 
 
 def start_of_crossing(image: Array) -> tuple[float, float, float, float]:

@@ -12,8 +12,8 @@ from scipy import ndimage, special
 
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
-from lommel.fit.excess import excess_findings
 from lommel.fit.findings import Finding, Findings, Severity
+from lommel.fit.goodness_of_fit import excess_test
 from lommel.localize.detection import DEFECT, Spots
 from lommel.localize.fitting import Molecules, fit, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations
@@ -148,7 +148,7 @@ class Checks:
         count = sum(len(one) for one, _, _ in self._residuals)
         if count >= 1.5 * self._tested:
             residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
-            self._excess, self._tested = excess_findings(residual, mean, read, self._noise.excess), count
+            self._excess, self._tested = excess_test(residual, mean, read).findings(self._noise.excess), count
 
     def _of_rivals(self) -> Iterator[Finding]:
         """Yield the table with which molecules are far likelier.

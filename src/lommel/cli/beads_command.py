@@ -6,7 +6,7 @@ import dataclasses
 import math
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 import numpy as np
@@ -127,24 +127,16 @@ def beads(
         recorded = noise_facts(camera.values(), microscope.camera, noise)
         where = f"in {lens.name}" if camera.camera is None else "by --camera"
         notes += [noise_in_words(recorded, where), *header, *differing(read[0].said, microscope)]
-        windows: list[Values] = []
-        names: list[str] = []
-        corners: list[tuple[int, int]] = []
-        sizes: set[tuple[int, int]] = set()
+        cut: list[_Bead] = []
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
             notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
-            cut, size = _beads(file, values, camera, noise, saturation)
-            sizes.add(size)
-            for k, (one, corner) in enumerate(cut):
-                windows.append(one)
-                corners.append(corner)
-                names.append(f"{file} [{k}]")
-        planes = len(windows[0])
-        if any(len(each) != planes for each in windows):
+            cut += _beads(file, values, camera, noise, saturation)
+        planes = len(cut[0].window)
+        if any(len(one.window) != planes for one in cut):
             raise ValueError("stacks must have the same number of planes, all --step apart")
         started("fitting")
         fitted = partial(
@@ -166,29 +158,30 @@ def beads(
             integrate=microscope.integrate is not False,
         )
         if degree is not None:
-            if len(sizes) != 1 or not any(map(any, corners)):
+            if len({one.field for one in cut}) != 1 or not any(any(one.corner) for one in cut):
                 raise ValueError("--field needs stacks of one size that show the whole field, not beads cut out")
             each = []
-            for k, one in enumerate(windows):
-                started(f"bead {k + 1} of {len(windows)}", k / len(windows))
-                each.append(fitted(one))
+            for k, one in enumerate(cut):
+                started(f"bead {k + 1} of {len(cut)}", k / len(cut))
+                each.append(fitted(one.window))
             about = Report({"wavelength": microscope.wavelength, "noise": recorded}, ["", *notes])
-            return _of_field(each, corners, names, sizes.pop(), degree, output, about)
-        found = fitted(windows[:_MOST], progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share))
+            return _of_field(each, cut, degree, output, about)
+        first = [one.window for one in cut[:_MOST]]
+        found = fitted(first, progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share))
     if output is not None:
         source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
         changed = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
         changed.fitted(found).save(output)
     if figure is not None:
         save_figure(found.plot(), figure)
-    if len(windows) > _MOST:
-        notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
+    if len(cut) > _MOST:
+        notes.append(f"The first {_MOST} of {len(cut)} beads were taken.")
     facts = found.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
     facts["places"] = [
-        one | {"row": one["row"] + row, "column": one["column"] + column}
-        for one, (row, column) in zip(facts["beads"], corners, strict=False)
+        one | {"row": one["row"] + bead.corner[0], "column": one["column"] + bead.corner[1]}
+        for one, bead in zip(facts["beads"], cut, strict=False)
     ]
-    facts["beads"] = names[:_MOST]
+    facts["beads"] = [one.name for one in cut[:_MOST]]
     verdict = "" if found.converged else f", of a fit that has not converged: {found.status}"
     files = written([output, figure], lambda path: verdict if path == output else "")
     return Report(facts, _parts(found, facts), found.converged) + files
@@ -204,31 +197,31 @@ def _other_step(file: str, stated: object, step: float) -> list[str]:
     return [f"{file} states planes {format_length(stated, digits=4)} apart; {taken}"]
 
 
-def _beads(
-    file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None
-) -> tuple[list[tuple[Values, tuple[int, int]]], tuple[int, int]]:
-    """Return windows around the beads of a stack and their first pixels, one if it shows no more, and its shape."""
-    if max(planes.shape[1:]) <= _FIELD * camera.window:
-        return [(planes, (0, 0))], planes.shape[1:]
+class _Bead(NamedTuple):
+    """A window around a bead, its first pixel in the image, and the shape of the image."""
+
+    name: str
+    window: Values
+    corner: tuple[int, int]
+    field: tuple[int, int]
+
+
+def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None) -> list[_Bead]:
+    """Return the beads of a stack, the whole as one if it shows no more."""
+    shape = planes.shape[1:]
+    if max(shape) <= _FIELD * camera.window:
+        return [_Bead(f"{file} [0]", planes, (0, 0), shape)]
     window, threshold = camera.window, camera.threshold
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
         raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
-    first = spots.places - np.array(spots.windows.shape[-2:]) // 2
-    cut = [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
-    return cut, spots.shape
+    first = (spots.places - np.array(spots.windows.shape[-2:]) // 2).tolist()
+    each = enumerate(zip(spots.windows, first, strict=True))
+    return [_Bead(f"{file} [{k}]", one, (row, column), shape) for k, (one, (row, column)) in each]
 
 
-def _of_field(
-    fits: list[BeadFit],
-    corners: list[tuple[int, int]],
-    names: list[str],
-    shape: tuple[int, int],
-    degree: int,
-    output: Path | None,
-    about: Report,
-) -> Report:
+def _of_field(fits: list[BeadFit], beads: list[_Bead], degree: int, output: Path | None, about: Report) -> Report:
     """Return the report of aberrations over the image, and write them as a table."""
     lost = [one.message for one in fits if not one.converged]
     if len(fits) - len(lost) < 4:
@@ -236,8 +229,8 @@ def _of_field(
         raise ValueError(
             f"--field needs at least 4 beads that fit, got {len(fits) - len(lost)} of {len(fits)}{first}"
         )
-    own = [one.beads[0] for one in fits]
-    places = [(one.row + corner[0], one.column + corner[1]) for one, corner in zip(own, corners, strict=True)]
+    shape, own = beads[0].field, [one.beads[0] for one in fits]
+    places = [(at.row + one.corner[0], at.column + one.corner[1]) for at, one in zip(own, beads, strict=True)]
     field = fit_objective_field(fits, places, sensor=shape, degree=degree)
     sides = [np.linspace(0.0, side - 1.0, 5) for side in shape]
     row, column = (part.ravel() for part in np.meshgrid(*sides, indexing="ij"))
@@ -261,8 +254,8 @@ def _of_field(
         "terms": [label(name) for name in field.names],
         "waves": {n: {"coefficients": values[k].tolist(), "errors": errors[k].tolist()} for n, k in shown.items()},
         "beads": [
-            {"name": name, "row": at[0], "column": at[1], "used": bool(used), "message": one.message}
-            for name, at, used, one in zip(names, places, field.used, fits, strict=True)
+            {"name": bead.name, "row": at[0], "column": at[1], "used": bool(used), "message": one.message}
+            for bead, at, used, one in zip(beads, places, field.used, fits, strict=True)
         ],
     }
     out = [f"- {one['name']}, left out: {one['message']}" for one in facts["beads"] if not one["used"]]

@@ -211,17 +211,16 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
     for name in (name for name in found.coefficients if name not in values):
         cells = with_error(found.coefficients[name], found.errors[name])
         rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
-    each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
-    each["background"] = found.background
+    row, column = found.center.T
+    each = {"row": row, "column": column, "flux": found.flux, "background": found.background}
     blurred = any(found.blurs)
     own = [name for name in each if blurred or name in found.errors]
-    images = []
-    for k, file in enumerate(files):
-        if blurred:
-            images.append([file, *(f"{each[name][k]:.6g}" for name in own)])
-            continue
-        pairs = [with_error(float(each[name][k]), float(found.errors[name][k])) for name in own]
-        images.append([file, *("+-".join(pair) for pair in pairs)])
+
+    def cell(name: str, k: int) -> str:
+        value = float(each[name][k])
+        return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(found.errors[name][k])))
+
+    images = [[file, *(cell(name, k) for name in own)] for k, file in enumerate(files)]
     parts: list[RenderableType] = [
         table_of(("term", short, "std. error"), rows),
         "",

@@ -462,7 +462,7 @@ def fit_beads(
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
     found, used = search.all()
-    return _build_bead_fit(model, search, found, used, recorded, noise, notes)
+    return _build_bead_fit(search, found, used, recorded, noise, notes)
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -562,26 +562,23 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
 
 
 def _build_bead_fit(
-    model: BeadModel,
-    search: Search,
-    found: Evaluated,
-    used: list[bool],
-    recorded: list[Counts],
-    noise: Noise,
-    stated: list[Finding],
+    search: Search, found: Evaluated, used: list[bool], recorded: list[Counts], noise: Noise, stated: list[Finding]
 ) -> BeadFit:
     """Return the result of a search, with what its checks find."""
-    joint, state = model.having([k for k in range(len(used)) if used[k]]), found.state
+    joint, state = search.model.having(np.flatnonzero(used).tolist()), found.state
     whole, shared = _inverse(found.scores.information[0]), len(joint.names)
     inverse = whole[:shared, :shared]
     chi2, spread = found.quality
     held_out = (math.nan, 0.0) if search.interrupted else bead_checks.held_out_chi2(joint, found)
-    beads = _beads(model, joint, found, whole, used, recorded, noise)
+    beads = _beads(search.model, found, whole, used, recorded, noise)
     error = bead_checks.model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
     findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
     if "misfit" in Findings(findings).codes:
-        findings[:0] = _excess_findings(joint, found, noise)
+        light = np.stack([expected(*each) for each in zip(state.light, found.values, strict=True)])
+        counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
+        off = np.where(valid, counted - light, np.nan)
+        findings[:0] = goodness_of_fit.excess_test(off, light, read).findings(noise.excess)
     tests: tuple[ScoreTest, ...] = ()
     if max(part.visible for part in found.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
@@ -605,14 +602,14 @@ def _build_bead_fit(
     findings += bead_checks.held_out_findings(*held_out)
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
-        left = ", ".join(str(j) for j, one in enumerate(used) if not one)
+        left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
         findings.append(Finding("left_out", "note", f"left out, beside which the others do not fit: bead {left}"))
     findings += [*stated, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out[0]):
         summary += f", held-out bead {held_out[0]:.4g}"
     setup, edge = state.setup, joint.images.edge(state.waves)
-    constants = [setup.value(name) for name in joint.priors]
+    values = [*map(float, state.waves), *map(setup.value, joint.priors)]
     return BeadFit(
         findings=Findings(findings),
         summary=summary,
@@ -622,7 +619,7 @@ def _build_bead_fit(
         pixel=setup.pixel,
         diameter=setup.diameter,
         emitter=setup.emitter,
-        coefficients=dict(zip(joint.names, [*map(float, state.waves), *constants], strict=True)),
+        coefficients=dict(zip(joint.names, values, strict=True)),
         errors=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
         covariance=inverse,
         beads=beads,
@@ -635,13 +632,6 @@ def _build_bead_fit(
         _images=joint.images,
         _priors=dict(joint.priors),
     )
-
-
-def _excess_findings(joint: BeadModel, found: Evaluated, noise: Noise) -> list[Finding]:
-    """Return the finding of excess noise that was not stated."""
-    light = np.stack([expected(*each) for each in zip(found.state.light, found.values, strict=True)])
-    counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
-    return goodness_of_fit.excess_test(np.where(valid, counted - light, np.nan), light, read).findings(noise.excess)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:
@@ -672,16 +662,10 @@ def _inverse(square: Array) -> Array:
 
 
 def _beads(
-    model: BeadModel,
-    joint: BeadModel,
-    fit: Evaluated,
-    inverse: Array,
-    used: list[bool],
-    recorded: list[Counts],
-    noise: Noise,
+    model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
     """Return what was found of each bead; of those left out, their fit with all that is shared held."""
-    found, k, setup = [], len(joint.names), fit.state.setup
+    found, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):
         alone, one, t = replace(model.having([j]), priors={}), fit, sum(used[:j])
@@ -691,7 +675,7 @@ def _beads(
             one, t = alone.evaluated(State(setup, fit.state.waves, (place,))), 0
         place, light, image, part = one.state.places[t], one.state.light[t], one.values[t], one.parts[t]
         if used[j]:
-            at = [*range(k), *joint.columns(t, k)]
+            at = [*range(k), *model.columns(t, k)]
             whole, carried = inverse[np.ix_(at, at)], part.carried
             errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
             errors["z"] /= setup.step

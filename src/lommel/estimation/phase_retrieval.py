@@ -18,17 +18,9 @@ from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_checks import star_findings
-from lommel.estimation.star_images import (
-    StarImages,
-    Unknowns,
-    carrying,
-    changes,
-    label,
-    uncertainty,
-)
+from lommel.estimation.star_images import StarImages, Unknowns, carrying, changes, label, uncertainty
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.goodness_of_fit import SURE
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
@@ -135,8 +127,8 @@ class Retrieval(FitReport):
     images: Array = field(repr=False)
     model: Array = field(repr=False)
     residual: Array = field(repr=False)
-    steps: int
-    starts: int
+    steps: int = 0
+    starts: int = 0
 
     def in_unit(self, unit: str) -> tuple[dict[Name, float], dict[Name, float]]:
         """Return the coefficients of the wavefront and their standard errors in another unit.
@@ -408,7 +400,7 @@ def retrieve(
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
         tries, taken = tries + at_once, taken + steps_taken
-        if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], SURE):
+        if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], goodness_of_fit.SURE):
             break
         # Noise alone makes a chi2 beyond SURE now and then; starts that agree within the standard errors settle it.
         ends = np.concatenate([ends, model.nearest(x[settled])])
@@ -449,17 +441,11 @@ def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -
 
 def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return images (n, height, width) of a star."""
-    made = Counts.of(
-        "images",
-        images,
-        sides=(2, 3),
-        shape="(height, width) or (n, height, width)",
-        mask=mask,
-        saturation=saturation,
-    )
-    made = made if made.values.ndim == 3 else made[None]
-    made.require_known("images").require_light("images", "a star")
-    return made
+    shape = "(height, width) or (n, height, width)"
+    counts = Counts.of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
+    counts = counts if counts.values.ndim == 3 else counts[None]
+    counts.require_known("images").require_light("images", "a star")
+    return counts
 
 
 def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> Array:
@@ -601,9 +587,8 @@ def _of_blurred(
     center, mean = found.stars.centers[0], found.model[0]
     lens = pupil.carrying(wavefront, None)
     # Tilts move the light to where the stars are.
-    height, width = counts.values.shape[1:]
-    tilt = np.pi * pixel / pupil.scale * (center - [height // 2, width // 2]).T
-    at = {SHIFTS[name]: tilt[k] for k, name in enumerate(("row", "column"))}
+    tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
+    at = dict(zip(SHIFTS.values(), tilts, strict=True))
     edge = lens.wavefront + Wavefront.zernike(at, normalization="edge")
     images = found.images[0]
     return Retrieval(
@@ -626,8 +611,6 @@ def _of_blurred(
         images=np.where(counts.known, counts.values, np.nan),
         model=noise.image(mean),
         residual=(images - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
-        steps=0,
-        starts=0,
     )
 
 

@@ -26,24 +26,6 @@ _HELD = 3  # beads, from which on one is left out for a test
 _STEPS = 20  # of a search that begins at the answer
 _TERM = 0.1  # radians rms: the size that a missing term may have
 _AMPLITUDE = "apodization_2"  # of the terms of the amplitude that are not estimated
-# Sizes that wrong constants, and what else may be missing, have: relative ones of pixel and diameter, depth in
-# metres, drift in pixels over half the stack, a gradient in electrons over the window, and the share of electrons
-# that is lost at 10^4.
-_SIZES = {
-    "sample": 0.02,
-    "immersion": 2e-3,
-    "coverslip": 5e-6,
-    "NA": 0.02,
-    "pixel": 0.01,
-    "diameter": 0.3,
-    "blur": 0.1,
-    "step": 0.02,
-    "depth": 50e-9,
-    _AMPLITUDE: 0.1,
-    "drift": 0.3,
-    "background gradient": 5.0,
-    "non-linear gain": 0.05,
-}
 _TRIED, _LIKELY = 4, 0.4  # candidates that are solved for, and the least of ln of the Bayes factor over the largest
 _WIDER = 3.0  # times its standard deviation, that a constant with a prior may be off
 _NEIGHBOR = 0.3  # of the light of a bead, that one beside it may have
@@ -55,13 +37,9 @@ _MOVED = 5.0  # standard deviations
 def available_constants(setup: Setup) -> list[str]:
     """Return the constants that this microscope has."""
     one = setup.objective
-    without = {"coverslip"} if one.coverslip is None else set()
-    if one.working_distance is None:
-        without |= {"immersion"}
-    if setup.diameter == 0.0:
-        without |= {"diameter"}
-    without |= {name for name in ("sample", "immersion") if getattr(one, name) == 1.0}  # air
-    return [name for name in CONSTANTS if name not in without]
+    lacks = {"coverslip": one.coverslip is None, "diameter": setup.diameter == 0.0, "sample": one.sample == 1.0}
+    lacks["immersion"] = one.working_distance is None or one.immersion == 1.0  # air
+    return [name for name in CONSTANTS if not lacks.get(name, False)]
 
 
 def possible(setup: Setup, name: str, value: float) -> bool:
@@ -97,13 +75,12 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[ScoreTest, ...]:
     for name, (value, known) in joint.priors.items():
         if math.isfinite(known):
             candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
-    for name in constants:
-        factor = setup.value(name) if name in ("pixel", "diameter") else 1.0
-        candidates.append(Candidate(name, (names.index(name),), factor * _SIZES[name]))
-    groups = {"drift": drift, "background gradient": GRADIENT, "non-linear gain": (NONLINEAR,)}
-    for name, columns in groups.items():
+    candidates += [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
+    # Sizes in pixels over half the stack, in electrons over the window, and in the share that is lost at 10^4.
+    groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
+    for name, (columns, size) in groups.items():
         if columns:
-            candidates.append(Candidate(name, tuple(map(names.index, columns)), _SIZES[name]))
+            candidates.append(Candidate(name, tuple(map(names.index, columns)), size))
     tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
     return tuple(sorted(tests, key=lambda test: -test.log_bayes))
 

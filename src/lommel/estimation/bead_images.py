@@ -42,26 +42,33 @@ _FAINTEST = 1e-3  # of the light before: no step goes below
 
 
 class Constant(NamedTuple):
-    """A number of the microscope that may be an unknown: step of differences, unit, most of a step of a search."""
+    """A number of the microscope that may be an unknown: step of differences, unit, most of a step of a search.
+
+    `size` is that of a mistake that is looked for, `usual` the standard error by default; 0 of one that is fixed.
+    Step and reach are `relative` where stated; size and usual error of pixel and diameter are, too.
+    """
 
     step: float
     unit: str
     reach: float
+    size: float
+    usual: float = 0.0
     relative: bool = False
 
 
-# Differences over these steps err by their square: below 1e-3 of a derivative.
+# Differences over these steps err by their square: below 1e-3 of a derivative. The cover glass is of No. 1.5H: were
+# it fixed, terms of spherical aberration would be stated as if it were exact.
 CONSTANTS: Mapping[str, Constant] = {
-    "sample": Constant(1e-3, "", 0.05),
-    "immersion": Constant(1e-4, "", 5e-3),
-    "coverslip": Constant(1e-6, "m", 3e-5),
-    "NA": Constant(1e-3, "", 0.05),
-    "pixel": Constant(2e-3, "m", 0.05, relative=True),
-    "diameter": Constant(4e-9, "m", 1e-7),
-    "blur": Constant(0.01, "pixels^2", 0.2),
-    "step": Constant(1e-2, "", 0.1),
-    "depth": Constant(4e-9, "m", 3e-7),
-    **{f"apodization_{n}": Constant(1e-2, "", 0.3) for n in (2, 4, 6, 8)},
+    "sample": Constant(1e-3, "", 0.05, 0.02, 3e-3),
+    "immersion": Constant(1e-4, "", 5e-3, 2e-3),
+    "coverslip": Constant(1e-6, "m", 3e-5, 5e-6, 5e-6),
+    "NA": Constant(1e-3, "", 0.05, 0.02, 0.02),
+    "pixel": Constant(2e-3, "m", 0.05, 0.01, 0.01, relative=True),
+    "diameter": Constant(4e-9, "m", 1e-7, 0.3, 0.1),
+    "blur": Constant(0.01, "pixels^2", 0.2, 0.1),
+    "step": Constant(1e-2, "", 0.1, 0.02),
+    "depth": Constant(4e-9, "m", 3e-7, 50e-9, 20e-9),
+    **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
 """Factors and words of units in texts."""
@@ -93,6 +100,10 @@ class Setup:
         if name in AMPLITUDES:
             return illumination(self.objective.apodization).to_zernike().get(AMPLITUDES[name], 0.0)
         return float(getattr(self if name in _OWN else self.objective, name))
+
+    def scale(self, name: str) -> float:
+        """Return what size and usual error of a constant are relative to."""
+        return self.value(name) if name in ("pixel", "diameter") else 1.0
 
     def beside(self, name: str) -> tuple[float, float]:
         """Return values of a constant on either side, for differences, within what it may be."""

@@ -40,15 +40,6 @@ _PLANES = 5  # at the least
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _FIRST = 5  # Noll's index of the first term after defocus
-USUAL: Mapping[str, float] = {
-    "depth": 20e-9,
-    "sample": 3e-3,
-    "coverslip": 5e-6,  # of No. 1.5H; without it, terms of spherical aberration would be stated as if it were exact
-    "NA": 0.02,
-    "pixel": 0.01,
-    "diameter": 0.1,
-}
-"""Standard errors of the constants that are unknowns by default; of pixel and diameter relative ones."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -453,11 +444,11 @@ def fit_beads(
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
-    factors = np.array([zernike.rms_factor(n, m) for n, m in solved])
-    waves = np.array([start.get(term, 0.0) for term in solved]) / factors
+    images = BeadImages(solved, start, workers)
+    waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
     made = tuple(Stack.of(counts, noise, places) for counts in recorded)
     depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", drift)
-    model = BeadModel(BeadImages(solved, start, workers), made, known, depths, moving)
+    model = BeadModel(images, made, known, depths, moving)
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
@@ -520,10 +511,9 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     near = min(deep) <= setup.wavelength
     blind = not near and setup.objective.sample < setup.objective.NA
     if given is None:
-        given = {name: value for name, value in USUAL.items() if name in known and not (name == "NA" and blind)}
-        for name in ("pixel", "diameter"):
-            if name in given:
-                given[name] *= setup.value(name)
+        given = {name: CONSTANTS[name].usual * setup.scale(name) for name in known if CONSTANTS[name].usual}
+        if blind:
+            given.pop("NA")
     if not isinstance(given, Mapping):
         raise TypeError(f"priors must map names to standard errors, got {validation.shown(given)}")
     found, of_depth = {}, 0.0

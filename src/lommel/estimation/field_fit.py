@@ -18,7 +18,6 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape, isotropic
-from lommel.estimation.chart_light import relative_light
 from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_checks import negated
@@ -28,7 +27,7 @@ from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, Unknowns, label
-from lommel.estimation.target_readout import Target
+from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.methods.derivative_names import Name, Term, term_of

@@ -118,12 +118,11 @@ class Information:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, a pair (n, m) as a list, an infinite number as None (JSON has none)."""
-        found: dict[str, Any] = {
-            "names": [list(name) if isinstance(name, tuple) else name for name in self.names],
-            "units": [self.units[name] for name in self.names],
-            "errors": plain([*self.errors.values()]),
-        }
-        return found | {name: plain(getattr(self, name)) for name in ("matrix", "covariance", "correlation")}
+        units = [self.units[name] for name in self.names]
+        parts = {"names": self.names, "units": units, "errors": [*self.errors.values()]}
+        matrices = {name: getattr(self, name) for name in ("matrix", "covariance", "correlation")}
+        found: dict[str, Any] = plain(parts | matrices)
+        return found
 
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]
@@ -255,9 +254,8 @@ def fisher(
     level = validation.real_array("background", background, least=0.0)
     validation.optional("noise", noise, Noise)
     validation.truth("together", together)
-    read = np.zeros(validation.image_shape(shape))
-    excess = 1.0 if noise is None else noise.excess
-    read = read if noise is None else noise.poisson.variance(read)
+    camera = noise or Noise(read=0.0)
+    excess, read = camera.excess, camera.poisson.variance(np.zeros(validation.image_shape(shape)))
     options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
     plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]

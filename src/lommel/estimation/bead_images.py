@@ -337,8 +337,7 @@ class BeadImages:
         """Return the derivative by a constant or the depth, central differences over `CONSTANTS`."""
         given = CONSTANTS[name]
         if name == "depth":
-            nearest = 0.5 * setup.diameter
-            h = min(given.step, max(place.depth - nearest, 0.0)) if place.depth - nearest < given.step else given.step
+            h = min(given.step, max(place.depth - 0.5 * setup.diameter, 0.0))
             up, down = place._replace(depth=place.depth + given.step), place._replace(depth=place.depth - h)
             pair = [self.values(setup, waves, at, stack) for at in (up, down)]
             return np.asarray((pair[0] - pair[1]) / (given.step + h))
@@ -371,17 +370,15 @@ def light_of(values: Array, star: Array, before: Array | None = None) -> Array:
     psf = values.reshape(len(values), -1).astype(np.float64)
     counted, _, read, valid = star
     weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
-    found = np.empty((2, len(psf)))
-    for turn in range(_TURNS):
-        if turn or before is not None:
-            given = found if turn else before
-            assert given is not None
-            mean = given[0][:, None] * psf + given[1][:, None]
+    found = before
+    for _ in range(_TURNS):
+        if found is not None:
+            mean = found[0][:, None] * psf + found[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
         flux, level, middle = weighted_light(psf, counted, weight)
-        found[0] = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
-        found[1] = level - found[0] * middle
-    return found
+        flux = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
+        found = np.stack([flux, level - flux * middle])
+    return np.asarray(found)
 
 
 def expected(light: Array, values: Array) -> Array:

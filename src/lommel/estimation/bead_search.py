@@ -104,7 +104,7 @@ class BeadModel:
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)
     tested: int = field(init=False)
-    alternatives = False  # as of a `Problem`: one set of parameters
+    alternatives, rms = False, None  # as of a `Problem`: one set of parameters, and steps that do not stretch
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
@@ -215,10 +215,6 @@ class BeadModel:
             found = damped_steps(scores, damping)
         return found
 
-    def rms(self, step: Array) -> Array:
-        """Return its rms phase."""
-        return np.asarray(np.linalg.norm(step[:, : len(self.images.solved)], axis=1))
-
     def attempt(
         self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
     ) -> tuple[Evaluated, Scores | None]:
@@ -269,7 +265,7 @@ def _holding(scores: Scores, at: int, step: float) -> Scores:
     return scores._replace(slope=slope, information=information)
 
 
-_POLICY = Policy(most=1e7, stretch=False, patience=None, interruptible=True)
+_POLICY = Policy(most=1e7, patience=None, interruptible=True)
 
 
 def _of_camera(name: str, mean: Array) -> Array:

@@ -241,10 +241,8 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
     if np.abs(h[:2] - h[3:1:-1]).max() <= _ALIKE:
         return math.inf
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
-    total, most = (
-        model.at(slice(4, 5)).information(slope[None], known_texture=surface.known),
-        model.texture * (slope * slope).sum(0),
-    )
-    if float(total[0]) <= _ROUNDING * float(most @ model.band.share):
+    total = float(model.at(slice(4, 5)).information(slope[None], known_texture=surface.known)[0])
+    most = model.texture * (slope * slope).sum(0)
+    if total <= _ROUNDING * float(most @ model.band.share):
         return math.inf
-    return distance**2 / math.sqrt(float(total[0]) * (4.0 * math.pi * surface.window**2))
+    return distance**2 / math.sqrt(total * (4.0 * math.pi * surface.window**2))

@@ -93,8 +93,9 @@ class Problem(Protocol):
     def step(self, x: Any, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
         """Return damped steps and the gain in deviance that they promise."""
 
-    def rms(self, step: Array) -> Array:
-        """Return the rms phase of steps, radians."""
+    @property
+    def rms(self) -> Callable[[Array], Array] | None:
+        """The rms phase of steps, radians; None where steps do not stretch."""
 
     def attempt(self, x: Any, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
         """Return parameters so many steps on and their scores, None where these cannot be computed."""
@@ -105,14 +106,12 @@ class Policy:
     """How a search goes on.
 
     `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
-    damping above `most`. Steps that `stretch` grow where the last one gained nearly all that its slope promised: far
-    from the answer the information overstates the curvature of the likelihood. A search without `patience` goes on
-    in a minimum that does not fit. `interruptible` ones end at an interrupt with the best so far.
+    damping above `most`. A search without `patience` goes on in a minimum that does not fit. `interruptible` ones end
+    at an interrupt with the best so far.
     """
 
     settled: float = _SETTLED
     most: float = _MOST
-    stretch: bool = True
     patience: int | None = _PATIENCE
     interruptible: bool = False
 
@@ -161,7 +160,7 @@ def fisher_scoring(
             go = moving[at]
             at, promised, step = at[go], promised[go], step[go]
             factor = np.ones(at.size)
-            if policy.stretch:
+            if problem.rms is not None:
                 factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
             tried, new = problem.attempt(x, now, at, step, factor)
             taken += at.size
@@ -169,7 +168,9 @@ def fisher_scoring(
             promised = promised * factor
             better, stretched = gain > 0.0, stretch[at] > 1.0
             damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
-            if policy.stretch:
+            if problem.rms is not None:
+                # Steps grow where the last one gained nearly all that its slope promised: far from the answer the
+                # information overstates the curvature of the likelihood.
                 straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
                 longer = np.minimum(2.0 * np.maximum(factor, 1.0), _STRETCH)
                 stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))

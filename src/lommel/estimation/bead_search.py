@@ -265,7 +265,7 @@ def _holding(scores: Scores, at: int, step: float) -> Scores:
     return scores._replace(slope=slope, information=information)
 
 
-_POLICY = Policy(most=1e7, patience=None, interruptible=True)
+_POLICY = Policy(most=1e7, patience=math.inf, interruptible=True)
 
 
 def _of_camera(name: str, mean: Array) -> Array:

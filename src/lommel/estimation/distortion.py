@@ -161,13 +161,7 @@ def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
 
 
 def fit_distortion(
-    ideal: Array,
-    used: NDArray[np.intp],
-    places: Places,
-    *,
-    pose: str,
-    degree: int,
-    sensor: Sensor,
+    ideal: Array, used: NDArray[np.intp], places: Places, *, pose: str, degree: int, sensor: Sensor
 ) -> Distortion:
     """Return the distortion from ideal places (n, 2) of all targets and the fitted ones of those `used` (r,)."""
     known = np.isfinite(ideal[used]).all(axis=1)
@@ -179,7 +173,6 @@ def fit_distortion(
     transform = _similarity(given, first) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
     held = _alignment(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
-    good = np.ones(len(at), dtype=bool)
     for turn in range(_TURNS):
         spots = _moved(transform, given)
         basis = monomials(*sensor.relative(*sensor.positions(spots)), degree)

@@ -21,7 +21,7 @@ from lommel.special.legendre import gauss_legendre
 
 _NAMES = ("flux", "row", "column", "fwhm", "beta", "background")
 _STEPS = 200
-_POLICY = Policy(settled=1e-9, patience=None)  # nearer than a standard error by far, and of misfits too
+_POLICY = Policy(settled=1e-9, patience=math.inf)  # nearer than a standard error by far, and of misfits too
 _DARK = 1e-3  # electrons squared: the smallest variance of reading
 _BETA = (1.05, 100.0)  # of less the light is infinite; of more it is a Gaussian
 _NARROWEST = 0.2  # fwhm, pixels

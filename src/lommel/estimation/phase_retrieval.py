@@ -463,13 +463,11 @@ def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool
         level = float(np.median(rim))
         noise = np.sqrt(max(level, 0.0) + model.read[i].mean())
         light = np.where(good & (image > level + 3.0 * noise), image - level, 0.0)
-        total = light.sum()
+        total = max(light.sum(), 1e-300)  # of no light the middle is the start
         for j, place in enumerate(model.unknowns.places):
-            axis = 1 if place == "row" else 0
-            along = light.sum(axis=axis)
-            middle = len(along) // 2
-            if total > 0.0:
-                own[0, j, i] = (along @ (np.arange(len(along)) - middle) / total) * model.tilt_of_pixel
+            along = light.sum(axis=1 if place == "row" else 0)
+            away = np.arange(len(along)) - len(along) // 2
+            own[0, j, i] = (along @ away / total) * model.tilt_of_pixel
     return x
 
 
@@ -494,13 +492,7 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
 
 
 def _retrieval(
-    model: StarImages,
-    x: Array,
-    scores: Scores,
-    settled: bool,
-    counts: Counts,
-    noise: Noise,
-    tried: tuple[int, int],
+    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, tried: tuple[int, int]
 ) -> Retrieval:
     """Return the result for parameters `x`, (1, p), of images, after so many steps and starts."""
     steps, starts = tried

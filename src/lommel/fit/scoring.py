@@ -106,13 +106,13 @@ class Policy:
     """How a search goes on.
 
     `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
-    damping above `most`. A search without `patience` goes on in a minimum that does not fit. `interruptible` ones end
-    at an interrupt with the best so far.
+    damping above `most`. A search of infinite `patience` goes on in a minimum that does not fit. `interruptible` ones
+    end at an interrupt with the best so far.
     """
 
     settled: float = _SETTLED
     most: float = _MOST
-    patience: int | None = _PATIENCE
+    patience: float = _PATIENCE
     interruptible: bool = False
 
 
@@ -143,7 +143,6 @@ def fisher_scoring(
     damping, stretch = np.full(count, _FIRST), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
     taken, stalled, interrupted = 0, np.zeros(count, dtype=int), False
-    patience = most + 1 if policy.patience is None else policy.patience
     try:
         for turn in range(most + 1):
             report(turn, float(now.chi2.min()))
@@ -151,7 +150,7 @@ def fisher_scoring(
             step, promised = problem.step(x, now, at, damping[at])
             done = (promised < policy.settled) & (damping[at] <= 1.0)
             settled[at] = done
-            moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < patience)
+            moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < policy.patience)
             fits = done & (now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE))
             if turn == most or not moving.any() or (problem.alternatives and fits.any()):
                 if last is not None and done.any():
@@ -178,10 +177,9 @@ def fisher_scoring(
                 swings = better & (promised < 1.0) & (gain < 0.25 * promised)
                 damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
             np.maximum(damping, _LEAST, out=damping)
-            if policy.patience is not None:
-                excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
-                slow = better & (gain < _STALLED * problem.tested * excess)
-                stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
+            excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
+            slow = better & (gain < _STALLED * problem.tested * excess)
+            stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
             if new is None or not better.any():
                 continue
             if better.all() and at.size == count:

@@ -157,8 +157,7 @@ def retrieve(
     pixel = {"camera": camera.camera, "pixel": camera.pixel}
     given = pixel | {"object_distance": camera.object_distance, "depth": planes.depth}
     microscope = microscope_of(lens, **given, step=None if describes_microscope(lens) else planes.step)
-    of: Microscope | Instrument
-    of = microscope or instrument_of(lens, object_distance=camera.object_distance, **pixel)
+    of: Microscope | Instrument = microscope or instrument_of(lens, **pixel, object_distance=camera.object_distance)
     if microscope is not None and defocus is not None:
         raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
     camera.require()
@@ -208,9 +207,8 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
     short = {"radians": "rad"}.get(unit, unit)
     values, errors = found.in_unit(unit)
     rows = [(label(name), *with_error(value, errors[name])) for name, value in values.items()]
-    for name in (name for name in found.coefficients if name not in values):
-        cells = with_error(found.coefficients[name], found.errors[name])
-        rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
+    others = {name: value for name, value in found.coefficients.items() if name not in values}
+    rows += [(f"{n} {found.units[n]}".rstrip(), *with_error(value, found.errors[n])) for n, value in others.items()]
     row, column = found.center.T
     each = {"row": row, "column": column, "flux": found.flux, "background": found.background}
     blurred = any(found.blurs)

@@ -261,12 +261,8 @@ class BeadFit(FitReport):
         factor = 1.0 / (2.0 * math.pi) if validation.choice("unit", unit, ("waves", "radians")) == "waves" else 1.0
         planes = np.unique(np.linspace(0, len(one.images) - 1, _PLANES).round().astype(int))
         names = [name for name in self.coefficients if not isinstance(name, str)]
-        bars = (
-            [label(name) for name in names],
-            [factor * self.coefficients[name] for name in names],
-            [factor * self.errors[name] for name in names],
-            unit,
-        )
+        values, errors = ([factor * each[name] for name in names] for each in (self.coefficients, self.errors))
+        bars = [label(name) for name in names], values, errors, unit
         titles = [f"plane {k}" for k in planes]
         images, model, residual = (part[planes] for part in (one.images, one.model, one.residual))
         return show.estimates.fit(images, model, residual, bars, f"{self.status}, chi2 = {self.chi2:.3g}", titles)
@@ -636,11 +632,9 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
         )
         found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
     if error >= _OFF:
-        text = (
-            "aberrations are too strong for certified images"
-            if math.isinf(error)
-            else f"images of the search are {error:.2g} of the peak off those that are certified"
-        )
+        text = f"images of the search are {error:.2g} of the peak off those that are certified"
+        if math.isinf(error):
+            text = "aberrations are too strong for certified images"
         found.append(Finding("model_error", "doubt", text, {"error": error}))
     return found
 

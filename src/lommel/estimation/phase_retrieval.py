@@ -622,12 +622,11 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
     start = np.pad(model.start, (0, model.size - len(model.start)))
     near, far = (float(model.rms(each - start)[0]) for each in (x, model.even_part_negated(x)))
     text = "one defocus of all images leaves the common sign of the even terms open"
+    numbers = {"rms": near, "rms_of_other": far}
     if far >= _DECIDED * near:
         text += ": the answer near the given wavefront and defocus was taken"
-    else:
-        text += ": add a second one, or give a wavefront that is near"
-    numbers = {"rms": near, "rms_of_other": far}
-    return [Finding("sign_open", "note" if far >= _DECIDED * near else "doubt", text, numbers)]
+        return [Finding("sign_open", "note", text, numbers)]
+    return [Finding("sign_open", "doubt", f"{text}: add a second one, or give a wavefront that is near", numbers)]
 
 
 def _error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:

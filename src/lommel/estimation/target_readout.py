@@ -175,14 +175,11 @@ class TargetReadout:
             light = [fft.rfft2(np.asarray(each[k], np.float32), self._sides) for each in samples]
             spectra = [*(first * each for each in light), *(light[0] * other for other in others)]
             for place, spectrum in zip(found, spectra, strict=True):
-                place[k] = self._at_pixels(spectrum)
+                image = fft.irfft2(spectrum, self._sides)
+                place[k] = image[tuple(slice(0, side * self._every, self._every) for side in self._pixels)]
 
         side_by_side(one, range(len(squares)), threads)
         return found
-
-    def _at_pixels(self, spectrum: Values) -> Values:
-        image = fft.irfft2(spectrum, self._sides)
-        return np.asarray(image[tuple(slice(0, side * self._every, self._every) for side in self._pixels)])
 
 
 def _line(at: Values, sign: Values | float) -> tuple[Values, Values, Values]:

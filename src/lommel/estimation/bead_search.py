@@ -147,7 +147,7 @@ class BeadModel:
             values.append(psf)
             light.append(bead_images.light_of(psf, stack.star, state.light[k] if state.light else None))
             total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
-        if not total < most:
+        if not -math.inf < total < most:
             raise Declined("the likelihood is not finite, or no better")
         state = replace(state, light=tuple(light))
         parts, information, slope = self.normal(state, values)

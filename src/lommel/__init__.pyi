@@ -62,8 +62,11 @@ from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
-from lommel.localize.lattice import grid_indices as grid_indices
-from lommel.localize.crossings import Crossings as Crossings, find_crossings as find_crossings
+from lommel.localize.crossings import (
+    Crossings as Crossings,
+    find_crossings as find_crossings,
+    grid_indices as grid_indices,
+)
 from lommel.localize.point_sources import PointSources as PointSources, find_spots as find_spots
 from lommel.measures.aperture_means import (
     centroid as centroid,

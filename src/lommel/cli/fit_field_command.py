@@ -20,8 +20,7 @@ from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
-from lommel.localize.crossings import Crossings, find_crossings
-from lommel.localize.lattice import grid_indices
+from lommel.localize.crossings import Crossings, find_crossings, grid_indices
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_images
 

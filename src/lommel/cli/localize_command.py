@@ -150,22 +150,17 @@ def localize(
         header = [*frames.notes, *header, *differing(frames.said, microscope)]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
-        options: Facts = {"reach": fits.reach, "tol": fits.tol, "threads": fits.threads}
-        table = Table(pupil, shape, pixel, z=z, along=along, **options)
+        table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)
+        names = ("flat", "threshold", "width", "starts", "background", "threads", "block")
+        chosen = vars(molecules) | vars(fits)
         blocks = localize_blocks(
             frames,
             table,
             noise=noise,
             mask=mask,
             saturation=saturation,
-            flat=molecules.flat,
-            threshold=molecules.threshold,
-            width=molecules.width,
-            starts=fits.starts,
-            background=fits.background,
-            threads=fits.threads,
-            block=fits.block,
             progress=lambda count, total: step(f"frame {count} of {total}", count / total),
+            **{name: chosen[name] for name in names},
         )
         with writer(*outputs) as write:
             for part in blocks:

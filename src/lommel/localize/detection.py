@@ -90,7 +90,7 @@ class Spots:
 
 
 def find(
-    frames: ArrayLike,
+    frames: ArrayLike | Counts,
     box: int | tuple[int, int] = 15,
     *,
     noise: Noise | None = None,
@@ -152,45 +152,9 @@ def find(
     >>> spots.frame, spots.row + 7, spots.column + 7
     (array([1]), array([31]), array([41]))
     """
-    rows, columns = validation.image_shape(box)
-    counts = frame_counts(frames, (rows, columns), saturation)
+    rows, columns = box = validation.image_shape(box)
+    counts = frames if isinstance(frames, Counts) else frame_counts(frames, box, saturation)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
-    return find_in(counts, (rows, columns), noise, threshold, width, start, threads)
-
-
-def frame_counts(frames: ArrayLike, box: tuple[int, int], saturation: float | None) -> Counts:
-    """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
-    shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
-    return image_counts("frames", frames, shape, box, saturation=saturation, empty=True)[0]
-
-
-def image_counts(
-    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **more: Any
-) -> tuple[Counts, bool]:
-    """Return images (n, rows, columns), and whether they were one, without an axis for several.
-
-    ValueError, with the `shape` in words, if they are smaller than a box; or if nothing of one is known.
-    """
-    made = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **more)
-    if made.values.shape[-2] < box[0] or made.values.shape[-1] < box[1]:
-        raise ValueError(f"{name} must have the shape {shape}, got {made.values.shape}")
-    if len(made.values):
-        made.require_known(name)
-    single = made.values.ndim == 2
-    return (made[None] if single else made), single
-
-
-def find_in(
-    counts: Counts,
-    box: tuple[int, int],
-    noise: Noise | None,
-    threshold: float,
-    width: float,
-    start: int,
-    threads: int | None,
-) -> Spots:
-    """Find spots in frames as :func:`find` does."""
-    rows, columns = box
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
@@ -232,6 +196,28 @@ def find_in(
         int(counts.hidden[boxes].sum()),
         _density(level, narrow, wide) * light.shape[1] * light.shape[2],
     )
+
+
+def frame_counts(frames: ArrayLike, box: tuple[int, int], saturation: float | None) -> Counts:
+    """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
+    shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
+    return image_counts("frames", frames, shape, box, saturation=saturation, empty=True)[0]
+
+
+def image_counts(
+    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **more: Any
+) -> tuple[Counts, bool]:
+    """Return images (n, rows, columns), and whether they were one, without an axis for several.
+
+    ValueError, with the `shape` in words, if they are smaller than a box; or if nothing of one is known.
+    """
+    made = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **more)
+    if made.values.shape[-2] < box[0] or made.values.shape[-1] < box[1]:
+        raise ValueError(f"{name} must have the shape {shape}, got {made.values.shape}")
+    if len(made.values):
+        made.require_known(name)
+    single = made.values.ndim == 2
+    return (made[None] if single else made), single
 
 
 def _mending(defects: NDArray[np.bool_], sigma: float) -> list[tuple[NDArray[np.bool_], Array]]:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.localize.checks import TILTED, Checks
-from lommel.localize.detection import Spots, box_pixels, find_in, frame_counts
+from lommel.localize.detection import Spots, box_pixels, find, frame_counts
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, columns, joined
 from lommel.localize.molecule_files import Recording
@@ -168,7 +168,9 @@ def localize_blocks(
                 checks.first(counts)
             if counts.assumed:
                 saturation = counts.saturation  # of the frames that follow, too
-            spots = find_in(counts, table.shape, noise, threshold, width, done, threads)
+            spots = find(
+                counts, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
+            )
             again = partial(fit, table, noise=noise, saturation=math.inf, starts=starts, threads=threads)
             values, which, corners = counts.marked(), spots.frame - done, spots.corners
             begun = "flat" if kind == "auto" else kind

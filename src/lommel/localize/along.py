@@ -175,9 +175,7 @@ def _gains(matrix: Array, half: float) -> Bounds:
     terms = matrix.shape[1]
     x = _nodes(8 * terms, -1.0, 1.0)
     values = np.polynomial.chebyshev.chebvander(x, terms - 1)
-    slopes = np.stack(
-        [np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(row)) for row in np.eye(terms)], 1
-    )
+    slopes = np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(np.eye(terms), axis=1).T).T
     between = 1.0 / math.cos(math.pi / 16.0)
     value, slope = (between * float(np.abs(at @ matrix).sum(axis=2).max()) for at in (values, slopes))
     return Bounds(value, slope / half)

@@ -153,7 +153,7 @@ def find(
     (array([1]), array([31]), array([41]))
     """
     rows, columns = box = validation.image_shape(box)
-    counts = frames if isinstance(frames, Counts) else frame_counts(frames, box, saturation)
+    counts = frames if isinstance(frames, Counts) else frame_counts(frames, box, saturation=saturation)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
@@ -198,10 +198,10 @@ def find(
     )
 
 
-def frame_counts(frames: ArrayLike, box: tuple[int, int], saturation: float | None) -> Counts:
+def frame_counts(frames: ArrayLike, box: tuple[int, int], **given: Any) -> Counts:
     """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
     shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
-    return image_counts("frames", frames, shape, box, saturation=saturation, empty=True)[0]
+    return image_counts("frames", frames, shape, box, empty=True, **given)[0]
 
 
 def image_counts(

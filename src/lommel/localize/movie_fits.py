@@ -161,9 +161,7 @@ def localize_blocks(
         options = {"background": kind, "starts": starts, "threads": threads}
         checks, done = Checks(recording, table, noise or Noise(read=0.0), options), 0
         for frames in blocks:
-            if left is not None:
-                frames = np.ma.masked_array(frames, np.ma.getmaskarray(frames) | left)
-            counts = frame_counts(frames, table.shape, saturation)
+            counts = frame_counts(frames, table.shape, saturation=saturation, mask=left)
             if not done:
                 checks.first(counts)
             if counts.assumed:

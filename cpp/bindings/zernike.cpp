@@ -58,10 +58,10 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
 template <class... Center>
 bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
                std::size_t height, std::size_t width, double step, double tol, double lowest, int threads,
-               Out<std::int64_t, 1> sides, Out<std::int64_t, 2> axes, Out<double, 2> numbers) {
+               Out<std::int64_t, 2> sides, Out<std::int64_t, 2> axes, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge);
-    require(sides.shape(0) == pupils && axes.shape(0) == pupils && axes.shape(1) == 2 && numbers.shape(0) == 2 &&
-                numbers.shape(1) == pupils,
+    require(sides.shape(0) == 2 && sides.shape(1) == pupils && axes.shape(0) == pupils && axes.shape(1) == 2 &&
+                numbers.shape(0) == 2 && numbers.shape(1) == pupils,
             "numbers of each pupil");
     bool pay = false;
     ask_disks<true>(
@@ -69,11 +69,13 @@ bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration
         [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
             lommel::RimBoxes boxes(stack, window, tol, lowest);
             pay = boxes.choose(threads);
-            if (pay) {
-                std::copy_n(boxes.sides.data(), pupils, sides.data());
-                std::copy_n(boxes.remainders.data(), pupils, numbers.data());
-                std::copy_n(boxes.tolerances.data(), pupils, numbers.data() + pupils);
+            if (!pay) {
+                return;
             }
+            std::copy_n(boxes.sides.data(), pupils, sides.data());
+            std::copy_n(boxes.most.data(), pupils, sides.data() + pupils);
+            std::copy_n(boxes.remainders.data(), pupils, numbers.data());
+            std::copy_n(boxes.tolerances.data(), pupils, numbers.data() + pupils);
             for (std::size_t p = 0; p < pupils; ++p) {
                 axes.data()[2 * p] = stack.rows[p];
                 axes.data()[2 * p + 1] = stack.columns[p];
@@ -111,8 +113,11 @@ void define_rims(nb::module_& m, const Named&... named) {
     m.def("rim_boxes", &rim_boxes<Center...>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, named..., "height"_a,
           "width"_a, "step"_a, "tol"_a, "lowest"_a, "threads"_a, "sides"_a.noconvert(), "axes"_a.noconvert(),
           "numbers"_a.noconvert(),
-          "Of each pupil the side of the box around the pixel of its axis outside which rims serve, or 0, what the rim leaves, "
-          "and what averages may be off by; whether rims pay, without which only the axes are told.");
+          "Of each pupil the side of the box around the pixel of its axis outside which rims serve, or 0, and the largest one "
+          "that "
+          "it may have; that pixel; what the rim leaves, and what averages may be off by. Whether rims pay, without which "
+          "nothing "
+          "is told.");
     m.def("rim_averages", &rim_averages<Center...>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, named..., "step"_a,
           "error"_a, "threads"_a, "remainders"_a, "near"_a, "places"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
           "Averages over pixels outside boxes around the axes from the rims of pupils, and the given ones within; of each what "

@@ -277,6 +277,7 @@ class RimBoxes(NamedTuple):
     """Of each pupil, the box around its axis outside which averages over pixels are likely to come from its rim."""
 
     sides: NDArray[np.int64]  # (n,), pixels, odd; 0 where the whole window had best have nodes
+    most: NDArray[np.int64]  # (n,), the largest side that it may have
     axes: NDArray[np.int64]  # (n, 2), the pixel of the axis
     remainders: Array  # (n,), as those of :func:`rim_remainders`
     tolerances: Array  # (n,), what averages may be off by, likely
@@ -288,10 +289,10 @@ def rim_boxes(stack: DiskStack, window: Window, tol: float, lowest: float, threa
     `lowest` is the least that the best placed pixel averages, over the peak of I.
     """
     count = len(stack.edge)
-    sides, axes, numbers = np.empty(count, np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
+    sides, axes, numbers = np.empty((2, count), np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
     compute: Callable[..., bool] = _core.rim_boxes
     pays = compute(*stack, *window.center, *window.shape, window.step, tol, lowest, threads, sides, axes, numbers)
-    return RimBoxes(sides, axes, *numbers) if pays else None
+    return RimBoxes(*sides, axes, *numbers) if pays else None
 
 
 def rim_averages(

@@ -264,9 +264,22 @@ def test_few_of_a_box_go_with_a_larger_one():
     assert (sides[35:] == 0).all()
 
 
+def test_boxes_are_within_the_window_also_of_pupils_that_go_with_others():
+    rng = np.random.default_rng(3)
+    edge = [pupils(rng, 17, 0.15).wavefront.edge, pupils(rng, 3, 0.02).wavefront.edge]
+    stack = disk_stack(pupils(rng, 20, 0.1))._replace(edge=np.concatenate(edge))
+    centers = np.full((20, 2), 16.0)
+    centers[17:, 0] = 3.0
+    boxes = engine.rim_boxes(stack, engine.Window((33, 33), (centers,), 8.0), 1e-4, least_average(8.0), 1)
+    assert boxes.sides[:17].min() > 7
+    assert (boxes.sides[17:] > 0).all()
+    assert (boxes.sides[17:] // 2 <= 3).all()
+    np.testing.assert_array_equal(boxes.axes, centers)
+
+
 def test_the_largest_average_is_about_as_guessed():
     rng = np.random.default_rng(6)
-    for waves, pixel in ((0.02, 1.6), (0.1, 2.65), (0.1, 6.0), (0.2, 2.65)):
+    for waves, pixel in ((0.02, 1.0), (0.1, 2.65), (0.1, 6.0), (0.2, 2.65)):
         pupil = pupils(rng, 20, waves)
         exact = lm.psf(pupil, 21, pixel, integrate=True, normalize="strehl").values.max(axis=(1, 2))
         window = window_of(pupil, Grid(121, pixel, integrate=True))

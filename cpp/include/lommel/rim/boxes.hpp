@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "lommel/base/once.hpp"
@@ -17,14 +19,12 @@ namespace lommel {
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // of the box of each pupil, odd; 0 where rims do not pay
+    std::vector<std::int64_t> most;  // the largest one that it may have: within the window, as its peak is
     std::vector<double> remainders, tolerances;  // those of RimStack, and what averages may be off by
 
     // The tolerance is relative to the largest average, which of pupils without aberration is 4.4 times `lowest` or more.
-    RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest)
-        : stack_(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
-          step_(window.step), tol_(tol), lowest_(lowest) {}
-
-    // Whether rims are likely to take less time than nodes of the whole window; only then there are boxes.
+    RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
+    // Whether rims are likely to take less time than nodes of the whole window; only then there are sides and remainders.
     bool choose(int threads);
 
    private:
@@ -37,16 +37,17 @@ class RimBoxes {
     static constexpr double left = 0.4;  // of the tolerance, what may be left of the field
     static constexpr double worth = 0.85;  // of the time that nodes of the whole window take
 
+    double count() const { return static_cast<double>(stack_.count); }
     std::int64_t smallest() const { return std::max<std::int64_t>(5, 2 * std::llround(std::ceil(narrowest / step_)) + 1); }
-    double largest() const { return widest * static_cast<double>(std::min(height_, width_)); }
-    // Pixels between an axis and the nearest edge of the window.
-    std::int64_t beside(std::size_t pupil) const {
-        return std::min(std::min(stack_.rows[pupil], height_ - 1 - stack_.rows[pupil]),
-                        std::min(stack_.columns[pupil], width_ - 1 - stack_.columns[pupil]));
-    }
+    std::int64_t largest_of(std::size_t pupil) const;
+    double tolerance_of(std::size_t pupil) const;
+    std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    double tolerance(std::size_t pupil) const;
-    std::int64_t box(std::size_t pupil, double remainder) const;
+    // Pairs of nodes of the window, and those that take as long as one of its pupils with a box.
+    double whole() const { return nodes(height_) * nodes(width_); }
+    double with_box(std::int64_t side) const {
+        return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
+    }
     bool pay(const std::vector<std::size_t>& which, int threads);
     void gather_few();
 
@@ -56,7 +57,29 @@ class RimBoxes {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double RimBoxes::tolerance(std::size_t pupil) const {
+LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest)
+    : stack_(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
+      step_(window.step), tol_(tol), lowest_(lowest) {
+    for (std::size_t p = 0; p < stack.count; ++p) {
+        most.push_back(largest_of(p));
+        tolerances.push_back(tolerance_of(p));
+    }
+}
+
+LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
+    const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
+                       last_column = width_ - 1 - column;
+    // Tables grow with the way to the farthest pixel.
+    const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
+    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > reach * std::sqrt(count())) {
+        return 0;
+    }
+    const std::int64_t beside = std::min({row, last_row, column, last_column}),
+                       part = std::llround(std::ceil(widest * static_cast<double>(std::min(height_, width_)))) - 1;
+    return beside < 0 ? 0 : std::min(2 * beside + 1, part - (part + 1) % 2);
+}
+
+LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
     // Of the likely largest average, by the variance of the phase over the disk without piston and tilt.
     double variance = 0.0;
     const double* const edge = stack_.outer.data() + pupil * stack_.terms.size();
@@ -68,19 +91,13 @@ LOMMEL_ONCE double RimBoxes::tolerance(std::size_t pupil) const {
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
 
-LOMMEL_ONCE std::int64_t RimBoxes::box(std::size_t pupil, double remainder) const {
-    const double farthest = static_cast<double>(std::max(std::max(stack_.rows[pupil], height_ - 1 - stack_.rows[pupil]),
-                                                         std::max(stack_.columns[pupil], width_ - 1 - stack_.columns[pupil])));
-    // Tables grow with the way to the farthest pixel.
-    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > reach * std::sqrt(static_cast<double>(stack_.count))) {
-        return 0;
-    }
+LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) const {
     const double mean = std::min(1.0, std::sqrt(4.0 * 3.14159265358979323846) / step_) * remainder;
-    for (std::int64_t side = smallest(); static_cast<double>(side) < largest(); side += 2) {
+    for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
         const double nearest = 0.5 * step_ * static_cast<double>(side),
                      field = mean * std::pow(nearest, -static_cast<double>(rim_orders));
-        if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= left * tolerance(pupil)) {
-            return side / 2 <= beside(pupil) ? side : 0;
+        if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= left * tolerances[pupil]) {
+            return side;
         }
     }
     return 0;
@@ -100,65 +117,48 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
         const DiskStack some(stack_.terms, edge.data(), which.size(), stack_.obscuration, stack_.amplitude);
         RimStack(some).remainders(threads, remainders.data());
     }
-    const double whole = nodes(height_) * nodes(width_),
-                 beside = (stack_.obscuration > 0.0 ? rims : rim) + call / static_cast<double>(stack_.count);
     double work = 0.0;
     sides.assign(which.size(), 0);
     for (std::size_t i = 0; i < which.size(); ++i) {
-        sides[i] = box(which[i], remainders[i]);
-        work += sides[i] > 0 ? nodes(sides[i]) * nodes(sides[i]) + beside : whole;
+        sides[i] = side_of(which[i], remainders[i]);
+        work += sides[i] > 0 ? with_box(sides[i]) : whole();
     }
-    return work <= worth * whole * static_cast<double>(which.size());
+    return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// Few pupils of a box go with the next larger one.
+// Few pupils of a box go with the next larger one, where that is within their window.
 LOMMEL_ONCE void RimBoxes::gather_few() {
-    const std::int64_t most = *std::max_element(sides.begin(), sides.end());
-    std::vector<std::int64_t> counts(static_cast<std::size_t>(most) + 1, 0);
+    std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {
         ++counts[static_cast<std::size_t>(side)];
     }
     std::vector<std::int64_t> to(counts.size(), 0);
-    std::int64_t larger = most;
-    for (std::int64_t side = most; side > 0; --side) {
-        const std::int64_t many = counts[static_cast<std::size_t>(side)];
-        if (many > 0) {
-            const bool few = many < together || static_cast<std::int64_t>(stack_.count) <= together;
-            to[static_cast<std::size_t>(side)] = few ? larger : side;
-            larger = few ? larger : side;
-        }
+    std::int64_t larger = 0;
+    for (std::size_t side = counts.size() - 1; side > 0; --side) {
+        const bool few = counts[side] < together || static_cast<std::int64_t>(stack_.count) <= together;
+        larger = counts[side] > 0 && (larger == 0 || !few) ? static_cast<std::int64_t>(side) : larger;
+        to[side] = larger;
     }
-    for (std::int64_t& side : sides) {
-        side = to[static_cast<std::size_t>(side)];
+    for (std::size_t p = 0; p < sides.size(); ++p) {
+        const std::int64_t side = to[static_cast<std::size_t>(sides[p])];
+        sides[p] = side <= most[p] ? side : sides[p];
     }
 }
 
 LOMMEL_ONCE bool RimBoxes::choose(int threads) {
-    const std::size_t count = stack_.count;
-    const double whole = nodes(height_) * nodes(width_), least = nodes(smallest()) * nodes(smallest());
-    const bool wide =
-        std::hypot(static_cast<double>(height_), static_cast<double>(width_)) > reach * std::sqrt(static_cast<double>(count));
-    if (!RimStack::serves(stack_) || wide || static_cast<double>(smallest()) >= largest() ||
-        least + rim + call / static_cast<double>(count) > whole) {
+    const std::size_t pupils = stack_.count, every = (pupils + probed - 1) / probed;
+    const bool none = *std::max_element(most.begin(), most.end()) < smallest();
+    if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
         return false;
     }
     // Of many, some stand for all at first.
-    const std::size_t every = (count + probed - 1) / probed;
-    std::vector<std::size_t> all(count), some;
-    for (std::size_t p = 0; p < count; ++p) {
-        all[p] = p;
-        if (p % every == 0) {
-            some.push_back(p);
-        }
-    }
+    std::vector<std::size_t> all(pupils), some;
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });
     if ((every > 1 && !pay(some, threads)) || !pay(all, threads)) {
         return false;
     }
     gather_few();
-    tolerances.resize(count);
-    for (std::size_t p = 0; p < count; ++p) {
-        tolerances[p] = tolerance(p);
-    }
     return true;
 }
 #endif

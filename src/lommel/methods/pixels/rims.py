@@ -34,7 +34,6 @@ _TRIES = 3  # boxes of a pupil
 _POWER = 4.0  # of the side of a box, with which errors fall at the least
 _WORTH = 0.9  # of the tolerance, what larger boxes aim at
 _FARTHEST = 16.0  # times the tolerance, from where on larger boxes are no surer
-_WIDEST = 0.7  # of a window, what a box may take
 
 
 def averaged_disks(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted) -> Averages | None:
@@ -59,7 +58,7 @@ def averaged_from_rims(disks: Disks, pupil: BasePupil, tol: float, wanted: Wante
     chosen = None if room <= 0.0 else rim_boxes(stack, window, room, least_average(step), wanted.threads)
     if chosen is None:
         return None
-    sides, axes, remainders, tolerances = chosen
+    sides, most, axes, remainders, tolerances = chosen
     given = window.center[0] if len(window.center) == 1 else np.array([window.center])
     values, error, peak = np.empty((count, *window.shape)), np.full(count, np.inf), np.empty(count)
     for _ in range(_TRIES):
@@ -81,7 +80,7 @@ def averaged_from_rims(disks: Disks, pupil: BasePupil, tol: float, wanted: Wante
         failed = ~(error <= tol)
         if not failed.any():
             break
-        sides = np.where(failed, _larger(sides, error / tol, axes, window), 0)
+        sides = np.where(failed, _larger(sides, error / tol, most), 0)
     rest = np.flatnonzero(failed)
     if rest.size:
         some = _of_part(disks, rest)
@@ -92,15 +91,11 @@ def averaged_from_rims(disks: Disks, pupil: BasePupil, tol: float, wanted: Wante
     return Averages(values[None], error[None], peak)
 
 
-def _larger(sides: NDArray[np.int64], times: Array, axes: NDArray[np.int64], window: Window) -> NDArray[np.int64]:
+def _larger(sides: NDArray[np.int64], times: Array, most: NDArray[np.int64]) -> NDArray[np.int64]:
     """Return the next boxes of pupils whose averages are off by so many times the tolerance, 0 where none is."""
-    grown = sides * (np.minimum(times, _FARTHEST) / _WORTH) ** (1.0 / _POWER)
+    grown = sides * (np.fmin(times, _FARTHEST) / _WORTH) ** (1.0 / _POWER)
     larger = sides + 2 * np.maximum(1, np.ceil(0.5 * (grown - sides))).astype(np.int64)
-    # Within the window, as its peak is, and not most of it.
-    height, width = window.shape
-    beside = np.minimum(axes, np.array([height - 1, width - 1]) - axes).min(axis=1)
-    fits = (sides > 0) & (larger < _WIDEST * min(window.shape)) & (larger // 2 <= beside)
-    return np.where(fits, larger, 0)
+    return np.where((sides > 0) & (larger <= most), larger, 0)
 
 
 def _of_part(disks: Disks, which: NDArray[np.intp]) -> Disks:

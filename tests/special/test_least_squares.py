@@ -35,6 +35,7 @@ def test_directions_that_the_matrix_lacks_do_not_make_solutions_large():
 def test_columns_of_zeros_have_no_share():
     matrix = np.array([[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])
     np.testing.assert_allclose(least_squares(matrix, np.array([[3.0], [6.0], [6.0]])), [[3.0], [0.0]], atol=1e-14)
+    np.testing.assert_array_equal(least_squares(np.zeros((3, 2)), np.ones((3, 1))), 0.0)
 
 
 def test_matrices_of_other_heights_are_refused():

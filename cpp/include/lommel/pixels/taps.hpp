@@ -7,70 +7,9 @@
 #include <vector>
 
 #include "lommel/limits.hpp"
+#include "lommel/special/least_squares.hpp"
 
 namespace lommel {
-
-// Least squares by Householder's reflections, one unknown after the other; a term of its own keeps each small where nothing else
-// decides. Whatever the solution is off by, who calls sees from the residuals.
-class LeastSquares {
-   public:
-    // Of at most so many unknowns.
-    LeastSquares(const std::vector<double>& wanted, std::size_t most, double small)
-        : equations_(wanted.size()), rows_(equations_ + most), small_(small), rest_(wanted) {
-        rest_.resize(rows_, 0.0);
-    }
-
-    // Adds an unknown, with what it counts in each equation.
-    void add(const std::vector<double>& factors) {
-        const std::size_t k = columns_.size();
-        std::vector<double> column(factors);
-        column.resize(rows_, 0.0);
-        column[equations_ + k] = small_;
-        for (std::size_t j = 0; j < k; ++j) {
-            reflect(j, column);
-        }
-        double square = 0.0;
-        for (std::size_t i = k; i < rows_; ++i) {
-            square += column[i] * column[i];
-        }
-        const double diagonal = column[k] > 0.0 ? -std::sqrt(square) : std::sqrt(square);
-        scales_.push_back(square - column[k] * diagonal);  // half of the square of the reflected vector
-        diagonals_.push_back(diagonal);
-        column[k] -= diagonal;
-        columns_.push_back(std::move(column));
-        reflect(k, rest_);
-    }
-
-    std::vector<double> solution() const {
-        std::vector<double> x(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(columns_.size()));
-        for (std::size_t k = x.size(); k-- > 0;) {
-            x[k] /= diagonals_[k];
-            for (std::size_t i = 0; i < k; ++i) {
-                x[i] -= columns_[k][i] * x[k];
-            }
-        }
-        return x;
-    }
-
-   private:
-    void reflect(std::size_t k, std::vector<double>& of) const {
-        const std::vector<double>& by = columns_[k];
-        double sum = 0.0;
-        for (std::size_t i = k; i < rows_; ++i) {
-            sum += by[i] * of[i];
-        }
-        sum /= scales_[k];
-        for (std::size_t i = k; i < rows_; ++i) {
-            of[i] -= sum * by[i];
-        }
-    }
-
-    std::size_t equations_, rows_;
-    double small_;
-    std::vector<double> rest_, scales_, diagonals_;
-    std::vector<std::vector<double>>
-        columns_;  // above the diagonal what is left of them, from there on the vector to reflect at
-};
 
 // Taps c_k on samples h apart whose response C(w) = sum_k c_k cos(k h w) is that of a pixel, sinc(a w / 2), up to the end of the
 // band of an intensity, |w| = 2.
@@ -98,7 +37,7 @@ struct PixelTaps {
             const double turn = 0.5 * step * w[i];
             wanted[i] = turn == 0.0 ? 1.0 : std::sin(turn) / turn;
         }
-        LeastSquares fit(wanted, most, 1e-12);
+        LeastSquares fit({wanted}, most, 1e-12);
         std::vector<std::vector<double>> basis;
         for (std::size_t half = 0; half < most; ++half) {
             for (std::size_t i = 0; i < degree; ++i) {

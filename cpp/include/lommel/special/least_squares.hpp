@@ -1,10 +1,12 @@
-// Linear least squares of matrices of some hundred columns, on one thread: libraries of linear algebra share such among threads
-// that wait for one another, up to seconds where other programs have the processors.
+// Linear least squares of some hundred unknowns, on one thread: libraries of linear algebra share such among threads that wait for
+// one another, up to seconds where other programs have the processors.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "lommel/base/once.hpp"
@@ -12,94 +14,122 @@
 
 namespace lommel {
 
-// The x that make |A x - b|^2 + |r x|^2 least, of each column b, by Householder's reflections: r is 1e-13 of the norm of A at most,
-// so that directions in which A is smaller do not make x large. A[row][unknown], b[row][side], x[unknown][side].
+// Least squares by Householder's reflections, one unknown after the other; a term of its own keeps each small where nothing else
+// decides. Whatever the solutions are off by, who calls sees from the residuals.
 class LeastSquares {
    public:
-    LeastSquares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted);
-    void solve(double* found);
+    // Of at most so many unknowns, for each of some right sides.
+    LeastSquares(std::vector<std::vector<double>> wanted, std::size_t most, double small)
+        : equations_(wanted[0].size()), small_(small), rest_(std::move(wanted)) {
+        for (std::vector<double>& side : rest_) {
+            side.resize(equations_ + most, 0.0);
+        }
+    }
+
+    // Adds an unknown, with what it counts in each equation.
+    template <class I = Portable>
+    LOMMEL_INLINE void add(const std::vector<double>& factors) {
+        const std::size_t k = columns_.size();
+        std::vector<double> column(factors);
+        column.resize(equations_ + k, 0.0);
+        column.push_back(small_);
+        for (std::size_t j = 0; j < k; ++j) {
+            reflect<I>(j, column);
+        }
+        const double square = dot<I>(&column[k], &column[k], equations_ + 1);
+        const double diagonal = column[k] > 0.0 ? -std::sqrt(square) : std::sqrt(square);
+        scales_.push_back(square - column[k] * diagonal);  // half of the square of the reflected vector
+        diagonals_.push_back(diagonal);
+        column[k] -= diagonal;
+        columns_.push_back(std::move(column));
+        for (std::vector<double>& side : rest_) {
+            reflect<I>(k, side);
+        }
+    }
+
+    std::vector<double> solution(std::size_t side = 0) const {
+        std::vector<double> x(rest_[side].begin(), rest_[side].begin() + static_cast<std::ptrdiff_t>(columns_.size()));
+        for (std::size_t k = x.size(); k-- > 0;) {
+            x[k] /= diagonals_[k];
+            for (std::size_t i = 0; i < k; ++i) {
+                x[i] -= columns_[k][i] * x[k];
+            }
+        }
+        return x;
+    }
 
    private:
-    static constexpr double ridge = 1e-13;
-    double* column(std::size_t j) { return columns_.data() + j * height_; }
+    // From the diagonal to the term of its own, beyond which all is 0, there are as many rows as equations, and one.
+    template <class I>
+    LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
+        const std::size_t count = equations_ + 1;
+        const double* const by = &columns_[k][k];
+        double* const to = &of[k];
+        const double sum = dot<I>(by, to, count) / scales_[k];
+        for (std::size_t i = 0; i < count; ++i) {
+            to[i] -= sum * by[i];
+        }
+    }
+    template <class I>
+    LOMMEL_INLINE static double dot(const double* a, const double* b, std::size_t count) {
+        using V = typename I::pack;
+        constexpr std::size_t lanes = I::lanes, at_once = 4;
+        V sums[at_once] = {};  // none of which waits for another
+        std::size_t i = 0;
+        for (; i + at_once * lanes <= count; i += at_once * lanes) {
+            for (std::size_t s = 0; s < at_once; ++s) {
+                sums[s] = sums[s] + load<V>(a + i + s * lanes) * load<V>(b + i + s * lanes);
+            }
+        }
+        double parts[lanes];
+        store(parts, (sums[0] + sums[1]) + (sums[2] + sums[3]));
+        return std::inner_product(a + i, a + count, b + i, std::accumulate(parts, parts + lanes, 0.0));
+    }
 
-    std::size_t rows_, unknowns_, sides_, height_;
-    std::vector<double> columns_;  // of A above r, then b above 0
+    std::size_t equations_;
+    double small_;
+    std::vector<std::vector<double>> rest_;
+    std::vector<double> scales_, diagonals_;
+    std::vector<std::vector<double>>
+        columns_;  // above the diagonal what is left of them, from there on the vector to reflect at
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE LeastSquares::LeastSquares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix,
-                                       const double* wanted)
-    : rows_(rows), unknowns_(unknowns), sides_(sides), height_(rows + unknowns), columns_((unknowns + sides) * height_, 0.0) {
-    double largest = 0.0;
-    for (std::size_t j = 0; j < unknowns_ + sides_; ++j) {
-        const bool of_matrix = j < unknowns_;
-        const double* const from = of_matrix ? matrix + j : wanted + (j - unknowns_);
-        double square = 0.0;
-        for (std::size_t i = 0; i < rows_; ++i) {
-            column(j)[i] = from[i * (of_matrix ? unknowns_ : sides_)];
-            square += column(j)[i] * column(j)[i];
-        }
-        largest = of_matrix ? std::max(largest, square) : largest;
-    }
-    for (std::size_t j = 0; j < unknowns_; ++j) {
-        column(j)[rows_ + j] = ridge * std::sqrt(largest * static_cast<double>(unknowns_));
-    }
-}
+// The x[unknown][side] that make |A x - b| least for A[row][unknown] and each column of b[row][side], in directions in which A is not
+// below about 1e-13 of the largest: each unknown has a term of so much of the largest column, times the root of their number.
+void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
+                   double* found);
 
-LOMMEL_ONCE void LeastSquares::solve(double* found) {
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        using V = typename decltype(isa)::pack;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(double);
-        const auto dot = [](const double* a, const double* b, std::size_t count) LOMMEL_INLINE_LAMBDA {
-            V sums[4] = {};
-            std::size_t i = 0;
-            for (; i + 4 * lanes <= count; i += 4 * lanes) {
-                for (std::size_t s = 0; s < 4; ++s) {
-                    sums[s] = sums[s] + load<V>(a + i + s * lanes) * load<V>(b + i + s * lanes);
-                }
-            }
-            double parts[lanes], sum = 0.0;
-            store(parts, (sums[0] + sums[1]) + (sums[2] + sums[3]));
-            for (const double part : parts) {
-                sum += part;
-            }
-            for (; i < count; ++i) {
-                sum += a[i] * b[i];
-            }
-            return sum;
-        };
-        for (std::size_t j = 0; j < unknowns_; ++j) {
-            // From the diagonal to the j-th row of r; below, r has not been touched.
-            const std::size_t count = rows_ + 1;
-            double* const own = column(j) + j;
-            const double norm = std::sqrt(dot(own, own, count)), first = own[0];
-            if (norm == 0.0) {
-                continue;
-            }
-            const double head = first + std::copysign(norm, first), scale = 1.0 / (norm * std::abs(head));
-            own[0] = head;
-            for (std::size_t k = j + 1; k < unknowns_ + sides_; ++k) {
-                double* const other = column(k) + j;
-                const double by = dot(own, other, count) * scale;
-                for (std::size_t i = 0; i < count; ++i) {
-                    other[i] -= by * own[i];
-                }
-            }
-            own[0] = -std::copysign(norm, first);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix,
+                               const double* wanted, double* found) {
+    const auto columns = [&](const double* from, std::size_t count) {
+        std::vector<std::vector<double>> made(count, std::vector<double>(rows));
+        for (std::size_t i = 0; i < rows * count; ++i) {
+            made[i % count][i / count] = from[i];
         }
-        for (std::size_t side = 0; side < sides_; ++side) {
-            double* const from = column(unknowns_ + side);
-            for (std::size_t j = unknowns_; j-- > 0;) {
-                const double* const own = column(j);
-                const double x = own[j] == 0.0 ? 0.0 : from[j] / own[j];
-                found[j * sides_ + side] = x;
-                for (std::size_t i = 0; i < j; ++i) {
-                    from[i] -= x * own[i];
-                }
-            }
+        return made;
+    };
+    const auto given = columns(matrix, unknowns);
+    double largest = 0.0;
+    for (const std::vector<double>& column : given) {
+        largest = std::max(largest, std::inner_product(column.begin(), column.end(), column.begin(), 0.0));
+    }
+    if (largest == 0.0) {
+        std::fill_n(found, unknowns * sides, 0.0);
+        return;
+    }
+    LeastSquares fit(columns(wanted, sides), unknowns, 1e-13 * std::sqrt(largest * static_cast<double>(unknowns)));
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        for (const std::vector<double>& column : given) {
+            fit.add<decltype(isa)>(column);
         }
     });
+    for (std::size_t side = 0; side < sides; ++side) {
+        const std::vector<double> x = fit.solution(side);
+        for (std::size_t j = 0; j < unknowns; ++j) {
+            found[j * sides + side] = x[j];
+        }
+    }
 }
 #endif
 

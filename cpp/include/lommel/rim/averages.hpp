@@ -36,7 +36,7 @@ class RimStack {
         Level level;
         std::size_t first, here;
         bool lone;
-        std::size_t pupils() const { return lone ? 1 : RimKernels::lanes(level); }  // what lanes hold, some twice
+        std::size_t lanes() const { return RimKernels::lanes(level); }
     };
     // Where few are left over, one by one.
     struct Batches {
@@ -55,7 +55,7 @@ class RimStack {
     };
     // Coefficients of some pupils in lanes, of the aperture or of its obscuration.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
-        const std::size_t lanes = batch.pupils(), first = batch.first, here = batch.here, terms = stack_.terms.size();
+        const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
         scratch.coefficients.resize(terms * lanes);
         if (line != nullptr) {
@@ -145,9 +145,9 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
                      thread_local RimScratch scratch;
                      const Batch batch = batches[b];
                      gather(batch, false, nullptr, scratch);
-                     scratch.e.resize(2 * disk->slopes.orders.size() * batch.pupils());
-                     scratch.mean.resize(batch.pupils());
-                     scratch.largest.resize(batch.pupils());
+                     scratch.e.resize(2 * disk->slopes.orders.size() * batch.lanes());
+                     scratch.mean.resize(batch.lanes());
+                     scratch.largest.resize(batch.lanes());
                      RimKernels::mean(batch.level, batch.lone, *disk, scratch);
                      for (std::size_t lane = 0; lane < batch.here; ++lane) {
                          const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
@@ -231,7 +231,7 @@ LOMMEL_ONCE void RimAverages::run(int threads) const {
 
 LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) const {
     thread_local RimScratch scratch;
-    const std::size_t lanes = RimKernels::lanes(batch.level);
+    const std::size_t lanes = batch.lanes();
     for (std::size_t d = 0; d < table_->rims.size(); ++d) {
         gather(batch, d == 1, lines_[d].get(), scratch);
         const double edge = (d == 0 ? stack_.amplitude : within_).at(1.0);

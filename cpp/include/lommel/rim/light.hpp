@@ -202,7 +202,7 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
             for (std::size_t r = 0; r < size; ++r) {
                 const std::size_t angle = from + r, first = angle / lanes * lanes;
                 scratch.turned[first + order.place(angle % lanes)] +=
-                    scratch.phases[c] * line.phases[from * columns + c * size + r];
+                    scratch.phases[c * lanes] * line.phases[from * columns + c * size + r];
             }
         }
     });
@@ -231,8 +231,8 @@ LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const R
     constexpr std::size_t lanes = sizeof(V) / sizeof(float), K = rim_orders, numbers = 2 * K, vectors = numbers / lanes;
     static_assert(K % lanes == 0, "k fill vectors");
     const std::size_t angles = rim.angles, half = angles / 2, quarter = angles / 4, most = angles / 4 + 1;
-    scratch.e.resize(2 * line.slopes.orders.size());
-    slopes_of_pupil(line.slopes, 0, false, scratch.coefficients.data(), scratch.e.data());
+    scratch.e.resize(2 * line.slopes.orders.size() * lanes);
+    slopes_of_circle(isa, line.slopes, 0, scratch.coefficients.data(), scratch.e.data());
     scratch.folded.resize(std::max(4 * quarter * numbers, 2 * angles));
     rim_edge(isa, line, static_cast<float>(amplitude), scratch, scratch.folded.data());
     scratch.points.resize(angles * numbers);
@@ -631,15 +631,15 @@ LOMMEL_ONCE void RimKernels::mean(Level level, bool lone, const RimDisk& disk, R
     if (lone) {
         return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-                mean_of_pupil<decltype(degree)::value>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
-                                                       scratch.mean.data(), scratch.largest.data());
+                mean_of_disk<decltype(degree)::value, true>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
+                                                            scratch.mean.data(), scratch.largest.data());
             });
         });
     }
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-            mean_of_disk<decltype(degree)::value>(isa, disk, scratch.coefficients.data(), scratch.e.data(), scratch.mean.data(),
-                                                  scratch.largest.data());
+            mean_of_disk<decltype(degree)::value, false>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
+                                                         scratch.mean.data(), scratch.largest.data());
         });
     });
 }

@@ -158,18 +158,6 @@ LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circl
     }
 }
 
-// The same of one pupil, [E][re, im].
-inline void slopes_of_pupil(const RimSlopes& table, std::size_t circle, bool moduli, const float* coefficients, float* e) {
-    const std::size_t count = 2 * table.orders.size();
-    const float* weights = table.weights.data() + circle * table.parts.size();
-    std::copy_n(table.fixed.data() + circle * count, count, e);
-    std::for_each(e, e + count, [&](float& part) { part = moduli ? std::abs(part) : part; });
-    for (std::size_t i = 0; i < table.parts.size(); ++i) {
-        const float part = weights[i] * coefficients[table.parts[i].term];
-        e[table.parts[i].at] += moduli ? std::abs(part) : part;
-    }
-}
-
 constexpr std::size_t rim_side = 8;  // angles side by side
 
 // Cosines and sines of mu theta, mu = 0, 1, .., at angles (l + 1/2) 2 pi / count of half a circle.
@@ -201,10 +189,11 @@ struct RimTurns {
 };
 
 // Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn on, from P there: q[point][k][re, im]. Of phases of such a degree
-// at most, in which loops are unrolled. Lanes hold pupils, or angles of one pupil, whose E are numbers then.
+// at most, in which loops are unrolled. Lanes hold pupils, or angles of one pupil,
+// whose E are the same in all.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
-    constexpr std::size_t lanes = Lone ? 1 : sizeof(V) / sizeof(float);
+    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
         // Orders from -(degree - 1 - j) to degree - 1 - j, every other of which is even.
@@ -213,18 +202,9 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
         for (std::size_t parity = 0; parity < 2; ++parity) {
             V rc = splat<V>(0.0f), ic = rc, rs = rc, is = rc;
             const auto add = [&](std::size_t i, std::size_t order, bool down) LOMMEL_INLINE_LAMBDA {
-                V c, s, a, b;
-                if constexpr (Lone) {
-                    c = load<V>(turns + 2 * order * rim_side);
-                    s = load<V>(turns + (2 * order + 1) * rim_side);
-                    a = splat<V>(e[2 * (from + i)]);
-                    b = splat<V>(e[2 * (from + i) + 1]);
-                } else {
-                    c = splat<V>(turns[2 * order]);
-                    s = splat<V>(turns[2 * order + 1]);
-                    a = load<V>(e + 2 * (from + i) * lanes);
-                    b = load<V>(e + (2 * (from + i) + 1) * lanes);
-                }
+                const float* const turn = turns + 2 * order * (Lone ? rim_side : 1);
+                const V c = Lone ? load<V>(turn) : splat<V>(turn[0]), s = Lone ? load<V>(turn + rim_side) : splat<V>(turn[1]);
+                const V a = load<V>(e + 2 * (from + i) * lanes), b = load<V>(e + (2 * (from + i) + 1) * lanes);
                 rc = rc + a * c;
                 ic = ic + b * c;
                 rs = down ? rs - a * s : rs + a * s;
@@ -297,22 +277,24 @@ struct RimDisk {
 };
 
 // The mean of |Q_K / (K! unit^K)|^2 over the disk, [lane], and of what its sums of moduli would be, to which roundings are relative.
-template <std::size_t Degree, class I>
+// Lanes are as in rim_powers().
+template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+    static_assert(!Lone || rim_side % lanes == 0, "blocks are vectors");
     const V zero = splat<V>(0.0f);
     V all = zero, most = zero;
     for (std::size_t circle = 0; circle < disk.weights.size(); ++circle) {
         slopes_of_circle(isa, disk.slopes, circle, coefficients, e);
         V sum = zero;
-        for (std::size_t l = 0; l < disk.turns.count / 2; ++l) {
+        for (std::size_t l = 0; l < disk.turns.count / 2; l += Lone ? lanes : 1) {
             V q[2][rim_orders + 1][2];
             for (auto& point : q) {
                 point[0][0] = splat<V>(1.0f);
                 point[0][1] = zero;
             }
-            rim_powers<Degree, rim_orders, false>(isa, disk.slopes, disk.turns.at(l), e, q);
+            rim_powers<Degree, rim_orders, Lone>(isa, disk.slopes, Lone ? disk.turns.from(l) : disk.turns.at(l), e, q);
             for (const auto& point : q) {
                 const V re = point[rim_orders][0], im = point[rim_orders][1];
                 sum = sum + (re * re + im * im);
@@ -340,50 +322,9 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
     }
     store(mean, all);
     store(moduli, most);
-}
-
-// The same of one pupil, whose angles are side by side.
-template <std::size_t Degree, class I>
-LOMMEL_INLINE void mean_of_pupil(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
-    using V = typename I::floats;
-    constexpr std::size_t lanes = sizeof(V) / sizeof(float);
-    static_assert(rim_side % lanes == 0, "blocks are vectors");
-    float all = 0.0f, most = 0.0f;
-    for (std::size_t circle = 0; circle < disk.weights.size(); ++circle) {
-        slopes_of_pupil(disk.slopes, circle, false, coefficients, e);
-        V sum = splat<V>(0.0f);
-        for (std::size_t l = 0; l < disk.turns.count / 2; l += lanes) {
-            V q[2][rim_orders + 1][2];
-            for (auto& point : q) {
-                point[0][0] = splat<V>(1.0f);
-                point[0][1] = splat<V>(0.0f);
-            }
-            rim_powers<Degree, rim_orders, true>(isa, disk.slopes, disk.turns.from(l), e, q);
-            for (const auto& point : q) {
-                const V re = point[rim_orders][0], im = point[rim_orders][1];
-                sum = sum + (re * re + im * im);
-            }
-        }
-        float squares[lanes];
-        store(squares, sum);
-        slopes_of_pupil(disk.slopes, circle, true, coefficients, e);
-        float size[Degree] = {}, power[rim_orders + 1] = {1.0f};
-        for (std::size_t j = 0, i = 0; j < std::min(Degree, disk.slopes.degree); ++j) {
-            for (; i < 2 * disk.slopes.ends[j]; ++i) {
-                size[j] += e[i];
-            }
-        }
-        for (std::size_t k = 0; k < rim_orders; ++k) {
-            for (std::size_t j = 0; j < std::min(k + 1, Degree); ++j) {
-                power[k + 1] += size[j] * power[k - j] / static_cast<float>(k + 1);
-            }
-        }
-        const float weight = static_cast<float>(disk.weights[circle]);
-        all += std::accumulate(squares, squares + lanes, 0.0f) * weight / static_cast<float>(disk.turns.count);
-        most += power[rim_orders] * power[rim_orders] * weight;
+    if constexpr (Lone) {  // of all angles
+        mean[0] = std::accumulate(mean, mean + lanes, 0.0f);
     }
-    *mean = all;
-    *moduli = most;
 }
 
 }  // namespace lommel

@@ -292,7 +292,7 @@ def rim_boxes(stack: DiskStack, window: Window, tol: float, lowest: float, threa
     sides, axes, numbers = np.empty((2, count), np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
     compute: Callable[..., bool] = _core.rim_boxes
     pays = compute(*stack, *window.center, *window.shape, window.step, tol, lowest, threads, sides, axes, numbers)
-    return RimBoxes(*sides, axes, *numbers) if pays else None
+    return RimBoxes(sides[0], sides[1], axes, numbers[0], numbers[1]) if pays else None
 
 
 def rim_averages(

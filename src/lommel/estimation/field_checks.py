@@ -53,7 +53,7 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     lacking = _lacking(model, x, places)
     images = [image for one in lacking for image in one.images]
     values, slopes = model.images(x)
-    local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[3], images)[1]
+    local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
     shared = k + widths + len(images)
     wider = monomials(places[chosen, 0], places[chosen, 1], degree + 1)
@@ -93,7 +93,7 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     constants = lacking_constants(stars.one.pupil, stars.known, ())
     every = *terms, *constants
     made = stars.with_further(every).images(model.chosen, *parts, fast=True, slopes="others")
-    flux = parts[3][:, 0].reshape(-1, 1, 1)
+    flux = parts[2][:, 2].reshape(-1, 1, 1)
     phase = flux * np.tile(stars.ratio, r)[:, None, None]
     found = [*lacking_terms(terms, [phase * image for image in made[1 : 1 + len(terms)]])]
     for name, slope in zip(constants, made[1 + len(terms) : 1 + len(every)], strict=True):
@@ -108,7 +108,7 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
         found.append(uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:
         found.append(lacking_slopes(r * e, stars.shape, e))
-    found.append(lacking_gain(stars.expected(made[0], parts[3]).reshape(made[0].shape)))
+    found.append(lacking_gain(stars.expected(made[0], parts[2]).reshape(made[0].shape)))
     return found
 
 
@@ -120,7 +120,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     values, slopes = model.images(x)
     r, e = len(chosen), stars.exposures
     others = lacking_slopes(r * e, stars.shape, e).images
-    local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[3], others)[1]
+    local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], others)[1]
     first = model.waves + e * stars.widths
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)
     own, mixed = local[:, rest[:, None], rest], local[:, rest[:, None], at]

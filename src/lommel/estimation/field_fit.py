@@ -24,7 +24,7 @@ from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
-from lommel.estimation.field_stars import FieldStars, WholeField
+from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, Unknowns, label
 from lommel.estimation.target_readout import Target, relative_light
@@ -808,11 +808,11 @@ def _answer(
     own[found.model.chosen] = found.of_stars()
     if len(lost):
         own[lost] = search.placed(lost, polynomials, squares)
-    whole = WholeField(stars, every, search.basis(every), held=True)
-    row = whole.row(polynomials, squares, own[:, :2], own[:, 2:])
+    whole = search.model(every, held=True)
+    row = whole.row(polynomials, squares, own)
     psf = stars.images(every, *whole.parts(row), fast=False, slopes="none")[0]
-    each = stars.quality(every, psf, own[:, 2:], float(stars.own * stars.exposures))
-    model = stars.expected(psf, own[:, 2:])
+    each = stars.quality(every, psf, own, float(stars.own * stars.exposures))
+    model = stars.expected(psf, own)
     centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [
         counts.values.shape[2] // 2,
         counts.values.shape[3] // 2,

@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -72,18 +73,15 @@ class Found:
 
     def of_stars(self) -> Array:
         """Return the parameters of each star: places, light and angles (r, own, e)."""
-        _, _, tilts, light = self.model.parts(self.x)
-        return np.concatenate([tilts, light], axis=1)
+        return self.model.parts(self.x)[2].copy()
 
     def polynomials(self) -> Array:
         """Return the coefficients (k, m)."""
-        k, m = self.model.waves, self.model.basis.shape[1]
-        return self.x[0, : k * m].reshape(k, m).copy()
+        return self.model.polynomials(self.x).copy()
 
     def squares(self) -> Array:
         """Return the squared widths of the blur (e, b)."""
-        found = self.x[0, self.model.waves * self.model.basis.shape[1] : self.model.shared]
-        return np.array(found.reshape(self.model.of.exposures, -1))
+        return np.array(self.model.squares(self.x)[0])
 
 
 class Rival(NamedTuple):
@@ -164,7 +162,6 @@ class Search:
         self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
         self.squares = np.full((stars.exposures, stars.widths), _BLUR**2 / max(stars.widths, 1))
         self.widest = (_WIDEST * min(stars.shape)) ** 2
-        self.taken = 0
         self.latest: WholeField | None = None
         directions = stars.one.directions
         self.metric = (directions * stars.one.mean_squares) @ directions.T
@@ -173,6 +170,10 @@ class Search:
         """Return the polynomials at stars."""
         u, v = self.places[chosen].T
         return monomials(u, v, self.degree if degree is None else degree)
+
+    def model(self, chosen: NDArray[np.intp], *, held: bool = False) -> WholeField:
+        """Return the model of stars, whose polynomials and blur may be held."""
+        return WholeField(self.stars, chosen, self.basis(chosen), held=held)
 
     def brightest(self) -> NDArray[np.intp]:
         """Return the stars to fit by themselves: the brightest, and not more than the search needs."""
@@ -192,18 +193,15 @@ class Search:
         best, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
         sure = np.zeros(len(chosen), dtype=bool)
         open_ = np.arange(len(chosen))
-        ambiguous = stars.one.sign_ambiguous
         for turn in range(_STARTS):
-            rows = chosen[open_]
-            x = self._random(rows, scatter=turn > 0 or ambiguous)
-            model = SingleStars(self.rough, rows, self.widest)
+            model = SingleStars(self.rough, chosen[open_], self.widest)
+            x = self._random(model, scatter=turn > 0 or stars.one.sign_ambiguous)
 
             def report(step: int, value: float, turn: int = turn) -> None:
                 self.report(share[0] + share[1] * (turn + step / _STEPS) / _STARTS, value)
 
             with suppress(Declined, ToleranceError):
-                x, scores, _, taken = search_rows(model, x, _STEPS, report, fast=True)
-                self.taken += taken
+                x, scores, *_ = search_rows(model, x, _STEPS, report, fast=True)
                 before = chi2[open_]
                 better = scores.chi2 < before
                 best[open_[better]], chi2[open_[better]] = x[better], scores.chi2[better]
@@ -217,19 +215,18 @@ class Search:
                 break
         return best, chi2, sure
 
-    def _random(self, rows: NDArray[np.intp], *, scatter: bool) -> Array:
+    def _random(self, model: SingleStars, *, scatter: bool) -> Array:
         stars = self.stars
         names = stars.one.unknowns.terms
         size = np.full(len(names), _SCATTER[1])
         size[: min(3, len(names))] = _SCATTER[0]
-        waves = stars.start[rows].copy()
+        waves = stars.start[model.chosen].copy()
         if scatter:
             waves += self.draw.normal(size=waves.shape) * size
-        squares = np.broadcast_to(self.squares, (len(rows), *self.squares.shape))
-        return stars.joined(waves, squares, self._centred(rows, waves), stars.first(rows))
+        return model.row(waves, self.squares, self._centred(model.chosen, waves))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
-        """Return tilts with which stars of these wavefronts have their light where it is."""
+        """Return places, with which stars of these wavefronts have their light where it is, light and angles."""
         one = self.stars.one
         tilts = self._centroids[rows].copy()
         edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
@@ -237,13 +234,11 @@ class Search:
             m = SHIFTS[place][1]
             # Light is where the mean slope of the phase is: each term R_n^1 moves it as far as a tilt.
             tilts[:, j] -= edge[:, :, [c for c, term in enumerate(one.terms) if term[1] == m]].sum(axis=-1)
-        return tilts
+        return self.stars.begun(rows, tilts)
 
-    @property
+    @cached_property
     def _centroids(self) -> Array:
-        if "_kept" not in vars(self):
-            self._kept = self.stars.centroids()
-        return self._kept
+        return self.stars.centroids()
 
     def from_start(self) -> Found | None:
         """Return the fit of the brightest stars from the given wavefronts, None where these are not near enough."""
@@ -261,17 +256,15 @@ class Search:
         """Yield polynomials with defocus and spherical aberration added all over the field, those that fit best."""
         names = self.stars.one.unknowns.terms
         shifts = [_SHIFTS.get(term_of(name) or (0, 0), (0.0,)) for name in names]
-        basis, found = self.basis(chosen), []
-        held = WholeField(self.stars, chosen, basis, held=True)
+        held, found = self.model(chosen, held=True), []
         for added in itertools.product(*shifts):
             if not any(added):
                 continue
-            tried = np.zeros((len(names), basis.shape[1]))
+            tried = np.zeros((len(names), held.basis.shape[1]))
             tried[:, : polynomials.shape[1]] = polynomials
             tried[:, 0] += added
             with suppress(Declined, ToleranceError):
-                own = self.placed(chosen, tried, squares)
-                x = held.row(tried, squares, own[:, :2], own[:, 2:])
+                x = held.row(tried, squares, self.placed(chosen, tried, squares))
                 found.append((float(np.median(held.each(x, fast=True).chi2)), tried))
         yield from (tried for _, tried in sorted(found, key=lambda each: each[0])[:_SCANNED])
 
@@ -293,23 +286,15 @@ class Search:
             usable = alike
         chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
-        waves, squares, _, _ = stars.split(x)
+        waves, squares, _ = SingleStars(stars, chosen, self.widest).parts(x)
         good = chi2 <= _FOLLOWS * np.median(chi2)
         square = np.median(squares[good], axis=0)
         degree = self._least_degree(len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
         if self.one_focus and (stars.one.even * stars.one.directions).any():
             even = (self._whole(chosen, waves) * stars.one.even) * np.sqrt(stars.one.mean_squares)
-            tried = candidates(
-                self.places[chosen],
-                waves,
-                even,
-                lambda w: self.negated(chosen, w),
-                bases,
-                quality,
-                self.metric,
-                self.draw,
-            )
+            negated = partial(self.negated, chosen)
+            tried = candidates(self.places[chosen], waves, even, negated, bases, quality, self.metric, self.draw)
         else:
             tried = iter([(robust(bases[-1], waves, quality, self.metric)[0], waves)])
         best: Found | None = None
@@ -360,35 +345,28 @@ class Search:
         m = (self.degree + 1) * (self.degree + 2) // 2
         start = np.zeros((len(polynomials), m))
         start[:, : polynomials.shape[1]] = polynomials[:, :m]
-        model = WholeField(self.stars, chosen, self.basis(chosen))
+        model = self.model(chosen)
         try:
-            if own is None:
-                own = self.placed(chosen, start, squares)
-            x = model.row(start, squares, own[:, :2], own[:, 2:])
+            x = model.row(start, squares, self.placed(chosen, start, squares) if own is None else own)
             self.latest = model
 
             def report(step: int, value: float) -> None:
                 self.report(share[0] + share[1] * step / (most + 1), value)
 
-            x, scores, settled, taken = search_rows(model, x, most, report, fast=fast)
+            x, scores, settled, _ = search_rows(model, x, most, report, fast=fast)
         except (Declined, ToleranceError):
             return None
-        self.taken += taken
         return Found(model, x, scores, bool(settled[0]))
 
     def placed(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Array:
         """Return places, light and angles (r, own, e) of stars whose wavefronts are known."""
-        model = WholeField(self.stars, chosen, self.basis(chosen), held=True)
-        waves = model.basis @ polynomials.T
-        tilts = self._centred(chosen, waves)
-        first = self.stars.first(chosen)
-        x = model.row(polynomials, squares, tilts, first)
+        model = self.model(chosen, held=True)
+        own = self._centred(chosen, model.basis @ polynomials.T)
         if not self.stars.cornered:  # whose places are known to a pixel
-            tilts += self.stars.shifts(chosen, model.images(x, fast=True)[0]) * self.stars.one.tilt_of_pixel
-        x = model.row(polynomials, squares, tilts, first)
-        x, _, _, taken = search_rows(model, x, 6, lambda *_: None, fast=True)
-        self.taken += taken
-        return np.concatenate(model.parts(x)[2:], axis=1)
+            psf = model.images(model.row(polynomials, squares, own), fast=True)[0]
+            own[:, :2] += self.stars.shifts(chosen, psf) * self.stars.one.tilt_of_pixel
+        x, *_ = search_rows(model, model.row(polynomials, squares, own), 6, _silent, fast=True)
+        return model.parts(x)[2]
 
     def cleaned(self, found: Found, share: tuple[float, float]) -> tuple[Found, NDArray[np.intp]]:
         """Return the fit without stars that do not fit, and those."""
@@ -411,16 +389,16 @@ class Search:
     def whole(self, found: Found) -> tuple[Found, NDArray[np.intp]]:
         """Return the fit of all stars from that of some, without stars that do not fit, and those."""
         every = np.arange(self.stars.count)
-        basis, polynomials, squares = self.basis(every), found.polynomials(), found.squares()
+        polynomials, squares = found.polynomials(), found.squares()
         others = np.setdiff1d(every, found.model.chosen)
         bad = np.zeros(len(every), dtype=bool)
         wide: Found | None = None
         if len(others):
             own = np.empty((len(every), self.stars.own, self.stars.exposures))
             own[found.model.chosen], own[others] = found.of_stars(), self.placed(others, polynomials, squares)
-            held = WholeField(self.stars, every, basis, held=True)
-            bad = outliers(held.each(held.row(polynomials, squares, own[:, :2], own[:, 2:]), fast=True))
-            if bad.mean() > _MOST_LOST or (~bad).sum() <= basis.shape[1]:
+            held = self.model(every, held=True)
+            bad = outliers(held.each(held.row(polynomials, squares, own), fast=True))
+            if bad.mean() > _MOST_LOST or (~bad).sum() <= held.basis.shape[1]:
                 bad[:] = False
             if not np.array_equal(every[~bad], found.model.chosen):
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
@@ -591,14 +569,14 @@ class Search:
         """Leave out pixels that rays have struck of stars that follow the field but for these."""
         stars, squares = self.stars, found.squares()
         before = stars.star[:, lost].copy()
-        held = WholeField(stars, lost, self.basis(lost), held=True)
+        held = self.model(lost, held=True)
         fits = np.zeros(len(lost), dtype=bool)
         with suppress(Declined, ToleranceError):
             for _ in range(_ROUNDS):
                 own = self.placed(lost, found.polynomials(), squares)
-                x = held.row(found.polynomials(), squares, own[:, :2], own[:, 2:])
+                x = held.row(found.polynomials(), squares, own)
                 psf = stars.images(lost, *held.parts(x), fast=True, slopes="none")[0]
-                each = stars.quality(lost, psf, own[:, 2:], float(stars.own * stars.exposures))
+                each = stars.quality(lost, psf, own, float(stars.own * stars.exposures))
                 fits = each.chi2 < goodness_of_fit.most(each.spread, SURE)
                 counted, read, _, valid = stars.star[:, lost].reshape(4, len(psf), *stars.shape)
                 flux, level = own[:, 2:4].swapaxes(0, 1).reshape(2, -1, 1, 1)
@@ -615,26 +593,22 @@ class Search:
         """Return which stars fit from wavefronts of a field on, or from random ones, and the wavefronts (r, k)."""
         stars, squares = self.stars, found.squares()
         model = self.basis(lost) @ found.polynomials().T
-        fits, waves = np.zeros(len(lost), dtype=bool), model.copy()
+        fits, waves, alone = np.zeros(len(lost), dtype=bool), model.copy(), SingleStars(stars, lost, self.widest)
         with suppress(Declined, ToleranceError):
             own = self.placed(lost, found.polynomials(), squares)
-            x = stars.joined(model, np.broadcast_to(squares, (len(lost), *squares.shape)), own[:, :2], own[:, 2:])
-            x, scores, _, taken = search_rows(
-                SingleStars(stars, lost, self.widest), x, _STEPS, lambda *_: None, fast=True
-            )
-            self.taken += taken
-            fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), stars.split(x)[0]
+            x, scores, *_ = search_rows(alone, alone.row(model, squares, own), _STEPS, _silent, fast=True)
+            fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), alone.wavefronts(x)
         again = ~fits & ~np.isin(lost, self.unlike)
         if again.any():
             x, chi2, sure = self.singles(lost[again], (0.87, 0.0))
-            other = stars.split(x)[0]
+            other = alone.wavefronts(x)
             if stars.one.sign_ambiguous:
                 turned, near = self.negated(lost[again], other), model[again]
                 apart = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, turned)]
                 other = np.where((apart[1] < apart[0])[:, None], turned, other)
-            alone = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
-            self.unlike = np.union1d(self.unlike, lost[again][~alone])
-            waves[again], fits[again] = other, alone
+            fit = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
+            self.unlike = np.union1d(self.unlike, lost[again][~fit])
+            waves[again], fits[again] = other, fit
         return fits, waves
 
     @staticmethod
@@ -649,10 +623,10 @@ class Search:
             self.places = places
             found, lost = self.whole(self._on_slopes(found))
         tests, marginal = missing_tests(found.model, found.x, self.places, self.degree)
-        chosen, light = found.model.chosen, found.of_stars()[:, 2:]
+        chosen, own = found.model.chosen, found.of_stars()
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
-        bright, held_out = self.stars.bright(chosen, psf, light, float(unknown)), self.held_out(found)
+        bright, held_out = self.stars.bright(chosen, psf, own, float(unknown)), self.held_out(found)
         tested = self.shapes, slopes, tests, marginal, self.rival
         return Outcome(found, lost, held_out, bright, self.places, self.degree, *tested)
 
@@ -660,10 +634,8 @@ class Search:
         """Return a fit with the slope of each background unknown."""
         self.first, self.stars = self.first.on_slopes(), found.model.of.on_slopes()
         self.rough = self.rough.on_slopes()  # another search may begin with single stars
-        model = WholeField(self.stars, found.model.chosen, self.basis(found.model.chosen))
-        own = np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
-        x = model.row(found.polynomials(), found.squares(), own[:, :2], own[:, 2:])
-        return replace(found, model=model, x=x)
+        model, own = self.model(found.model.chosen), np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
+        return replace(found, model=model, x=model.row(found.polynomials(), found.squares(), own))
 
     def held_out(self, found: Found) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""
@@ -677,11 +649,14 @@ class Search:
         rest = self.refined(chosen[~out], found.polynomials(), found.squares(), 6, (0.95, 0.03), own[~out])
         if rest is None:
             return math.nan, math.nan
-        basis = self.basis(chosen[out])
-        model = WholeField(self.stars, chosen[out], basis, held=True)
-        x = model.row(rest.polynomials(), rest.squares(), own[out][:, :2], own[out][:, 2:])
-        _, scores, _, _ = search_rows(model, x, 6, lambda *_: None, fast=True)
+        model = self.model(chosen[out], held=True)
+        x = model.row(rest.polynomials(), rest.squares(), own[out])
+        _, scores, *_ = search_rows(model, x, 6, _silent, fast=True)
         return float(scores.chi2[0]), float(scores.spread[0])
+
+
+def _silent(step: int, chi2: float) -> None:
+    """Report nothing of a short search."""
 
 
 def outliers(each: Quality) -> NDArray[np.bool_]:

@@ -20,7 +20,7 @@ from lommel.estimation.sampled_pupil import SampledPupil
 from lommel.estimation.star_images import StarImages, Unknowns, carrying
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
-from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background
+from lommel.fit.scoring import RowModel, Scores, covariance, flux_background
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import asked_about, output_type
 from lommel.optics.grid import Grid
@@ -147,32 +147,27 @@ class FieldStars:
 
     def shaped(self, shape: Shape) -> FieldStars:
         """Return the same stars behind another blur of unknown widths."""
-        found = copy(self)
-        found.shapes = [shape] * len(self.lights)
-        found.size += (shape.unknown - self.widths) * self.exposures
-        found.tested += (self.widths - shape.unknown) * self.exposures
-        found.widths = shape.unknown
-        found._readers = [None] * len(self.lights)
-        return found
+        more, lights = (shape.unknown - self.widths) * self.exposures, len(self.lights)
+        size = {"widths": shape.unknown, "size": self.size + more, "tested": self.tested - more}
+        return self._with(shapes=[shape] * lights, _readers=[None] * lights, **size)
 
     def on_slopes(self) -> FieldStars:
         """Return the same stars on backgrounds that slope by row and column, electrons per pixel."""
-        found = copy(self)
-        found.sloped, found.own = True, self.own + 2
-        found.size += 2 * self.exposures
-        found.tested -= 2 * self.exposures
-        return found
+        more = 2 * self.exposures
+        return self._with(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
 
     def with_further(self, names: tuple[Name, ...]) -> FieldStars:
         """Return the same stars, of which images have derivatives by further terms, and by constants."""
-        found = copy(self)
-        found.further = names
-        return found
+        return self._with(further=names)
 
     def through(self, pupils: Sequence[Pupil]) -> FieldStars:
         """Return the same stars through other apertures, one for each wavelength."""
+        return self._with(lights=[light._replace(pupil=one) for light, one in zip(self.lights, pupils, strict=True)])
+
+    def _with(self, **changes: Any) -> FieldStars:
+        """Return stars of the same images with other attributes."""
         found = copy(self)
-        found.lights = [light._replace(pupil=one) for light, one in zip(self.lights, pupils, strict=True)]
+        vars(found).update(changes)
         return found
 
     def leave_out(self, stars: NDArray[np.intp], pixels: NDArray[np.bool_]) -> None:
@@ -182,38 +177,20 @@ class FieldStars:
         self.star[3, stars] *= kept
 
     def images(
-        self,
-        stars: NDArray[np.intp],
-        waves: Array,
-        squares: Array,
-        tilts: Array,
-        rest: Array,
-        *,
-        fast: bool,
-        slopes: str = "all",
+        self, stars: NDArray[np.intp], waves: Array, squares: Array, own: Array, *, fast: bool, slopes: str = "all"
     ) -> list[Array]:
         """Return images of rows (r,) of stars, slopes by edge terms and tilts, by squared widths, by angles.
 
-        `waves` is (r, k), `squares` (r, e, b), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
-        list is (r * e, height, width). `slopes` may be "own", by tilts and angles, those by the wavefront being 0, or
-        "none": values alone; or "others": by the further terms, and of points by `OTHER_BLURS`, for squares that are
-        the same for all rows.
+        `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each image list is (r * e, height, width). `slopes`
+        may be "own", by tilts and angles, those by the wavefront being 0, or "none": values alone; or "others": by
+        the further terms, and of points by `OTHER_BLURS`, for squares that are the same for all rows.
         """
         readers = [self._readout(k, squares, always=slopes == "others") for k in range(len(self.lights))]
         lattice = max(math.prod(self.shape if one is None else one.shape) for one in readers)
         each = self.exposures * lattice * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
         parts = [
-            self._block(
-                readers,
-                stars[s],
-                waves[s],
-                squares[s],
-                tilts[s],
-                rest[s, 2 : 2 + self.angles],
-                fast=fast,
-                slopes=slopes,
-            )
+            self._block(readers, stars[s], waves[s], squares[s], own[s], fast=fast, slopes=slopes)
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
@@ -241,21 +218,20 @@ class FieldStars:
         stars: NDArray[np.intp],
         waves: Array,
         squares: Array,
-        tilts: Array,
-        angles: Array,
+        own: Array,
         *,
         fast: bool,
         slopes: str,
     ) -> list[Array]:
         edge = self.base[stars] + (waves @ self.one.directions)[:, None]
         for j, column in enumerate(self.one.tilts):
-            edge[:, :, column] += tilts[:, j]
+            edge[:, :, column] += own[:, j]
         edge *= self.ratio[:, None]
         parts = []
         for light, reader in zip(self.lights, readers, strict=True):
             at = light.exposures
-            own = edge[:, at], squares[:, at], angles[:, :, at]
-            parts.append(self._in_light(light, reader, *own, fast=fast, slopes=slopes))
+            given = edge[:, at], squares[:, at], own[:, _OWN : _OWN + self.angles, at]
+            parts.append(self._in_light(light, reader, *given, fast=fast, slopes=slopes))
         if len(parts) == 1:
             return parts[0]
         found = [np.empty((len(stars), self.exposures, *self.shape), one.dtype) for one in parts[0]]
@@ -321,24 +297,22 @@ class FieldStars:
         return self._kept[key]
 
     def likelihood(
-        self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, others: Sequence[Array] = ()
+        self, stars: NDArray[np.intp], images: Sequence[Array], own: Array, others: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
         """Return deviance, expectation and variance of chi2 (3, r), slopes and information (r, p, p + 1).
 
         Of all parameters of single stars, with the q `others` (r * e, height, width), derivatives of electrons by
-        what all exposures share, between those that stars share and those of their own. `light` is that of `images`.
+        what all exposures share, between those that stars share and those of their own. `own` is that of `images`.
         """
         r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
-        star, own = self.observed(stars, light)
-        own = np.ascontiguousarray(np.moveaxis(own, 1, 0).reshape(1, 2, r * e))
-        images = [*images, *(self.slants(r) if self.sloped else ()), *others]
-        numbers, products = star_likelihood(images, own, star.reshape(4, r * e, self.pixels), self.threads)
+        slants = self.slants(r) if self.sloped else ()
+        numbers, products = self._products(stars, [*images, *slants, *others], own)
         d = products.shape[-1]
         edge = len(self.one.unknowns.edge)
         # From derivatives of PSFs by edge terms, tilts, blur, angles, of electrons by slopes and others; the PSF, 1
         # and the residual last.
         chain = np.zeros((r, e, self.size + q + 1, d))
-        flux = light[:, 0]
+        flux = own[:, 2]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * (self.ratio * flux)[:, :, None, None]
         chain[:, :, k + e * b + np.arange(q), d - 3 - q + np.arange(q)] = 1.0
         for i in range(e):
@@ -350,67 +324,79 @@ class FieldStars:
             for j in range(_OWN, self.own):
                 chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i] if j < _OWN + self.angles else 1.0
         chain[:, :, -1, -1] = 1.0
-        found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
-        return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
+        found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+        return numbers, found[:, :-1], found[:, -1, -1]
 
-    def observed(self, stars: NDArray[np.intp], light: Array) -> tuple[Array, Array]:
+    def _products(self, stars: NDArray[np.intp], images: Sequence[Array], own: Array) -> tuple[Array, Array]:
+        """Return deviance, expectation and variance of chi2 (3, r), and products (r, e, d, d).
+
+        The products are those of `images`, 1 and the residual.
+        """
+        star, light = self.observed(stars, own)
+        light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
+        numbers, products = star_likelihood(images, light, star.reshape(4, -1, self.pixels), self.threads)
+        each = len(stars), self.exposures
+        return numbers.reshape(3, *each).sum(axis=-1), products.reshape(*each, *products.shape[-2:])
+
+    def observed(self, stars: NDArray[np.intp], own: Array) -> tuple[Array, Array]:
         """Return counts and variances (4, r, e, pixels) less slopes of the background, and flux and background there.
 
         Counts plus the variance of reading are Poisson's around their expectation: what the background adds may be
         taken from the counts and given to the variance.
         """
         whole = len(stars) == self.count and bool((stars == np.arange(self.count)).all())
-        star, own = self.star if whole else self.star[:, stars], light[:, :2]
+        star, light = self.star if whole else self.star[:, stars], own[:, 2:4]
         if not self.sloped:
-            return star, own
-        star, own = star.copy(), own.copy()
-        lowest = self._lowest(light)
-        added = self._slope(light) + lowest[:, :, None]
+            return star, light
+        star, light = star.copy(), light.copy()
+        lowest = self._lowest(own)
+        added = self._slope(own) + lowest[:, :, None]
         star[0] -= added
         star[1:3] += added
-        own[:, 1] -= lowest
-        return star, own
+        light[:, 1] -= lowest
+        return star, light
 
-    def _lowest(self, light: Array) -> Array:
+    def _lowest(self, own: Array) -> Array:
         """Return by how much backgrounds are lower than in the middle, at least at one corner (r, e)."""
-        return np.asarray(np.tensordot(np.abs(light[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
+        return np.asarray(np.tensordot(np.abs(own[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
 
-    def _slope(self, light: Array) -> Array:
-        """Return what slopes of light (r, own - 2, e) add to backgrounds, (r, e, pixels)."""
+    def _slope(self, own: Array) -> Array:
+        """Return what the last two of `own` (r, own, e) add to backgrounds, (r, e, pixels)."""
         y, x = self.slants(1)
-        return np.asarray(light[:, -2, :, None] * y[0].ravel() + light[:, -1, :, None] * x[0].ravel())
+        return np.asarray(own[:, -2, :, None] * y[0].ravel() + own[:, -1, :, None] * x[0].ravel())
 
     def slants(self, images: int) -> list[Array]:
         """Return rows and columns of pixels from the middle, for so many stars (r * e, height, width)."""
         made = np.meshgrid(*(np.arange(side) - side // 2 for side in self.shape), indexing="ij")
         return [np.broadcast_to(one.astype(np.float64), (images * self.exposures, *self.shape)) for one in made]
 
-    def expected(self, psf: Array, light: Array) -> Array:
-        """Return the electrons of each pixel (r, e, pixels), for PSFs and light (r, own - 2, e)."""
-        found = light[:, 0, :, None] * psf.reshape(len(light), self.exposures, -1) + light[:, 1, :, None]
-        return found + self._slope(light) if self.sloped else found
+    def expected(self, psf: Array, own: Array) -> Array:
+        """Return the electrons of each pixel (r, e, pixels), for PSFs and the parameters `own` (r, own, e)."""
+        found = own[:, 2, :, None] * psf.reshape(len(own), self.exposures, -1) + own[:, 3, :, None]
+        return found + self._slope(own) if self.sloped else found
 
-    def quality(self, stars: NDArray[np.intp], values: Array, light: Array, unknown: float) -> Quality:
+    def quality(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> Quality:
         """Return chi2 of single stars, each with so many parameters of its own, from images alone."""
-        r, e = len(stars), self.exposures
-        star, own = self.observed(stars, light)
-        own = np.ascontiguousarray(np.moveaxis(own, 1, 0).reshape(1, 2, r * e))
-        numbers, products = star_likelihood([values], own, star.reshape(4, r * e, self.pixels), self.threads)
-        _, total, spread = numbers.reshape(3, r, e).sum(axis=-1)
-        square = products[0, :, -1, -1].reshape(r, e).sum(axis=-1)
+        (_, total, spread), products = self._products(stars, [values], own)
+        return self.relative(stars, products[..., -1, -1].sum(axis=-1), total, spread, unknown)
+
+    def relative(
+        self, stars: NDArray[np.intp], square: Array, total: Array, spread: Array, unknown: float
+    ) -> Quality:
+        """Return chi2 of single stars of sums of squares, their expectation and variance, and so many parameters."""
         share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
         expected = np.maximum(total * share, 1.0)
         return Quality(square / expected, np.sqrt(spread * share) / expected)
 
-    def bright(self, stars: NDArray[np.intp], values: Array, light: Array, unknown: float) -> tuple[float, float]:
+    def bright(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> tuple[float, float]:
         """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN of too few.
 
         Wrong wavefronts show there, and hardly in the chi2 of whole windows, most of which is background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
-        (counted, _, read, valid), own = self.observed(stars, light)
-        star = own[:, 0, :, None] * psf
-        model = star + own[:, 1, :, None]
+        (counted, _, read, valid), light = self.observed(stars, own)
+        star = light[:, 0, :, None] * psf
+        model = star + light[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
         lit = (valid > 0.0) & (star * star > variance)
         tested = float(lit.sum()) - unknown
@@ -421,19 +407,10 @@ class FieldStars:
         spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * share) / tested
         return float((off * off / variance).sum()) / tested, spread
 
-    def scores(self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, unknown: float) -> Scores:
-        """Return the quality of single stars, each with so many parameters of its own."""
-        (deviance, total, spread), found, square = self.likelihood(stars, images, light)
-        pixels = self.star[3][stars].sum(axis=(1, 2))
-        share = np.maximum(1.0 - unknown / pixels, 0.1)
-        expected = np.maximum(total * share, 1.0)
-        chi2 = square / expected
-        return Scores(deviance, found[:, :, -1], found[:, :, :-1], chi2, np.sqrt(spread * share) / expected)
-
     def light(self, stars: NDArray[np.intp], values: Array, before: Array) -> Array:
         """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs.
 
-        And slopes of the background, if there are, from the light `before`.
+        The slopes of the background, if there are, are those `before`.
         """
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
         (counted, _, read, valid), _ = self.observed(stars, before)
@@ -471,32 +448,19 @@ class FieldStars:
         found = np.stack(signed, axis=1)
         return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
-    def split(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Return waves (r, k), squares (r, e, b), tilts (r, 2, e), light and angles (r, own - 2, e) of parameters."""
-        k, e, b = len(self.one.directions), self.exposures, self.widths
-        own = x[:, k + e * b :].reshape(len(x), self.own, e)
-        return x[:, :k], x[:, k : k + e * b].reshape(len(x), e, b), own[:, :2], own[:, 2:]
-
-    def joined(self, waves: Array, squares: Array, tilts: Array, light: Array) -> Array:
-        """Return the parameters of stars (r, p)."""
-        r = len(waves)
-        return np.concatenate([part.reshape(r, -1) for part in (waves, squares, tilts, light)], axis=1)
-
-    def limited(self, tilts: Array, rest: Array, before: Array) -> None:
+    def limited(self, own: Array, before: Array) -> None:
         """Limit tilts to the window, and flux and angles to steps from those before, in place."""
         for j, largest in enumerate(self.one.largest_tilts):
-            np.clip(tilts[:, j], -largest, largest, out=tilts[:, j])
-        np.maximum(rest[:, 0], 0.1 * before[:, 0], out=rest[:, 0])
+            np.clip(own[:, j], -largest, largest, out=own[:, j])
+        np.maximum(own[:, 2], 0.1 * before[:, 2], out=own[:, 2])
         if self.cornered:
-            np.clip(rest[:, 2:], before[:, 2:] - _TURNED, before[:, 2:] + _TURNED, out=rest[:, 2:])
+            np.clip(own[:, _OWN:], before[:, _OWN:] - _TURNED, before[:, _OWN:] + _TURNED, out=own[:, _OWN:])
 
-    def first(self, rows: NDArray[np.intp]) -> Array:
-        """Return light and angles (r, own - 2, e) to begin with."""
-        found = np.ones((len(rows), self.own - 2, self.exposures))
-        found[:, 2:] = 0.0
-        if self.cornered:
-            found[:, 2:] = self._crossings[rows][:, 2:]
-        return found
+    def begun(self, rows: NDArray[np.intp], tilts: Array) -> Array:
+        """Return the parameters of each image (r, own, e) to begin with, from tilts (r, 2, e)."""
+        rest = np.ones((len(rows), self.own - 2, self.exposures))
+        rest[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
+        return np.concatenate([tilts, rest], axis=1)
 
     @cached_property
     def _crossings(self) -> Array:
@@ -517,58 +481,79 @@ def limit_widths(squares: Array, before: Array, widest: float, *, sharp: float) 
     np.copyto(squares, grown, where=short)
 
 
-class SingleStars:
-    """Stars that each have a wavefront of their own: rows of a search are stars and their starts."""
+class _StarModel(RowModel):
+    """Images of some stars of a field, as functions of rows of parameters."""
 
     alternatives = False
+    slopes = "all"
+    sharp = 0.0  # pixels^2: a blur below may become 0
 
-    def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
-        self.of, self.rows, self.widest = stars, rows, widest
-        self.size, self.tested = stars.size, stars.tested
+    def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], shared: int, widest: float) -> None:
+        self.of, self.chosen, self.widest = stars, chosen, widest
+        #: How many parameters are not those of single images; the last of them are the widths of the blur.
+        self.shared = shared
+        self._widths = slice(shared - stars.exposures * stars.widths, shared)
+
+    def parts(self, x: Array) -> tuple[Array, Array, Array]:
+        """Return waves (r, k), squares (r, e, b) and a view of the parameters of images (r, own, e) of each star."""
+        own, squares = x[:, self.shared :].reshape(-1, self.of.own, self.of.exposures), self.squares(x)
+        return self.wavefronts(x), np.broadcast_to(squares, (len(own), *squares.shape[1:])), own
+
+    def wavefronts(self, x: Array) -> Array:
+        """Return the coefficients (r, k) of each star."""
+        return x[:, : self._widths.start]
+
+    def squares(self, x: Array) -> Array:
+        """Return a view of the squared widths of the blur (s, e, b) of each row."""
+        return x[:, self._widths].reshape(len(x), self.of.exposures, self.of.widths)
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return images of all rows, and their slopes."""
-        found = self._images(x, self.rows, fast=fast)
+        """Return images of all stars, and their slopes."""
+        found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes=self.slopes)
         return found[0], found[1:]
-
-    def _images(self, x: Array, stars: NDArray[np.intp], *, fast: bool) -> list[Array]:
-        return self.of.images(stars, *self.of.split(x), fast=fast)
-
-    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit of rows."""
-        stars = self.rows if rows is None else self.rows[rows]
-        return self._scores(x, stars, self._images(x, stars, fast=fast))
-
-    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the same of all rows from images and slopes."""
-        return self._scores(x, self.rows, [values, *slopes])
-
-    def _scores(self, x: Array, stars: NDArray[np.intp], images: list[Array]) -> Scores:
-        return self.of.scores(stars, images, self.of.split(x)[3], float(self.size))
 
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
         found = x.copy()
-        light = self.of.split(found)[3]
-        light[:, :2] = self.of.light(self.rows, values, light)
+        own = self.parts(found)[2]
+        own[:, 2:4] = self.of.light(self.chosen, values, own)
         return found
 
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
-        _, squares, tilts, light = self.of.split(x)
-        old = self.of.split(before)
-        limit_widths(squares, old[1], self.widest, sharp=0.0)
-        self.of.limited(tilts, light, old[3])
+        limit_widths(self.squares(x), self.squares(before), self.widest, sharp=self.sharp)
+        self.of.limited(self.parts(x)[2], self.parts(before)[2])
         return x
 
     def rms(self, steps: Array) -> Array:
-        """Return the rms phase of steps of each row."""
-        edge = self.of.split(steps)[0] @ self.of.one.directions
+        """Return the rms phase of steps of each star."""
+        edge = self.wavefronts(steps) @ self.of.one.directions
         return np.asarray(np.sqrt((edge * edge) @ self.of.one.mean_squares))
 
-    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps and what they promise."""
-        return damped_steps(scores, damping)
+
+class SingleStars(_StarModel):
+    """Stars that each have a wavefront of their own: rows of a search are stars and their starts."""
+
+    def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
+        super().__init__(stars, rows, len(stars.one.directions) + stars.exposures * stars.widths, widest)
+        self.size, self.tested = stars.size, stars.tested
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit of rows."""
+        part = self if rows is None else SingleStars(self.of, self.chosen[rows], self.widest)
+        return part.scores_of(x, *part.images(x, fast=fast))
+
+    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+        """Return the same of all rows from images and slopes."""
+        numbers, found, square = self.of.likelihood(self.chosen, [values, *slopes], self.parts(x)[2])
+        deviance, total, spread = numbers
+        quality = self.of.relative(self.chosen, square, total, spread, float(self.size))
+        return Scores(deviance, found[:, :, -1], found[:, :, :-1], *quality)
+
+    def row(self, waves: Array, squares: Array, own: Array) -> Array:
+        """Return the parameters (r, p) of waves (r, k), squares (e, b) of all, and those of images (r, own, e)."""
+        every = waves, np.broadcast_to(squares, (len(waves), *squares.shape)), own
+        return np.concatenate([part.reshape(len(waves), -1) for part in every], axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -631,18 +616,18 @@ class Blocks:
         return np.asarray(slope - self.gathered((self.mixed @ first[:, :, None])[:, :, 0]))
 
 
-class WholeField:
+class WholeField(_StarModel):
     """Stars of a field whose wavefronts are polynomials of their positions: one row of a search.
 
     `basis` (n, m) has the values of the polynomials at each star. Where `held`, polynomials and blur are fixed.
     """
 
-    alternatives = False
+    sharp = _SHARP
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], basis: Array, *, held: bool = False) -> None:
-        self.of, self.chosen, self.basis, self.held = stars, chosen, basis, held
-        self.waves = len(stars.one.directions)
-        self.shared = self.waves * basis.shape[1] + stars.exposures * stars.widths
+        self.basis, self.held, self.waves = basis, held, len(stars.one.directions)
+        super().__init__(stars, chosen, self.waves * basis.shape[1] + stars.exposures * stars.widths, math.inf)
+        self.slopes = "own" if held else "all"
         self.size = self.shared + len(chosen) * stars.own * stars.exposures
         unknown = self.size - (self.shared if held else 0)
         self.pixels = int(stars.star[3][chosen].sum())
@@ -650,41 +635,31 @@ class WholeField:
         self._each = unknown / len(chosen)
         self.best: tuple[Array, Scores] | None = None  # so far, for whoever is interrupted
 
-    def parts(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Return the parameters of each star: waves, squares, tilts, light and angles."""
-        k, m, e = self.waves, self.basis.shape[1], self.of.exposures
-        waves = self.basis @ x[0, : k * m].reshape(k, m).T
-        squares = np.broadcast_to(x[0, k * m : self.shared].reshape(e, -1), (len(waves), e, self.of.widths))
-        own = x[0, self.shared :].reshape(-1, self.of.own, e)
-        return waves, squares, own[:, :2], own[:, 2:]
+    def polynomials(self, x: Array) -> Array:
+        """Return a view of the coefficients (k, m)."""
+        return x[0, : self._widths.start].reshape(self.waves, self.basis.shape[1])
 
-    def row(self, polynomials: Array, squares: Array, tilts: Array, light: Array) -> Array:
-        """Return parameters (1, p) of polynomials (k, m), squares (e, b) and those of stars."""
-        own = np.concatenate([tilts, light], axis=1)
+    def wavefronts(self, x: Array) -> Array:
+        """Return the coefficients (r, k) of each star."""
+        return np.asarray(self.basis @ self.polynomials(x).T)
+
+    def row(self, polynomials: Array, squares: Array, own: Array) -> Array:
+        """Return parameters (1, p) of polynomials (k, m), squares (e, b) and those of images (r, own, e)."""
         return np.concatenate([polynomials.ravel(), squares.ravel(), own.ravel()])[None]
-
-    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return images of all stars, and their slopes."""
-        found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes="own" if self.held else "all")
-        return found[0], found[1:]
-
-    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit."""
-        return self.scores_of(x, *self.images(x, fast=fast))
 
     def each(self, x: Array, *, fast: bool = False) -> Quality:
         """Return the quality of each star."""
         values = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes="none")[0]
-        return self.of.quality(self.chosen, values, self.parts(x)[3], self._each)
+        return self.of.quality(self.chosen, values, self.parts(x)[2], self._each)
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
         """Return the same from images and slopes."""
         (deviance, total, spread), found, square = self.of.likelihood(
-            self.chosen, [values, *slopes], self.parts(x)[3]
+            self.chosen, [values, *slopes], self.parts(x)[2]
         )
         c = self.waves + self.of.exposures * self.of.widths
         info, slope = found[:, :, :-1], found[:, :, -1]
-        squares = x[0, self.waves * self.basis.shape[1] : self.shared].copy()
+        squares = self.squares(x).flatten()
         blocks = Blocks.of_stars(info, self.basis, self.waves, c, squares)
         whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
         share = self.tested / self.pixels
@@ -724,27 +699,9 @@ class WholeField:
         step = np.concatenate([shared, (first - (inverse @ back[:, :, None])[:, :, 0]).ravel()])
         return step[None], np.array([step @ slope])
 
-    def with_light(self, x: Array, values: Any) -> Array:
-        """Return the parameters with flux and background of least squares."""
-        found = x.copy()
-        light = self.parts(found)[3]
-        light[:, :2] = self.of.light(self.chosen, values, light)
-        return found
-
-    def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place."""
-        at = slice(self.waves * self.basis.shape[1], self.shared)
-        new, old = (part[:, at].reshape(1, self.of.exposures, -1) for part in (x, before))
-        limit_widths(new, old, math.inf, sharp=_SHARP)
-        x[:, at] = new.reshape(1, -1)
-        _, _, tilts, light = self.parts(x)
-        self.of.limited(tilts, light, self.parts(before)[3])
-        return x
-
     def rms(self, steps: Array) -> Array:
         """Return the largest rms phase of a step of a star."""
-        edge = self.parts(steps)[0] @ self.of.one.directions
-        return np.array([math.sqrt(float(((edge * edge) @ self.of.one.mean_squares).max(initial=0.0)))])
+        return np.asarray(super().rms(steps).max(initial=0.0, keepdims=True))
 
     def covariance(self, scores: Scores) -> Array:
         """Return the covariance (s, s) of shared parameters, places and light of stars being nuisance parameters."""

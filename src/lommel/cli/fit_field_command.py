@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0
+_WAVE = 2.0 * math.pi  # radians
 _LISTED = 12  # stars left out, that are printed one by one
 
 
@@ -178,9 +179,7 @@ def fit_field(
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
             raise ValueError(_too_few(targets, found))
-        blur: float | bool | Seeing | None = known_blur
-        if blur is None:
-            blur = seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
+        air = seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
         given: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
         started("fitting")
         made = fit(
@@ -194,7 +193,7 @@ def fit_field(
             terms=terms,
             defocus=known,
             wavelengths=colours,
-            blur=blur,
+            blur=air if known_blur is None else known_blur,
             targets=targets,
             size=size,
             saturation=saturation,
@@ -265,30 +264,22 @@ def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, flo
 
 def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
     """Return the blur, and how images get it."""
-    said = []
+    said, options = [], []
     for several, errors in zip(made.blurs, made.blur_errors, strict=True):
-        words = []
+        words, flags = [], []
         for each, error in zip(several, errors, strict=True):
             if isinstance(each, Seeing):
                 width = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
                 outer = "" if each.outer_scale is None else f", outer scale {each.outer_scale:.0f} m"
                 words.append(f"seeing of {width:.3f} +- {width * error / each.r0:.3f} arcsec (FWHM at 500 nm{outer})")
+                flags.append(f"--seeing {width:.4g}")
             elif isinstance(each, Jitter):
                 words.append(f"{each.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
+                flags.append(f"--jitter {each.sigma / focal_length / _ARCSEC:.3g}")
         said.append(" and ".join(words) or "none")
-    if not any(made.blurs):
-        return f"blur: {'; '.join(said)}"
-    options = []
-    for each in made.blur:
-        if isinstance(each, Seeing):
-            at_500 = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
-            options.append(f"--seeing {at_500:.4g}")
-        elif isinstance(each, Jitter):
-            options.append(f"--jitter {each.sigma / focal_length / _ARCSEC:.3g}")
-    return (
-        f"blur: {'; '.join(said)}. It is not in the table: PSFs have it by lommel psf {' '.join(options)}, in Python "
-        "by the blur of the fit"
-    )
+        options.append(" ".join(flags))
+    how = f". It is not in the table: PSFs have it by lommel psf {options[0]}, in Python by the blur of the fit"
+    return f"blur: {'; '.join(said)}{how if any(made.blurs) else ''}"
 
 
 def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any]:
@@ -324,11 +315,15 @@ def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any
     return [*parts, table, "", *map(Wrapped, (blur, found.message, *left, *facts["notes"]))]
 
 
+def _values(found: tuple[Array, Array], name: str, unit: float) -> Facts:
+    """Return values, called so, and their standard errors in a unit."""
+    return {word: (part / unit).tolist() for word, part in zip((name, "errors"), found, strict=True)}
+
+
 def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
     """Return the results as JSON can hold them."""
     x, y = made.extent
     positions = {"middle": made.middle, "corner": (x[1], y[1])}
-    waves = {name: [part / (2.0 * math.pi) for part in made.at(*at)] for name, at in positions.items()}
     distortion: Facts | None = None
     if (bent := made.distortion) is not None:
         distortion = {
@@ -336,29 +331,18 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
             "spacing": float(math.hypot(*bent.pose[:, 0])),
             "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
             "scatter": bent.scatter,
-            "pixels": {
-                name: dict(zip(("displacement", "errors"), (part.tolist() for part in bent.at(*at)), strict=True))
-                for name, at in positions.items()
-            },
+            "pixels": {name: _values(bent.at(*at), "displacement", 1.0) for name, at in positions.items()},
         }
     fit, coma, stars = made.to_dict(), made.coma, made.stars
     kept = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
     lost = np.flatnonzero(~stars.used)
     lost = lost[np.argsort(-stars.chi2[lost], kind="stable")]
     return {name: fit[name] for name in kept} | {
-        "coma": coma
-        and {
-            "waves": coma.rms / (2.0 * math.pi),
-            "error": coma.error / (2.0 * math.pi),
-            "degrees": coma.degrees,
-        },
+        "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": coma.degrees},
         "focus": made.focus and made.focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in made.names],
-        "waves": {
-            name: {"coefficients": values.tolist(), "errors": errors.tolist()}
-            for name, (values, errors) in waves.items()
-        },
+        "waves": {name: _values(made.at(*at), "coefficients", _WAVE) for name, at in positions.items()},
         "blur": plain(made.blurs),
         "stars": len(stars.used),
         "rejected": len(lost),

@@ -21,12 +21,12 @@ from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_checks import negated
-from lommel.estimation.field_search import Found, Outcome, Search
+from lommel.estimation.field_search import Found, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
-from lommel.estimation.star_images import LINEAR, Unknowns, label
+from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, label
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -551,29 +551,19 @@ def fit_field(
     share = progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     degrees = [best] if degree is not None else list(range(best + 1))
-    state: dict[str, Any] = {}
-    interrupted = False
     part = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), part, degrees[-1], draw, share)
+    interrupted = False
     try:
-        _run(search, degrees, start is not None, state)
+        _run(search, degrees, start is not None)
     except KeyboardInterrupt:
-        if search.latest is None or search.latest.best is None:
+        if search.best is None:
             raise
         interrupted = True
+    blurred = behind if isinstance(behind, tuple) else ()
     return _answer(
-        search,
-        state,
-        interrupted,
-        given,
-        start,
-        chip,
-        at,
-        counts,
-        (noise, lit),
-        (holes, pose, far),
-        behind if isinstance(behind, tuple) else (),
-    )
+        search, interrupted, given, start, chip, at, counts, (noise, lit), (holes, pose, far), blurred
+    )  # fmt: skip
 
 
 def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
@@ -621,8 +611,8 @@ def _shape(
     return known
 
 
-def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any]) -> None:
-    """Put the best outcome of up to three searches into `state`; the first that holds is the last."""
+def _run(search: Search, degrees: list[int], begun: bool) -> None:
+    """Search up to three times for the best outcome; the first that holds is the last."""
     places = search.places
     for attempt in range(_SEARCHES):
         search.places, search.degree, search.stars = places, degrees[-1], search.first
@@ -642,11 +632,10 @@ def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any])
             lowest = min(each[0] for each in tried)
             most = lowest + 0.05 * abs(lowest - 1.0) + 1e-3
             _, search.degree, first = next(each for each in tried if each[0] <= most)
-        outcome = search.outcome(first)
-        best = state.setdefault("outcome", outcome)
+        outcome, best = search.outcome(first), search.finished
         holds = outcome.findings.converged
-        if holds or outcome.cost < best.cost:
-            state["outcome"] = outcome
+        if holds or best is None or outcome.cost < best.cost:
+            search.finished = outcome
         if holds:
             break
 
@@ -721,20 +710,8 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
     return found
 
 
-def _map(
-    chip: Sensor, pupil: Pupil, splines: bool, edge: Callable[[Array, Array], Array], terms: tuple[Term, ...]
-) -> FieldMap:
-    """Return the map of wavefronts whose edge terms are functions of relative positions."""
-    x, y = chip.grid(_GRID[splines])
-    u, v = chip.relative(*np.meshgrid(x, y))
-    wavefront = Wavefront.trusted(terms, edge(u, v))
-    aperture = pupil.unaberrated()
-    return FieldMap.on_grid(x, y, wavefront, aperture=aperture)
-
-
 def _answer(
     search: Search,
-    state: dict[str, Any],
     interrupted: bool,
     pupil: Pupil,
     start: FieldMap | None,
@@ -746,43 +723,31 @@ def _answer(
     known: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the answer of a search."""
-    held_out = math.nan
-    outcome: Outcome | None = state.get("outcome")
-    if outcome is not None:
-        search.places, search.degree = outcome.places, outcome.degree
-        found, lost, held_out = outcome.found, outcome.lost, outcome.held_out[0]
-    else:
-        assert search.latest is not None
-        assert search.latest.best is not None
-        x, scores = search.latest.best
-        found = Found(search.latest, x, scores, settled=False)
-        lost = np.setdiff1d(np.arange(search.stars.count), search.latest.chosen)
+    outcome = search.best
+    assert outcome is not None
+    found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
     # The best search need not be the last, which may have ended with another shape of blur.
-    stars = search.stars = found.model.of
-    one = stars.one
+    search.places, search.degree, stars = outcome.places, outcome.degree, found.model.of
+    search.stars, one = stars, stars.one
     polynomials, degree = found.polynomials(), search.degree
-    # What is fixed beside them: of the pupil one wavefront, of a map those of its positions.
-    fixed_of = None if start is None else _fixed_of(start, chip, one)
-
     distortion = _distortion(found, chip, places, grid)
+    x, y = chip.grid(_GRID[_splines(degree, distortion)])
+    across, down = np.meshgrid(x, y)
+    u, v = chip.relative(across, down)
+    # What is fixed beside polynomials: of the pupil one wavefront, of a map those of its positions.
+    fixed = one.fixed if start is None else _fixed(start, across, down, one)
 
-    def edge_of(coefficients: Array) -> Callable[[Array, Array], Array]:
-        def edge(u: Array, v: Array) -> Array:
-            fixed = one.fixed if fixed_of is None else fixed_of(u, v)
-            made = np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
-            if distortion is not None:
-                made[..., one.tilts] += displaced(distortion, u, v) * one.tilt_of_pixel
-            return made
+    def field_of(coefficients: Array) -> FieldMap:
+        edge = np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
+        if distortion is not None:
+            edge[..., one.tilts] += displaced(distortion, u, v) * one.tilt_of_pixel
+        return FieldMap.on_grid(x, y, Wavefront.trusted(one.terms, edge), aperture=pupil.unaberrated())
 
-        return edge
-
-    splines = _splines(degree, distortion)
     k, m = polynomials.shape
     fitted = found.model.covariance(found.scores)
     errors = np.sqrt(np.diag(fitted))[k * m :]
-    shift, covariance = (np.zeros(k * m), fitted[: k * m, : k * m]) if outcome is None else outcome.marginal
-    coefficients, tests = polynomials + shift.reshape(k, m), () if outcome is None else outcome.tests
-    twin = None
+    shift, covariance = outcome.marginal
+    coefficients, twin = polynomials + shift.reshape(k, m), None
     told = list[Finding]()
     if one.sign_ambiguous:
         other, signs = search.twin(coefficients)
@@ -793,16 +758,15 @@ def _answer(
             covariance = turned @ covariance @ turned.T
             tests = negated(tests, one.unknowns)
             found.x[0, : k * m] = polynomials.ravel()
-        twin = _map(chip, pupil, splines, edge_of(other), one.terms)
+        twin = field_of(other)
         how = "add a second defocus, or give start"
         if decided := start is not None or stars.defocused:
             how = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
         told.append(Finding("sign_open", "note" if decided else "doubt", f"{_SIGN}: {how}, the other is twin"))
-    told = [*(() if outcome is None else outcome.findings), *missing_findings(tests), *told]
-    made = _map(chip, pupil, splines, edge_of(coefficients), one.terms)
+    told = [*outcome.findings, *missing_findings(tests), *told]
     squares = found.squares()
     blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
-    told += _blur_findings(stars, {} if outcome is None else outcome.shapes)
+    told += _blur_findings(stars, outcome.shapes)
     every = np.arange(stars.count)
     own = np.zeros((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
@@ -813,12 +777,8 @@ def _answer(
     psf = stars.images(every, *whole.parts(row), fast=False, slopes="none")[0]
     each = stars.quality(every, psf, own, float(stars.own * stars.exposures))
     model = stars.expected(psf, own)
-    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [
-        counts.values.shape[2] // 2,
-        counts.values.shape[3] // 2,
-    ]
-    used = np.zeros(stars.count, dtype=bool)
-    used[found.model.chosen] = True
+    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [side // 2 for side in stars.shape]
+    used = np.isin(every, found.model.chosen)
     chi2 = float(found.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} {noun}s, degree {degree}"
@@ -846,14 +806,11 @@ def _answer(
         pixels, windows = int(rays.sum()), int(rays.any(axis=(1, 2, 3)).sum())
         text = f"{pixels} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
         told.append(Finding("left_out", "note", text, {"pixels": pixels, "windows": windows}))
-    pad = tuple(one.terms)
-
-    estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
-    if distortion is not None:
-        estimated |= {one.terms[column] for column in one.tilts}
-    kept = tuple(term for term in pad if term in estimated or start is not None)
+    estimated = (one.directions != 0.0).any(axis=0)
+    estimated[one.tilts] |= distortion is not None
+    kept = tuple(term for term, free in zip(one.terms, estimated, strict=True) if free or start is not None)
     return FieldFit(
-        field=made,
+        field=field_of(coefficients),
         twin=twin,
         names=one.unknowns.terms,
         coefficients=coefficients,
@@ -921,7 +878,7 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
     return [Finding("blur_shape", "note", text, numbers)]
 
 
-def _unsure(one: Any, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
+def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
     """Return the finding of standard errors in which images are not linear."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
@@ -958,18 +915,11 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
-def _fixed_of(start: FieldMap, chip: Sensor, one: Any) -> Callable[[Array, Array], Array]:
-    """Return the part of the wavefronts of a map that is not estimated, as a function of relative positions."""
-    inverse = np.linalg.pinv(one.directions)
-
-    def fixed(u: Array, v: Array) -> Array:
-        x = ((u + 1.0) * chip.shape[1] / 2.0 - 0.5 - chip.axis[1]) * chip.pixel
-        y = ((v + 1.0) * chip.shape[0] / 2.0 - 0.5 - chip.axis[0]) * chip.pixel
-        edge = start.pupil(x, y).wavefront.edge_terms()
-        whole = np.stack([np.broadcast_to(edge.get(term, 0.0), u.shape) for term in one.terms], axis=-1)
-        return np.asarray(whole - whole @ inverse @ one.directions)
-
-    return fixed
+def _fixed(start: FieldMap, x: Array, y: Array, one: StarImages) -> Array:
+    """Return the edge terms of the wavefronts of a map, at positions, without the part that is estimated."""
+    edge = start.pupil(x, y).wavefront.edge_terms()
+    whole = np.stack([np.broadcast_to(edge.get(term, 0.0), x.shape) for term in one.terms], axis=-1)
+    return np.asarray(whole - whole @ np.linalg.pinv(one.directions) @ one.directions)
 
 
 def _swapped(search: Search, found: Found, one: Array, other: Array) -> bool:

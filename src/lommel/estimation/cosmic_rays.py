@@ -8,10 +8,11 @@ neighbours of their pixels are dark. Within a star it takes a model of its image
 from __future__ import annotations
 
 from itertools import product
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 from scipy.stats import norm
 
 from lommel.base.arrays import Array
@@ -28,8 +29,8 @@ _SPAN, _SHIFTS, _LIT = 7, 4, 0.05  # pixels of such an image, places of the axis
 _DARK = 0.02  # of the pixels of a window, which are darker than its sky or hardly brighter
 _LONGEST = 8  # passes, in which tracks grow
 _MOST = 0.06  # of the pixels of a window: more are no rays
-_AROUND = [place for place in product((-1, 0, 1), (-1, 0, 1)) if any(place)]
-_SIDES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+_AROUND, _SIDES = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))  # of a pixel, which is one of them
+_OTHERS = [place for place in product(range(3), range(3)) if place != (1, 1)]
 
 
 def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
@@ -84,7 +85,7 @@ def _tracks(excess: Array, noisy: Array, known: Mask, sharpest: Array) -> Mask:
     steepest = np.maximum(_SHARPER * sharpest, _LEAST)
     for _ in range(_LONGEST):
         near = np.maximum(_middle(excess, known & ~found), 0.0)
-        beside = _grown(found, _AROUND)
+        beside = ndimage.binary_dilation(found, _AROUND)
         most = np.where(beside, 0.5, 1.0) * steepest
         spread = noisy + most * near + (_NEIGHBOUR * most) ** 2 * (noisy + near)
         over = excess - most * near
@@ -96,7 +97,7 @@ def _tracks(excess: Array, noisy: Array, known: Mask, sharpest: Array) -> Mask:
         found |= more
     few = found.sum(axis=(1, 2)) <= _MOST * known.sum(axis=(1, 2))
     found &= few[:, None, None]
-    return known & (found | _grown(found, _SIDES))
+    return np.asarray(known & ndimage.binary_dilation(found, _SIDES))
 
 
 def _quantile(values: Array, share: float) -> Array:
@@ -107,20 +108,12 @@ def _quantile(values: Array, share: float) -> Array:
     return np.asarray(np.take_along_axis(ordered, at[:, None], axis=-1)[:, 0])
 
 
-def _shifted(images: NDArray[Any], places: list[tuple[int, int]], outside: float) -> NDArray[Any]:
-    """Return the neighbours at some places of all pixels, stacked along a new first axis."""
-    _, height, width = images.shape
-    padded = np.pad(images, ((0, 0), (1, 1), (1, 1)), constant_values=outside)
-    return np.stack([padded[:, 1 + y : 1 + y + height, 1 + x : 1 + x + width] for y, x in places])
-
-
 def _middle(images: Array, known: Mask) -> Array:
     """Return of the neighbours of each pixel that are known the one in the middle, of an even number the brighter."""
-    near = np.sort(_shifted(np.where(known, images, -np.inf), _AROUND, -np.inf), axis=0)[::-1]
+    padded = np.pad(np.where(known, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
+    _, height, width = images.shape
+    around = [padded[:, y : y + height, x : x + width] for y, x in _OTHERS]
+    near = np.sort(np.stack(around), axis=0)[::-1]
     count = np.isfinite(near).sum(axis=0)
     found = np.take_along_axis(near, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
     return np.where(count > 0, found, 0.0)
-
-
-def _grown(found: Mask, places: list[tuple[int, int]]) -> Mask:
-    return np.asarray(_shifted(found, places, False).any(axis=0))

@@ -25,6 +25,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Self
 
 import numpy as np
@@ -164,14 +165,13 @@ class FocalModel:
         white = binned.relative()
         noise = np.broadcast_to(white[:, None], (len(vergence), len(lenses), fx.size)).copy()
         folded = np.zeros((len(vergence), len(lenses) + 1, fx.size))
-        for across in (-1.0, 0.0, 1.0):
-            for down in (-1.0, 0.0, 1.0):
-                if across or down:
-                    x, y = fx - across, fy - down
-                    seen, pixel_alone, strength = transfers(x, y), np.sinc(x) * np.sinc(y), power(x, y)
-                    noise += strength * seen**2
-                    folded[:, :-1] += strength * pixel_alone * seen
-                    folded[:, -1] += strength * pixel_alone**2
+        for across, down in product((-1.0, 0.0, 1.0), repeat=2):
+            if across or down:
+                x, y = fx - across, fy - down
+                seen, pixel_alone, strength = transfers(x, y), np.sinc(x) * np.sinc(y), power(x, y)
+                noise += strength * seen**2
+                folded[:, :-1] += strength * pixel_alone * seen
+                folded[:, -1] += strength * pixel_alone**2
         return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white, folded)
 
     def at(self, places: slice) -> Self:
@@ -219,13 +219,11 @@ class _Curve:
     """Radial functions of frequency, one of each vergence: cubic splines up to a cut-off, 0 beyond."""
 
     count: int
-    ends: tuple[float, ...]
-    splines: tuple[Callable[[Array], Array], ...]
-    weights: tuple[float, ...]
+    parts: tuple[tuple[float, Callable[[Array], Array], float], ...]  # cut-off, spline, weight
 
     def __call__(self, f: Array) -> Array:
         total = np.zeros((self.count, *f.shape))
-        for end, spline, weight in zip(self.ends, self.splines, self.weights, strict=True):
+        for end, spline, weight in self.parts:
             total = total + weight * np.where(f < end, spline(np.minimum(f, end)), 0.0)
         return np.asarray(total)
 
@@ -240,8 +238,8 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
     with np.errstate(divide="ignore"):
         pupil = lens.pupil(1.0 / np.asarray(vergence))
     total = sum(weight for _, weight in spectrum)
-    ends, splines = [], []
-    for wavelength, _ in spectrum:
+    parts = []
+    for wavelength, weight in spectrum:
         there = pupil.in_light(wavelength)
         cutoff = pixel / there.scale
         end = min(cutoff, _FARTHEST)
@@ -255,6 +253,5 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
             )
         nodes = np.linspace(0.0, end, max(_LEAST_NODES, math.ceil(swing / _STEP)))
         values = otf(there, nodes / pixel, tol=_TOL).real
-        ends.append(end)
-        splines.append(CubicSpline(nodes, values, axis=1))
-    return _Curve(len(vergence), tuple(ends), tuple(splines), tuple(weight / total for _, weight in spectrum))
+        parts.append((end, CubicSpline(nodes, values, axis=1), weight / total))
+    return _Curve(len(vergence), tuple(parts))

@@ -7,10 +7,16 @@ import pytest
 from scipy import integrate
 
 import lommel as lm
-from lommel.estimation.moffat import _model
+from lommel.estimation.moffat import _profile
 
 NAMES = ("flux", "row", "column", "fwhm", "beta", "background")
 TRUTH = np.array([2e4, 9.3, 10.8, 4.2, 2.7, 30.0])
+
+
+def _model(p, shape):
+    """Return the mean image and its derivatives by all parameters."""
+    unit, slopes = _profile(p[1:5], shape)
+    return p[0] * unit + p[5], np.stack([unit, *(p[0] * slopes), np.ones(unit.shape)])
 
 
 def test_the_profile_has_the_flux_and_the_width_that_it_says():

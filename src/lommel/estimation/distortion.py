@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials, robust, with_errors
+from lommel.estimation.field_signs import highest_degree, monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares, scatter_findings
@@ -168,8 +168,7 @@ def fit_distortion(
     at = np.flatnonzero(known)
     given, seen = ideal[used[at]], places.fitted[at]
     first = seen[:, 0]
-    while degree > 0 and (degree + 1) * (degree + 2) > len(at):
-        degree -= 1
+    degree = highest_degree(degree, len(at))
     transform = _similarity(given, first) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
     held = _alignment(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))

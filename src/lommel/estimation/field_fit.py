@@ -23,7 +23,7 @@ from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displ
 from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Search
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials, with_errors
+from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, label
@@ -259,25 +259,19 @@ class FieldFit(FitReport):
                 "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
                 "metres"
             )
-        terms, own = self._terms, self._pupil.wavefront.edge_terms()
         x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
         across, down = (part.ravel() for part in np.meshgrid(x, y))
-        edge = chosen.pupil(across, down).wavefront.edge_terms()
-        waves = [
-            (np.broadcast_to(edge.get(t, 0.0), across.shape) - float(own.get(t, 0.0))) / zernike.rms_factor(*t)
-            for t in terms
-        ]
-        values = np.stack(waves, axis=-1) / (2.0 * math.pi)
-        order = np.argsort([_noll(term) for term in terms])
-        columns = [f"Z{_noll(terms[j])}" for j in order]
+        edge, own = (each.wavefront.edge_terms() for each in (chosen.pupil(across, down), self._pupil))
+        columns = {}
+        for term in sorted(self._terms, key=_noll):
+            added = np.broadcast_to(edge.get(term, 0.0), across.shape) - float(own.get(term, 0.0))
+            columns[f"Z{_noll(term)}"] = added / zernike.rms_factor(*term) / (2.0 * math.pi)
         used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
         lines = [f"# {self.message}"]
         if any(self.blurs):
             lines.append(f"# not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
-        for what, spot in (
-            ("the middle", (x[len(x) // 2], y[len(y) // 2])),
-            ("the bottom right corner", (x[-1], y[-1])),
-        ):
+        for what, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
+            spot = x[k], y[k]
             errors = self.at(*spot)[1] / (2.0 * math.pi)
             told = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
             lines.append(f"# standard errors in {what}, waves rms: {told}")
@@ -285,7 +279,7 @@ class FieldFit(FitReport):
                 down_error, across_error = self.distortion.at(*spot)[1]
                 lines.append(f"# the same of rows and columns, pixels: {down_error:.2g}, {across_error:.2g}")
         lines.append(",".join(["x", "y", *columns]))
-        for a, b, row in zip(across, down, values[:, order], strict=True):
+        for a, b, *row in zip(across, down, *columns.values(), strict=True):
             lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
         atomic.write(Path(target), "\n".join([*lines, ""]).encode())
 
@@ -545,8 +539,8 @@ def fit_field(
     )  # fmt: skip
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
-    best = _degree(most, count)
-    if best < 0:
+    best = highest_degree(most, count)
+    if count < 4 and most > 0:
         raise ValueError(f"windows must be of at least 4 stars, or degree 0, got {count}")
     share = progress or (lambda *_: None)
     u, v = chip.relative(x, y)
@@ -638,14 +632,6 @@ def _run(search: Search, degrees: list[int], begun: bool) -> None:
             search.finished = outcome
         if holds:
             break
-
-
-def _degree(most: int, count: int) -> int:
-    """Return the degree whose coefficients have two stars each, at least 0; -1 where three stars are too few."""
-    degree = most
-    while degree > 0 and (degree + 1) * (degree + 2) > count:
-        degree -= 1
-    return degree if count >= 4 or most == 0 else -1
 
 
 def in_words(several: tuple[Blur, ...]) -> str:
@@ -849,13 +835,10 @@ def _blurs(
                 if name == "Gaussian":
                     found[i].append((Jitter(width * pitch), off * pitch))
                 elif width > 0.0:
-                    light, far = pupil.wavelength, None
-                    if light is not None:
-                        far = 1.0 if pupil.geometry is None else pupil.geometry.focal_length
-                    coherence = FWHM / (SIGMAS * width * pitch)
-                    r0 = coherence * (1.0 if light is None or far is None else light * far)
+                    light, far = pupil.wavelength, 1.0 if pupil.geometry is None else pupil.geometry.focal_length
+                    r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if light is None else light * far)
                     outer = None if shape.outer is None else shape.outer * r0
-                    found[i].append((Seeing(r0, far, light, outer), r0 * off / width))
+                    found[i].append((Seeing(r0, None if light is None else far, light, outer), r0 * off / width))
     return found
 
 

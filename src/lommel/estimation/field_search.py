@@ -18,7 +18,7 @@ from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.cosmic_rays import struck_beside
 from lommel.estimation.field_checks import Marginal, missing_tests, slope_findings
-from lommel.estimation.field_signs import candidates, monomials, robust
+from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings
@@ -293,7 +293,7 @@ class Search:
         waves, squares, _ = SingleStars(stars, chosen, self.widest).parts(x)
         good = chi2 <= _FOLLOWS * np.median(chi2)
         square = np.median(squares[good], axis=0)
-        degree = self._least_degree(len(chosen))
+        degree = highest_degree(self.degree, len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
         if self.one_focus and (stars.one.even * stars.one.directions).any():
             even = (self._whole(chosen, waves) * stars.one.even) * np.sqrt(stars.one.mean_squares)
@@ -317,13 +317,6 @@ class Search:
                 "no field could be fitted: the wavefronts of all starts are beyond what can be computed"
             )
         return best
-
-    def _least_degree(self, count: int) -> int:
-        """Return the degree that so many stars can tell."""
-        degree = self.degree
-        while degree and (degree + 1) * (degree + 2) // 2 > count // 2:
-            degree -= 1
-        return degree
 
     def _whole(self, chosen: NDArray[np.intp], waves: Array) -> Array:
         """Return the edge terms of stars, with those that are fixed and the first known defocus."""

@@ -46,6 +46,11 @@ def powers(degree: int) -> list[tuple[int, int]]:
     return [(total - j, j) for total in range(degree + 1) for j in range(total + 1)]
 
 
+def highest_degree(most: int, count: int) -> int:
+    """Return the highest degree up to `most` whose polynomials have two of `count` points each, at least 0."""
+    return max((d for d in range(most + 1) if (d + 1) * (d + 2) <= count), default=0)
+
+
 def robust(basis: Array, waves: Array, quality: Array, metric: Array) -> tuple[Array, Array]:
     """Return polynomials (k, m) through wavefronts (n, k), and the distance of each star from them, radians rms.
 

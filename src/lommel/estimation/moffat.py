@@ -207,8 +207,8 @@ class _StarProfile(RowModel):
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Array, list[Array]]:
         """Return profiles of unit flux (s, height, width), and their derivatives by centre, width and exponent."""
-        made = [_model(np.array([1.0, *row[1:5], 0.0]), self.shape) for row in x]
-        return np.stack([values for values, _ in made]), list(np.stack([slopes[1:5] for _, slopes in made], axis=1))
+        values, slopes = zip(*(_profile(row[1:5], self.shape) for row in x), strict=True)
+        return np.stack(values), list(np.stack(slopes, axis=1))
 
     def scores_of(self, x: Array, values: Array, slopes: Sequence[Array]) -> Scores:
         """Return the same from profiles and their derivatives."""
@@ -270,9 +270,12 @@ def _start(data: Array, counts: NDArray[np.bool_], background: float | None) -> 
     return found
 
 
-def _model(p: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
-    """Return the average over each pixel, and its derivatives by the parameters, shape (6, height, width)."""
-    flux, row, column, fwhm, beta, background = p
+def _profile(p: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """Return the profile of unit flux averaged over each pixel, and its derivatives (4, height, width).
+
+    `p` is its row, column, width and exponent.
+    """
+    row, column, fwhm, beta = p
     root = 2.0 ** (1.0 / beta) - 1.0
     # Poles at i alpha: Gauss's rule of n nodes is off by about exp(-2 n arsinh(2 alpha)), here 1e-7.
     nodes = max(4, math.ceil(8.0 / math.asinh(fwhm / math.sqrt(root))))
@@ -291,13 +294,10 @@ def _model(p: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     fall = beta / (1.0 + q)
     by_square = unit * (1.0 - q * fall)
     turn = -math.log(2.0) * (root + 1.0) / (beta**2 * root)
-    star = mean(unit)
     slopes = [
-        star,
-        flux * mean(unit * fall * square * 2.0 * u * np.ones_like(v)),
-        flux * mean(unit * fall * square * 2.0 * v * np.ones_like(u)),
-        flux * mean(by_square) * (-2.0 / fwhm),
-        flux * mean(unit * (1.0 / (beta - 1.0) - log) + by_square * turn),
-        np.ones(star.shape),
+        mean(unit * fall * square * 2.0 * u * np.ones_like(v)),
+        mean(unit * fall * square * 2.0 * v * np.ones_like(u)),
+        mean(by_square) * (-2.0 / fwhm),
+        mean(unit * (1.0 / (beta - 1.0) - log) + by_square * turn),
     ]
-    return flux * star + background, np.stack(slopes)
+    return mean(unit), np.stack(slopes)

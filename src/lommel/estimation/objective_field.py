@@ -15,7 +15,7 @@ from lommel.base.arrays import Array
 from lommel.estimation.bead_images import Setup
 from lommel.estimation.beads import BeadFit
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials, robust, with_errors
+from lommel.estimation.field_signs import highest_degree, monomials, robust, with_errors
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares, scatter_findings
 from lommel.methods.derivative_names import Term
@@ -204,7 +204,7 @@ def fit_objective_field(
         raise ValueError(f"places must be a row and a column for each of {len(fits)} fits, got shape {at.shape}")
     if ((at < -0.5) | (at > np.array([rows, columns]) - 0.5)).any():
         raise ValueError(f"places must be in the image of {rows} x {columns} pixels, got one outside")
-    order = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
+    most_degree = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     used = np.array([one.converged for one in fits], dtype=bool)
     if used.sum() < 4:
         raise ValueError(f"fits must be at least 4 that converged, got {int(used.sum())} of {len(fits)}")
@@ -213,8 +213,7 @@ def fit_objective_field(
     names = tuple(name for name in first.coefficients if not isinstance(name, str))
     chip = Sensor((rows, columns), 1.0, (0.0, 0.0))
     u, v = chip.relative(at[:, 1], at[:, 0])
-    while order and (order + 1) * (order + 2) > used.sum():
-        order -= 1
+    order = highest_degree(most_degree, int(used.sum()))
     basis = monomials(u, v, order)
     waves = np.array([[one.coefficients.get(name, math.nan) for name in names] for one in fits])
     _, apart = robust(basis[used], waves[used], np.ones(int(used.sum())), np.eye(len(names)))

@@ -576,16 +576,12 @@ def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
     """Return what windows show, None for points."""
     validation.choice("targets", kind, ("star", "pinhole", "crossing"))
-    across = None if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
-    if kind == "star":
-        if size is not None:
-            raise ValueError("size must be left out for stars, which are points; choose targets")
-        return None
-    if across is None:
-        if kind == "pinhole":
-            raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
-        across = math.inf
-    return Target(kind, across)
+    across = math.inf if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
+    if kind == "star" and size is not None:
+        raise ValueError("size must be left out for stars, which are points; choose targets")
+    if kind == "pinhole" and size is None:
+        raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
+    return None if kind == "star" else Target(kind, across)
 
 
 def _shape(
@@ -721,7 +717,9 @@ def _answer(
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
     # What is fixed beside polynomials: of the pupil one wavefront, of a map those of its positions.
-    fixed = one.fixed if start is None else _fixed(start, across, down, one)
+    fixed = one.fixed
+    if start is not None:
+        fixed = one.split(start.pupil(across, down).wavefront.edge_terms(), across.shape)[1]
 
     def field_of(coefficients: Array) -> FieldMap:
         edge = np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
@@ -896,13 +894,6 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
     seen = found.of_stars()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
     blocks = found.scores.information[0]
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
-
-
-def _fixed(start: FieldMap, x: Array, y: Array, one: StarImages) -> Array:
-    """Return the edge terms of the wavefronts of a map, at positions, without the part that is estimated."""
-    edge = start.pupil(x, y).wavefront.edge_terms()
-    whole = np.stack([np.broadcast_to(edge.get(term, 0.0), x.shape) for term in one.terms], axis=-1)
-    return np.asarray(whole - whole @ np.linalg.pinv(one.directions) @ one.directions)
 
 
 def _swapped(search: Search, found: Found, one: Array, other: Array) -> bool:

@@ -17,7 +17,7 @@ from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SampledPupil
-from lommel.estimation.star_images import StarImages, Unknowns, carrying
+from lommel.estimation.star_images import StarImages, Unknowns, carrying, loosest_tolerance, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background
@@ -29,7 +29,6 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
 _AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
-_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
 _SHARP = 0.02  # pixels^2: a blur that small may be none
 _ROOM = 0.5  # pixels by which blur may widen before samples are chosen anew
 _BRIGHT = 50.0  # pixels more than parameters, for a chi2
@@ -118,20 +117,10 @@ class FieldStars:
         #: The images of one star, whose terms are those of all.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
-        flat = (self.count, self.exposures, self.pixels)
-        counted = np.where(valid, electrons, 0.0)
-        parts = counted, variance, np.maximum(variance, 0.05), valid
-        self.star = np.stack([np.reshape(part, flat).astype(np.float64) for part in parts])
-        peak = max(float(self.star[0].max()), 1.0)
-        self.loosest = min(max(tol, _PART * math.sqrt(self.star[2].min()) / peak), max(tol, _LOOSEST))
-        self.tol = tol
-        edge = pupil.wavefront.edge_terms()
-        terms = [np.broadcast_to(edge.get(term, 0.0), (self.count,)) for term in self.one.terms]
-        whole = np.stack(terms, axis=-1)
-        inverse = np.linalg.pinv(self.one.directions)
-        #: Coefficients of the given wavefront, and the rest of it, which is fixed.
-        self.start = whole @ inverse
-        fixed: Array = whole - self.start @ self.one.directions
+        self.star = star_counts(electrons, variance, valid)
+        self.tol, self.loosest = tol, loosest_tolerance(self.star, tol)
+        #: Coefficients of the given wavefront; the rest of it is fixed.
+        self.start, fixed = self.one.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
         for i, changed in added.items():

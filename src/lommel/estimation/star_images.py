@@ -6,7 +6,7 @@ Fisher scoring: damped steps (Levenberg-Marquardt) by Fisher's information, whos
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import Any, cast
@@ -32,6 +32,8 @@ OF_PUPIL = ("f_number", "wavelength", "obscuration")
 LINEAR = 0.22
 """Radians rms, standard error of all terms together, up to which images are linear in them."""
 _NODES = 256  # degree of a rule whose nodes fill the aperture
+_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
+_LEAST = 0.05  # electrons squared: the smallest variance of reading
 _ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
@@ -82,12 +84,13 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
     nuisance = ("center", *SHIFTS, *OF_PUPIL)
-    if isinstance(terms, Sequence) and not isinstance(terms, str) and any(isinstance(n, int) for n in terms):
+    several = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
+    if any(isinstance(name, int) for name in several):
         raise ValueError(
             f"terms must name the order of their indices, such as 'noll 5', or be their number from Noll 4 on, got "
             f"{validation.shown(terms)}"
         )
-    for name in terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ():
+    for name in several:
         if isinstance(name, str) and name in nuisance:
             raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
     return checked(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
@@ -145,6 +148,19 @@ def carrying(pupil: Pupil | ObjectivePupil, wavefront: Wavefront, **optics: Any)
     return replace(pupil, wavefront=wavefront, geometry=None, **optics)
 
 
+def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
+    """Return counts, variances of reading, these at least above 0, and validity (4, ..., pixels) of images."""
+    counted = np.where(valid, electrons, 0.0)
+    star = np.stack([counted, variance, np.maximum(variance, _LEAST), valid])
+    return star.reshape(*star.shape[:-2], -1)
+
+
+def loosest_tolerance(star: Array, tol: float) -> float:
+    """Return the tolerance of images far from the answer, which may be off by a part of the noise."""
+    brightest = max(float(star[0].max()), 1.0)
+    return min(max(tol, _PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
+
+
 def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
     """Return whether the aperture is the same after half a turn, without phases of its own, as layers have."""
     if isinstance(pupil, ObjectivePupil):
@@ -156,10 +172,6 @@ def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
     x, y, _ = pupil.opening.rule(_NODES)
     alike = bool((pupil.opening.margin(-x, -y) > -1e-9).all())
     return alike and (pupil.mask is None or np.allclose(pupil.mask.values, pupil.mask.values[::-1, ::-1], atol=1e-6))
-
-
-_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
-_LEAST = 0.05  # electrons squared: the smallest variance of reading
 
 
 class StarImages:
@@ -182,19 +194,14 @@ class StarImages:
         pixel: float,
     ) -> None:
         self.count = count = len(electrons)
-        counted = np.where(valid, electrons, 0.0)
-        star = counted, variance, np.maximum(variance, _LEAST), valid
-        self.star = np.stack([part.reshape(count, -1).astype(np.float64) for part in star])
+        self.star = star_counts(electrons, variance, valid)
         self.counted, _, self.read, self.valid = self.star
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
         self._questions: dict[tuple[float, tuple[int, ...]], Asked] = {}
-        # Far from the answer images may be off by a part of the noise.
-        noise = math.sqrt(self.read.min())
-        brightest = max(float(self.counted.max()), 1.0)
-        self.loosest = min(max(plan.tol, _PART * noise / brightest), max(plan.tol, _LOOSEST))
+        self.loosest = loosest_tolerance(self.star, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = wavefront_of(pupil).edge_terms()
         every = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -228,6 +235,12 @@ class StarImages:
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
+
+    def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
+        """Return the coefficients of wavefronts of edge terms of a shape, and the rest of them, which is fixed."""
+        whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
+        found = whole @ np.linalg.pinv(self.directions)
+        return found, np.asarray(whole - found @ self.directions)
 
     @cached_property
     def sign_ambiguous(self) -> bool:

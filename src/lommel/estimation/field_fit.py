@@ -610,7 +610,7 @@ def _run(search: Search, degrees: list[int], begun: bool) -> None:
         first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
         if first is None:
             first = search.from_singles()
-        first, _ = search.cleaned(first, (0.65, 0.05))
+        first = search.cleaned(first, (0.65, 0.05))
         if len(degrees) > 1:
             tried = []
             for degree in degrees:

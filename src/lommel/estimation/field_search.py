@@ -365,23 +365,20 @@ class Search:
         x, *_ = search_rows(model, model.row(polynomials, squares, own), 6, _silent, fast=True)
         return model.parts(x)[2]
 
-    def cleaned(self, found: Found, share: tuple[float, float]) -> tuple[Found, NDArray[np.intp]]:
-        """Return the fit without stars that do not fit, and those."""
-        chosen = found.model.chosen
-        first, lost = len(chosen), chosen[:0]
+    def cleaned(self, found: Found, share: tuple[float, float]) -> Found:
+        """Return the fit without stars that do not fit."""
+        first = len(found.model.chosen)
         for _ in range(_ROUNDS):
-            each = found.model.each(found.x, fast=True)
-            bad = outliers(each)
-            left = len(chosen) - int(bad.sum())
-            if not bad.any() or left < (1.0 - _MOST_LOST) * first or left <= found.model.basis.shape[1]:
+            good = ~outliers(found.model.each(found.x, fast=True))
+            left = int(good.sum())
+            if good.all() or left < (1.0 - _MOST_LOST) * first or left <= found.model.basis.shape[1]:
                 break
-            own, lost = found.of_stars()[~bad], np.concatenate([lost, chosen[bad]])
-            chosen = chosen[~bad]
+            chosen, own = found.model.chosen[good], found.of_stars()[good]
             again = self.refined(chosen, found.polynomials(), found.squares(), 10, share, own)
             if again is None:
                 break
             found = again
-        return found, lost
+        return found
 
     def whole(self, found: Found) -> tuple[Found, NDArray[np.intp]]:
         """Return the fit of all stars from that of some, without stars that do not fit, and those."""
@@ -399,8 +396,7 @@ class Search:
                 bad[:] = False
             if not np.array_equal(every[~bad], found.model.chosen):
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
-        found, _ = self.cleaned(wide or found, (0.85, 0.02))
-        found = self.regained(self.lowest(found))
+        found = self.regained(self.lowest(self.cleaned(wide or found, (0.85, 0.02))))
         own, chosen = found.of_stars(), found.model.chosen
         # Windows are cut around light, which aberrations move; polynomials are those of where stars are.
         moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
@@ -557,7 +553,7 @@ class Search:
         again = self.refined(np.sort(every), polynomials, found.squares(), 20, (0.87, 0.02))
         if again is None:
             return None
-        again, _ = self.cleaned(again, (0.89, 0.01))
+        again = self.cleaned(again, (0.89, 0.01))
         most = max(1.0 + _ENOUGH * (float(found.scores.chi2[0]) - 1.0), self._limit(again))
         better = len(again.model.chosen) > len(found.model.chosen) and again.scores.chi2[0] <= most
         return again if better else None

@@ -4,7 +4,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 # What the interface needs of the parts that are compiled once; see cpp/include/lommel/base/once.hpp.
-set(parts polar chordal_single chordal_double radial zernike chordal pixels special focal)
+set(parts polar chordal_single chordal_double radial zernike chordal averages rim pixels special focal)
 list(TRANSFORM parts PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
 list(TRANSFORM parts APPEND .cpp)
 set(interface lommel live messages)

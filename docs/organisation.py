@@ -52,6 +52,7 @@ CORE_ORDER = [
     {"aperture"},
     {"chordal"},
     {"rim"},
+    {"averages"},
     {"stratified"},
     {"paper", "imaging", "focal", "measures", "estimation", "localize"},
 ]

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "lommel/chordal/aperture_averages.hpp"
 #include "lommel/chordal/field_gradient.hpp"
 #include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
@@ -20,15 +19,6 @@ namespace {
 
 template <class T>
 using Images = lommel::ChordalRenderer<T>;
-
-std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& given) {
-    const std::vector<lommel::ZernikeTerm> terms = terms_of(given, given.shape(0));
-    require_terms(terms);
-    for (const lommel::ZernikeTerm& term : terms) {
-        require(term.n > 0, "no image depends on a constant");
-    }
-    return terms;
-}
 
 template <class T, class... Center>
 double derivatives(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
@@ -272,101 +262,6 @@ struct CheaperImages : Images<T> {
     void run() { this->run_if_cheaper(); }
 };
 
-std::vector<double> places(const In<double, 1>& at) {
-    std::vector<double> found(at.data(), at.data() + at.size());
-    require(!found.empty() && std::is_sorted(found.begin(), found.end()) && std::abs(found.front()) < 1e6 &&
-                std::abs(found.back()) < 1e6,
-            "nodes must rise");
-    return found;
-}
-
-void require_nodes(const Out<double, 3>& values, const In<double, 1>& rows, const In<double, 1>& columns,
-                   const In<double, 2>& down, const In<double, 2>& across) {
-    require(down.shape(0) == values.shape(1) && down.shape(1) == rows.size() && across.shape(0) == values.shape(2) &&
-                across.shape(1) == columns.size(),
-            "one weight a pixel and node");
-}
-
-// The terms of derivatives, none where there are none.
-std::vector<lommel::ZernikeTerm> slopes_of(const In<std::int32_t, 2>& factors, const Out<double, 3>& values,
-                                           const Out<double, 4>& slopes, const Out<double, 3>& numbers) {
-    const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
-    require(slopes.shape(0) == by.size() && slopes.shape(1) == values.shape(0) && slopes.shape(2) == values.shape(1) &&
-                slopes.shape(3) == values.shape(2) && numbers.shape(0) == 2 && numbers.shape(1) == by.size() &&
-                numbers.shape(2) == values.shape(0),
-            "one image of derivatives a term and pupil");
-    return by;
-}
-
-// Averages over pixels from samples at nodes, which are the same about the middle of the window for all pupils.
-template <class... Center>
-double averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                double step, double tol, int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down,
-                In<double, 2> across, bool single, bool if_cheaper, Out<double, 3> values, Out<double, 2> numbers,
-                In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 3> slope_numbers) {
-    const std::size_t pupils = pupils_of(edge), height = values.shape(1), width = values.shape(2);
-    const std::vector<lommel::ZernikeTerm> by = slopes_of(factors, values, slopes, slope_numbers);
-    require(values.shape(0) == pupils && numbers.shape(0) == 4 && numbers.shape(1) == pupils, "one image a pupil");
-    require_nodes(values, rows, columns, down, across);
-    const std::vector<double> down_at = places(rows), across_at = places(columns);
-    std::vector<double> scales(pupils, 1.0);
-    return ask_disks<false>(
-        terms, edge, obscuration, amplitude, height, width, step, tol, threads,
-        [&](lommel::DiskStack stack, const lommel::DiskWindow& window) {
-            const lommel::PixelNodes nodes =
-                lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data(),
-                                         numbers.data() + 2 * pupils, numbers.data() + 3 * pupils);
-            const auto ask = [&](auto pixel) {
-                using T = decltype(pixel);
-                const lommel::DiskAnswer<T> answer{nullptr, scales.data(), numbers.data(), numbers.data() + pupils};
-                if (!by.empty()) {
-                    double* const bounds = slope_numbers.data();
-                    const lommel::ChordalDerivatives<T> more{by, nullptr, bounds, slopes.data(), bounds + by.size() * pupils};
-                    return lommel::ChordalRenderer<T, lommel::ChordalDerivatives<T>>(stack, nodes, tol, threads, answer, more)
-                        .run();
-                }
-                Images<T> images(stack, nodes, tol, threads, answer);
-                if_cheaper ? images.run_if_cheaper() : images.run();
-            };
-            single ? ask(float()) : ask(double());
-        },
-        center...);
-}
-
-// The same of an aperture around one axis, by weights of the nodes of the disk.
-double aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step,
-                         int threads, In<double, 1> rows, In<double, 1> columns, In<double, 2> down, In<double, 2> across,
-                         In<double, 3> weights, bool single, double off, Out<double, 3> values, Out<double, 2> numbers,
-                         In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 3> slope_numbers) {
-    const std::size_t pupils = pupils_of(edge), size = 2 * weights.shape(0);
-    require(values.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils, "one image a pupil");
-    require(weights.shape(1) == weights.shape(0) && weights.shape(2) == 8 && size >= 2 && size <= 1024,
-            "eight weights for each node of a quadrant");
-    require_nodes(values, rows, columns, down, across);
-    const std::vector<lommel::ZernikeTerm> by = slopes_of(factors, values, slopes, slope_numbers);
-    const std::vector<double> down_at = places(rows), across_at = places(columns);
-    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
-    require_terms(list);
-    require_center(center_y, center_x);
-    require_request(step, 0.1, threads);
-    return judged([&] {
-        lommel::DiskStack stack(list, edge.data(), pupils, 0.0, lommel::Amplitude());
-        const lommel::DiskWindow window{values.shape(1), values.shape(2), center_y, center_x, step};
-        double* const found = numbers.data();
-        const lommel::PixelNodes nodes =
-            lommel::nodes_about_axis(stack, window, {down_at, across_at}, {down.data(), across.data()}, values.data(),
-                                     found + pupils, found + 2 * pupils);
-        const lommel::ApertureRule rule{size, weights.data()};
-        const auto ask = [&](auto real) {
-            using Real = decltype(real);
-            double* const bounds = slope_numbers.data();
-            const lommel::ChordalDerivatives<Real> more{by, nullptr, bounds, slopes.data(), bounds + by.size() * pupils};
-            lommel::ApertureAverages<Real>(stack, rule, nodes, found, more, off).run(threads);
-        };
-        single ? ask(float()) : ask(double());
-    });
-}
-
 std::pair<double, double> costs(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
                                 double center_y, double center_x, std::size_t height, std::size_t width, double step,
                                 double tol, bool single) {
@@ -394,23 +289,6 @@ void bindings::define_chordal(nb::module_& m) {
                                       "The same by the chordal rule; bounds are over the largest value of the window.");
     define_disk_images<CheaperImages, false>(m, "cheaper_chordal_images",
                                              "The same, unless the series is likely to take less time: a Declined then.");
-    m.def("chordal_averages", &averages<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
-          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
-          "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
-          "Averages over pixels from samples at nodes, whose fields are within a tolerance; bounds on these, the largest "
-          "samples, and of averages the largest and the sum. Their derivatives by the coefficients of `factors`, with bounds "
-          "on those at nodes and the largest of these.");
-    m.def("chordal_averages", &averages<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
-          "step"_a, "tol"_a, "threads"_a, "rows"_a, "columns"_a, "down"_a, "across"_a, "single"_a, "if_cheaper"_a,
-          "values"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
-          "The same, each around an axis of its own.");
-    m.def("aperture_averages", &aperture_averages, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "threads"_a,
-          "rows"_a, "columns"_a, "down"_a, "across"_a, "weights"_a, "single"_a, "off"_a, "values"_a.noconvert(),
-          "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "slope_numbers"_a.noconvert(),
-          "The same of an aperture, by weights of the nodes of the disk: of a quadrant [chord][node][(+,+), (+,-), (-,+), "
-          "(-,-) in x and y][re, im]. The brightest sample of each, the largest average and the sum of them; fields are `off` "
-          "by so "
-          "much.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,
           "width"_a, "step"_a, "tol"_a, "single"_a,
           "Nanoseconds that images are likely to take by the chordal rule and by the series.");

@@ -11,6 +11,7 @@ NB_MODULE(_core, m) {
     define_zernike(m);
     define_aperture(m);
     define_chordal(m);
+    define_averages(m);
     define_paper(m);
     define_imaging(m);
     define_estimation(m);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "lommel/radial/images.hpp"
@@ -113,37 +114,51 @@ inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
     }
 }
 
-// Asks about pupils that are not radially symmetric around one axis, (row, column), or each around its own: work(stack, window),
-// axes moved to pixels or not. 0, or the bound that is left.
+// Terms by whose coefficients derivatives are wanted.
+inline std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& given) {
+    const std::vector<lommel::ZernikeTerm> terms = terms_of(given, given.shape(0));
+    require_terms(terms);
+    for (const lommel::ZernikeTerm& term : terms) {
+        require(term.n > 0, "no image depends on a constant");
+    }
+    return terms;
+}
+
+// Pupils that are not radially symmetric around one axis, (row, column), or each around its own.
+template <class... Center>
+lommel::DiskPupils disks_of(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
+                            const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step,
+                            const Center&... center) {
+    lommel::DiskWindow window{height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step};
+    const double* centers = nullptr;
+    require_image(height, width);
+    if constexpr (sizeof...(Center) == 2) {
+        require_center(center...);
+        window = {height, width, center..., step};
+    } else {
+        require_centers(center..., pupils_of(edge));
+        centers = (center.data(), ...);
+    }
+    std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    return {std::move(list),         edge.data(), pupils_of(edge), obscuration_of(obscuration),
+            amplitude_of(amplitude), window,      centers};
+}
+
+// Asks about such pupils: work(stack, window), axes moved to pixels or not. 0, or the bound that is left.
 template <bool Moves, class Work, class... Center>
 double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
                  const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step, double tol, int threads,
                  const Work& work, const Center&... center) {
-    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
-    require_terms(list);
-    const lommel::Amplitude light = amplitude_of(amplitude);
-    const std::size_t n = pupils_of(edge);
-    obscuration_of(obscuration);
-    require_image(height, width);
-    if constexpr (sizeof...(Center) == 2) {
-        require_center(center...);
-    } else {
-        require_centers(center..., n);
-    }
+    const lommel::DiskPupils pupils = disks_of(terms, edge, obscuration, amplitude, height, width, step, center...);
     require_request(step, tol, threads);
     return judged([&] {
-        lommel::DiskStack stack(list, edge.data(), n, obscuration, light);
-        lommel::DiskWindow window{height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step};
-        if constexpr (sizeof...(Center) == 2) {
-            window = {height, width, center..., step};
-        } else {
-            stack.tilt_to((center.data(), ...), window);
-        }
+        lommel::DiskStack stack = pupils.stack();
         if constexpr (Moves) {
-            stack.move_axes(window);
+            stack.move_axes(pupils.window);
         }
         stack.shrink();
-        work(stack, window);
+        work(stack, pupils.window);
     });
 }
 

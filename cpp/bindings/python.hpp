@@ -32,6 +32,7 @@ void define_radial(nb::module_& m);
 void define_zernike(nb::module_& m);
 void define_aperture(nb::module_& m);
 void define_chordal(nb::module_& m);
+void define_averages(nb::module_& m);
 void define_paper(nb::module_& m);
 void define_imaging(nb::module_& m);
 void define_estimation(nb::module_& m);

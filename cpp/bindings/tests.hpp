@@ -16,6 +16,7 @@ namespace bindings {
 // One file each.
 void define_radial_tests(nb::module_& m);
 void define_disk_tests(nb::module_& m);
+void define_average_tests(nb::module_& m);
 void define_table_tests(nb::module_& m);
 
 using Doubles1 = In<double, 1>;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lommel/averages/disks.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/limits.hpp"
@@ -110,17 +111,47 @@ class Disks {
     void run() {
         const lommel_plan& plan = asked_.plan;
         numbers_.resize(asked_.pupils, plan.scale());
-        if (plan.window.integrate) {
-            for (std::size_t pupil = 0; pupil < asked_.pupils; ++pupil) {
-                average(pupil);
-            }
-        } else {
+        const std::size_t each = std::max<std::size_t>(1, together / plan.pixels());
+        if (!plan.window.integrate) {
             samples<T>(asked_.coefficients, asked_.pupils, nullptr, plan.tol, asked_.images, numbers_);
+        }
+        for (std::size_t pupil = 0; plan.window.integrate && pupil < asked_.pupils; pupil += each) {
+            const std::size_t end = std::min(asked_.pupils, pupil + each);
+            for (std::size_t one = at_nodes(pupil, end) ? end : pupil; one < end; ++one) {
+                average(one);
+            }
         }
         asked_.deliver(numbers_.bounds.data());
     }
 
    private:
+    static constexpr std::size_t together = std::size_t{1} << 22;  // averages in double precision, which are stored later
+
+    // Averages of some pupils from samples at nodes of the window, far ones from rims; whether there are such.
+    bool at_nodes(std::size_t begin, std::size_t end) {
+        const lommel_plan& plan = asked_.plan;
+        const lommel::PixelWindow& w = plan.window;
+        const std::size_t count = end - begin;
+        const lommel::AverageRequest asked{w.height,     w.width, w.step, plan.tol, plan.scale(), lommel::storing<T>(false),
+                                           plan.threads, {}};
+        const lommel::DiskPupils pupils{terms_, asked_.coefficients + begin * asked_.terms,          count,  plan.obscuration,
+                                        {},     {w.height, w.width, w.center_y, w.center_x, w.step}, nullptr};
+        sums_.resize(count * plan.pixels());
+        const lommel::AverageAnswer answer{sums_.data(), nullptr, numbers_.bounds.data() + begin, numbers_.peaks.data() + begin,
+                                           nullptr};
+        try {
+            if (!lommel::DiskAverages(pupils, asked, false).run(answer)) {
+                return false;
+            }
+        } catch (const lommel::LimitExceeded&) {
+            return false;
+        }
+        const lommel::DiskAnswer<T> images{asked_.images + begin * plan.pixels(), numbers_.scales.data() + begin, answer.errors,
+                                           answer.peaks};
+        lommel::store_averages<T>(asked, count, answer, images, nullptr, nullptr);
+        return true;
+    }
+
     // Samples of pupils around the axis of the plan, or each around its own.
     template <class S>
     void samples(const double* edge, std::size_t pupils, const double* centers, double tol, S* images, Numbers& numbers) const {
@@ -155,7 +186,7 @@ class Disks {
     void average(std::size_t pupil) {
         const lommel_plan& plan = asked_.plan;
         const lommel::PixelWindow& window = plan.window;
-        const double most = plan.open() * plan.open(), scale = numbers_.scales[pupil];
+        const double most = plan.open() * plan.open(), scale = plan.scale();
         const bool divide = scale == 0.0;
         const double kept = plan.tol - 2.0 * lommel::storing<T>(divide);
         if (kept <= 0.0) {

@@ -22,6 +22,7 @@ FocalStream = _core.FocalStream
 MoleculeFitter = _core.MoleculeFitter
 MoleculeTable = _core.MoleculeTable
 average_samples = _core.average_samples
+band_points = _core.band_points
 bessel_sequence = _core.bessel_sequence
 chebyshev_intensity = _core.chebyshev_intensity
 clear_tables = _core.clear_caches
@@ -36,6 +37,7 @@ filter_planes = _core.filter_planes
 gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum
+least_average = _core.least_average
 least_squares = _core.least_squares
 legendre_transforms = _core.legendre_transforms
 levels = _core.levels
@@ -43,6 +45,7 @@ product = _core.product
 scatter = _core.scatter
 spread = _core.spread
 table_bytes = _core.cached_bytes
+transfer_rule = _core.transfer_rule
 
 
 class RadialStack(NamedTuple):
@@ -201,120 +204,52 @@ def chordal_images(
     return made._replace(slopes=slopes)
 
 
-class NodeQuestion(NamedTuple):
-    """Averages over pixels that are wanted, and derivatives of them, from samples at nodes of their window."""
-
-    stack: DiskStack
-    window: Window
-    places: tuple[Array, Array]  # of nodes, v of rows and of columns about the middle of the window
-    weights: tuple[Array, Array]  # of nodes in rows and in columns of pixels, (height, nodes) and (width, nodes)
-    threads: int = 0
-    single: bool = False  # precision, where that is enough
-    terms: tuple[tuple[int, int], ...] = ()  # by whose coefficients derivatives are wanted
-    sole: bool = True  # whether nothing has been computed that would be lost if these were declined
+def _averages_room(count: int, window: Window, wanted: Wanted) -> tuple[Images, tuple[Any, ...]]:
+    """Return images that are not computed yet, with their derivatives, and the same as the core takes them."""
+    scale, values, numbers = _places(count, window, wanted)
+    by = np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
+    slopes = Slopes(np.empty((len(by), *values.shape), wanted.dtype), np.empty((len(by), count)))
+    images = Images(values, numbers[0], numbers[1], slopes if len(by) else None, numbers[2])
+    return images, (scale, values, numbers, by, slopes.values, slopes.error)
 
 
-class NodeAverages(NamedTuple):
-    """Averages over pixels from samples at nodes of their window."""
+def disk_averages(
+    stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
+) -> Images | None:
+    """Return averages over pixels, with errors over the largest one anywhere; None where others serve better.
 
-    values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k coefficients
-    error: Array  # (n,), bounds on the error of the field U at the nodes
-    brightest: Array  # (n,), the largest sample
-    largest: Array  # (n,), of the averages
-    together: Array  # (n,), their sum
-    slope_error: Array  # (k, n), bounds on the errors of samples of the derivatives
-    steepest: Array  # (k, n), the largest modulus of these
-
-
-def _node_answer(asked: NodeQuestion) -> tuple[Array, Array, NDArray[np.int32], Array]:
-    """Return where the core writes values and numbers of each pupil, the terms, and where numbers of slopes go."""
-    count, by = len(asked.stack.edge), np.array(asked.terms, dtype=np.int32).reshape(-1, 2)
-    values = np.empty((1 + len(by), count, *asked.window.shape))
-    return values, np.empty((4, count)), by, np.empty((2, len(by), count))
-
-
-def chordal_averages(asked: NodeQuestion, tol: float, *, if_cheaper: bool = False) -> NodeAverages:
-    """Return averages by the chordal rule, the field U within `tol` at the nodes."""
-    values, numbers, by, slopes = _node_answer(asked)
-    compute: Callable[..., float] = _core.chordal_averages
-    given = (*asked.stack, *asked.window.center, asked.window.step, tol, asked.threads, *asked.places, *asked.weights)
-    wanted = asked.single, if_cheaper, values[0], numbers, by, values[1:], slopes
-    _require(compute(*given, *wanted), tol, "the largest value in the window")
-    return NodeAverages(values, *numbers, *slopes)
-
-
-def aperture_averages(asked: NodeQuestion, rule: Array, off: float) -> NodeAverages:
-    """Return averages of an aperture around one axis, its amplitude in the weights of a rule of the disk.
-
-    `rule` has for each chord and node of a quadrant the weights at (x, y), (x, -y), (-x, y), (-x, -y), of each the
-    real and the imaginary part: (chords, nodes, 8). Fields are `off` by so much, which the caller knows.
+    With `if_cheaper`, those that :func:`series_images` is likely to take less time for raise Declined.
     """
-    values, numbers, by, slopes = _node_answer(asked)
-    compute: Callable[..., float] = _core.aperture_averages
-    stack, window = asked.stack, asked.window
-    given = stack.terms, stack.edge, *window.center, window.step, asked.threads, *asked.places, *asked.weights
-    compute(*given, rule, asked.single, off, values[0], numbers[1:], by, values[1:], slopes)
-    numbers[0] = off
-    return NodeAverages(values, *numbers, *slopes)
+    images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
+    compute: Callable[..., bool] = _core.disk_averages
+    given = (*stack, *window.center, window.step, tol, wanted.threads, scale, if_cheaper)
+    return images if compute(*given, *places) else None
 
 
-def rim_remainders(stack: DiskStack, window: Window, threads: int) -> tuple[Array, Array]:
-    """Return what rims leave of fields, times v to the power of `RIM_ORDERS`, and the pixels of the axes, (n, 2).
-
-    The former is infinite where terms are of too high a degree.
-    """
-    count = len(stack.edge)
-    remainders, axes = np.empty(count), np.empty((count, 2))
-    compute: Callable[..., float] = _core.rim_remainders
-    compute(*stack, *window.center, *window.shape, window.step, threads, remainders, axes)
-    return remainders, axes
+# From the largest distance in v, the error that fields may have there, whether sums in single precision are wanted,
+# and numbers of nodes of rows and columns, to weights of a quadrant, what fields are off by with these, and whether
+# that counts such sums.
+ApertureRule = Callable[[float, float, bool, int, int], tuple[Array, float, bool] | None]
 
 
-RIM_ORDERS: int = _core.RIM_ORDERS
-
-
-class RimBoxes(NamedTuple):
-    """Of each pupil, the box around its axis outside which averages over pixels are likely to come from its rim."""
-
-    sides: NDArray[np.int64]  # (n,), pixels, odd; 0 where the whole window had best have nodes
-    most: NDArray[np.int64]  # (n,), the largest side that it may have
-    axes: NDArray[np.int64]  # (n, 2), the pixel of the axis
-    remainders: Array  # (n,), as those of :func:`rim_remainders`
-    tolerances: Array  # (n,), what averages may be off by, likely
-
-
-def rim_boxes(stack: DiskStack, window: Window, tol: float, lowest: float, threads: int) -> RimBoxes | None:
-    """Return boxes for averages within `tol` of the largest; None where those are not likely to take less time.
-
-    `lowest` is the least that the best placed pixel averages, over the peak of I.
-    """
-    count = len(stack.edge)
-    sides, axes, numbers = np.empty((2, count), np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
-    compute: Callable[..., bool] = _core.rim_boxes
-    pays = compute(*stack, *window.center, *window.shape, window.step, tol, lowest, threads, sides, axes, numbers)
-    return RimBoxes(sides[0], sides[1], axes, numbers[0], numbers[1]) if pays else None
-
-
-def rim_averages(
+def aperture_averages(
     stack: DiskStack,
     window: Window,
-    remainders: Array,
-    near: Array,
-    error: float,
-    threads: int,
-    places: NDArray[np.int64],
-    values: Array,
-) -> tuple[Array, Array]:
-    """Write averages over pixels outside boxes around the axes, and within them `near` ones, (n, box, box).
+    strehl: float,
+    transmission: float,
+    tol: float,
+    wanted: Wanted,
+    rule: ApertureRule,
+) -> Images | None:
+    """Return averages over pixels of an aperture around one axis, its amplitude in the weights of a rule of the disk.
 
-    `remainders` are those of :func:`rim_remainders`; of averages, interpolation may make about `error`. `places` are
-    those of pupils among `values`, (.., height, width). Returned are bounds on the error of those outside, and the
-    largest of them, (n,).
+    The weights at (x, y), (x, -y), (-x, y), (-x, -y) of each chord and node of a quadrant, of each the real and the
+    imaginary part: (chords, nodes, 8). None where the window has no nodes, or there is no rule.
     """
-    numbers = np.empty((len(stack.edge), 2))
-    compute: Callable[..., float] = _core.rim_averages
-    compute(*stack, *window.center, window.step, error, threads, remainders, near, places, values, numbers)
-    return numbers[:, 0], numbers[:, 1]
+    images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
+    compute: Callable[..., bool] = _core.aperture_averages
+    given = (stack.terms, stack.edge, *window.center, window.step, tol, wanted.threads, scale, strehl, transmission)
+    return images if compute(*given, rule, *places) else None
 
 
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, Pixels, Wanted
-from lommel.core.engine import NodeAverages, chordal_averages, chordal_gradient, chordal_images, chordal_plan
+from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan, disk_averages
 from lommel.methods.method import Method, Shortcut
 from lommel.methods.nijboer_zernike import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
-
-if TYPE_CHECKING:
-    from lommel.core.engine import NodeQuestion
 
 
 @dataclass(frozen=True)
@@ -100,10 +97,12 @@ class ChordalGauss(Method[Pupil]):
             stack, window = disk_stack(some), window_of(some, pixels)
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
-        def at_nodes(asked: NodeQuestion, tol: float) -> NodeAverages:
-            return chordal_averages(asked, tol, if_cheaper=self._if_cheaper and asked.sole and not asked.terms)
-
-        return disk_images(sampled, pupil, grid, self.tol, wanted, at_nodes)
+        if grid.integrate:
+            stack, window = disk_stack(pupil), window_of(pupil, grid)
+            made = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
+            if made is not None:
+                return made
+        return disk_images(sampled, pupil, grid, self.tol, wanted)
 
     def gradient(
         self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0

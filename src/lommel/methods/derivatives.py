@@ -17,6 +17,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Pixels, Wanted
+from lommel.core.engine import least_average
 from lommel.methods.choice import first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
@@ -29,7 +30,6 @@ from lommel.methods.pixels.averaging import (
     blocks,
     filtered_by,
     finer,
-    least_average,
     sloping,
     weighed,
 )

@@ -28,7 +28,6 @@ from lommel.methods.method import FieldMethod, Shortcut
 from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
-    from lommel.methods.pixels.averaging import NodeSample
     from lommel.optics.pupil import Pupil
 
 
@@ -173,19 +172,11 @@ def disk_images(
     grid: Grid,
     tol: float,
     wanted: Wanted,
-    at_nodes: NodeSample | None = None,
 ) -> Images:
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
-    from lommel.methods.pixels.averaging import Disks, averaged_images, finished
-
-    if at_nodes is not None:
-        from lommel.methods.pixels.rims import averaged_disks
-
-        made = averaged_disks(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
-        if made is not None:
-            return finished(made, wanted)
+    from lommel.methods.pixels.averaging import averaged_images
 
     def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
         return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)

@@ -15,7 +15,7 @@ from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, once_stored, painted, relative_error, storing
 from lommel.methods.moment_rule import degrees_and_error, field_sums, moment_rule, phase_roundings, worth
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels.averaging import averaged_images, finished
+from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -82,7 +82,7 @@ class NonuniformFFT(Method[Pupil]):
 
             made = averaged_apertures(pupil, grid, self.tol, wanted)
             if made is not None:
-                return finished(made, wanted)
+                return made
         # Errors of averages are over the largest anywhere, as those of samples in a dark window need not be.
         sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
         return averaged_images(sample, pupil, grid, self.tol, wanted)

@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core import engine
 from lommel.core.answers import Wanted
+from lommel.core.engine import aperture_averages, disk_averages
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import aperture_nodes
 from lommel.methods.pixels.aperture_nodes import averaged_apertures, turned
-from lommel.methods.pixels.window_nodes import window_nodes
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
@@ -66,35 +65,36 @@ def test_averages_are_within_their_bound(more, grid, tol, monkeypatch):
         assert np.max(made.error_bound) <= tol
 
 
-@pytest.mark.parametrize("single", [False, True])
-def test_sums_are_those_of_the_disk_where_weights_are(single):
+@pytest.mark.parametrize("tol", [1e-9, 1e-3])
+def test_sums_are_those_of_the_disk_where_weights_are(tol):
     """The rule of the whole disk, in either way of the axes, gives what the chordal rule does."""
     rng = np.random.default_rng(1)
     pupil, grid = pupils(rng, 3, 0.1), Grid((4, 7), 1.1, center=(1.7, 3.2), integrate=True)
     stack, window = disk_stack(pupil), window_of(pupil, grid)
-    axes = [window_nodes(window.step, n, 1e-8) for n in grid.shape]
-    places, weights = tuple(a.places for a in axes), tuple(a.weights for a in axes)
-    chords = engine.chordal_averages(engine.NodeQuestion(stack, window, places, weights, 1), 1e-10)
+    exact = disk_averages(stack, window, 1e-10, Wanted(threads=1))
     size = 64
     _, w = np.polynomial.legendre.leggauss(size)
     angle = np.pi * np.arange(1, size // 2 + 1) / (size + 1)
     quadrant = np.outer(np.sin(angle) ** 2 / (size + 1), w[size // 2 :][::-1])
-    rule = np.zeros((size // 2, size // 2, 8))
-    rule[:, :, ::2] = quadrant[:, :, None]
+    weights, asked = np.zeros((size // 2, size // 2, 8)), []
+    weights[:, :, ::2] = quadrant[:, :, None]
+
+    def rule(*given):
+        asked.append(given)
+        return weights, 0.5 * given[1], given[2]
+
     for swap in (False, True):
-        if swap:
-            given = turned(stack), window._replace(shape=window.shape[::-1], center=window.center[::-1])
-            asked = engine.NodeQuestion(*given, places[::-1], weights[::-1], 1, single)
-            made = engine.aperture_averages(asked, rule, 1e-9)
-            values = made.values[0].swapaxes(1, 2)
-        else:
-            asked = engine.NodeQuestion(stack, window, places, weights, 1, single)
-            made = engine.aperture_averages(asked, rule, 1e-9)
-            values = made.values[0]
-        np.testing.assert_allclose(values, chords.values[0], atol=1e-5 if single else 1e-10)
-        np.testing.assert_allclose(made.largest, values.max(axis=(1, 2)), rtol=1e-12)
-        np.testing.assert_allclose(made.together, values.sum(axis=(1, 2)), rtol=1e-12)
-        np.testing.assert_allclose(made.brightest, chords.brightest, rtol=1e-4 if single else 1e-8)
+        by = (turned(stack), window._replace(shape=(7, 4), center=(3.2, 1.7))) if swap else (stack, window)
+        made = aperture_averages(*by, 0.8, 1.0, tol, Wanted(threads=1), rule)
+        values = made.values.swapaxes(1, 2) if swap else made.values
+        np.testing.assert_allclose(values, exact.values, atol=1e-5 if tol > 1e-6 else 1e-9)
+        np.testing.assert_allclose(made.peak, values.max(axis=(1, 2)), rtol=1e-12)
+        reach, _, single, rows, columns = asked[-1]
+        assert single == (tol > 1e-6)
+        # From the axis to nodes at the corners of the window.
+        assert 0.9 < reach / (1.1 * np.pi * math.hypot(2.2, 3.7)) <= 1.0
+        assert (rows > columns) == swap
+    assert aperture_averages(stack, window, 0.8, 1.0, tol, Wanted(threads=1), lambda *_: None) is None
 
 
 def test_derivatives_are_those_of_samples():

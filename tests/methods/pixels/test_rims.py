@@ -9,13 +9,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from core_tests import _core_tests
 from disk_quadrature import exact_lattice
 from lommel import _core
-from lommel.core import engine
-from lommel.methods import chordal_gauss
+from lommel.core.engine import Window, least_average
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels import rims
-from lommel.methods.pixels.averaging import least_average
 from lommel.optics.grid import Grid
 
 NOLL = tuple(range(4, 16))  # the degrees 2 to 4
@@ -39,14 +37,47 @@ def exact_averages(pupil, step, places):
     return np.array(found)
 
 
+def axes_of(window, count):
+    """Return the axis of each pupil, (n, 2)."""
+    return window.center[0] if len(window.center) == 1 else np.tile(window.center, (count, 1)).astype(float)
+
+
+def remainders_of(stack, window):
+    """Return what rims leave of fields, times v to the power of RIM_ORDERS, and the pixels of the axes."""
+    count = len(stack.edge)
+    left, axes = np.empty(count), np.empty((count, 2))
+    given = (*stack, axes_of(window, count), *window.shape, window.step)
+    _core_tests.rim_remainders(*given, 1, left, axes)
+    return left, axes
+
+
 def from_rims(pupil, grid, box, error):
     stack, window = disk_stack(pupil), window_of(pupil, grid)
     count = len(stack.edge)
-    remainders, axes = engine.rim_remainders(stack, window, 1)
-    values = np.full((count, *grid.shape), np.nan)
+    left, axes = remainders_of(stack, window)
+    values, numbers = np.full((count, *grid.shape), np.nan), np.empty((count, 2))
     near = np.full((count, box, box), -1.0)
-    off, top = engine.rim_averages(stack, window, remainders, near, error, 1, np.arange(count), values)
-    return values, off, top, axes
+    given = (*stack, axes_of(window, count), window.step, error, 1, left, near, np.arange(count))
+    _core_tests.rim_averages(*given, values, numbers)
+    return values, numbers[:, 0], numbers[:, 1], axes
+
+
+def boxes_of(stack, window, tol):
+    """Return sides of boxes, pixels of axes, and tolerances; of pupils of which rims pay."""
+    count = len(stack.edge)
+    sides, axes, numbers = np.empty((2, count), np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
+    given = (*stack, axes_of(window, count), *window.shape, window.step, tol, least_average(window.step), 1)
+    assert _core_tests.rim_boxes(*given, sides, axes, numbers)
+    return sides[0], axes, numbers[1]
+
+
+def averages(pupil, shape, pixel, *, center=None, tol=1e-4, scale=1.0, failing=0):
+    """Return averages by the core, which boxes they had, and their bounds."""
+    grid = Grid(shape, pixel, center=center, integrate=True)
+    stack, window = disk_stack(pupil), window_of(pupil, grid)
+    values = np.empty((len(stack.edge), *grid.shape))
+    given = (*stack, axes_of(window, len(values)), window.step, tol, scale)
+    return values, _core_tests.watched_averages(*given, if_cheaper=False, failing=failing, values=values)
 
 
 def far_places(rng, axis, box, shape, count):
@@ -107,8 +138,8 @@ def test_what_is_left_is_a_derivative_of_the_pupil_function(terms, apodization):
     """By Cauchy's integral over conj(z) as a variable of its own, where the core takes a recurrence."""
     rng = np.random.default_rng(3)
     pupil = pupils(rng, 4, 0.07, terms, apodization=apodization)
-    left, _ = engine.rim_remainders(disk_stack(pupil), window_of(pupil, Grid(9, 1.0)), 1)
-    order = engine.RIM_ORDERS
+    left, _ = remainders_of(disk_stack(pupil), window_of(pupil, Grid(9, 1.0)))
+    order = _core_tests.RIM_ORDERS
     t, weight = np.polynomial.legendre.leggauss(60)
     radius, angle = np.sqrt(0.5 + 0.5 * t), 2 * np.pi * np.arange(120) / 120
     z = (radius[:, None] * np.exp(1j * angle)).ravel()
@@ -167,17 +198,15 @@ def test_pupils_alone_are_as_in_a_stack(level, obscuration):
 
 @pytest.mark.parametrize("normalize", ["strehl", "peak"])
 @pytest.mark.parametrize(("tol", "dtype"), [(1e-3, np.float32), (1e-4, np.float32), (1e-6, np.float64)])
-def test_stacks_of_psfs_are_within_their_bound(normalize, tol, dtype, monkeypatch):
-    asked = []
-    engine_averages = rims.rim_averages
-    monkeypatch.setattr(rims, "rim_averages", lambda *given: asked.append(given[2].size) or engine_averages(*given))
+def test_stacks_of_psfs_are_within_their_bound(normalize, tol, dtype):
     rng = np.random.default_rng(11)
     pupil = pupils(rng, 40, 0.1)
     center = tuple(16 + rng.uniform(-2, 2, 40) for _ in range(2))
     made = lm.psf(
         pupil, 33, 2.65, center=center, integrate=True, tol=tol, dtype=dtype, normalize=normalize, threads=1
     )
-    assert sum(asked) >= 40
+    scale = 0.0 if normalize == "peak" else 1.0
+    assert sum(averages(pupil, 33, 2.65, center=center, tol=tol, scale=scale)[1]["counts"]) >= 40
     assert np.max(made.error_bound) <= tol
     for i in range(0, 40, 7):
         place = np.array([c[i] for c in center])
@@ -189,27 +218,21 @@ def test_stacks_of_psfs_are_within_their_bound(normalize, tol, dtype, monkeypatc
         assert np.abs(got - scale * exact).max() <= tol * scale * whole.max()
 
 
-def taken(monkeypatch, pupil, shape, pixel, **more):
+def taken(pupil, shape, pixel):
     """Return how many pupils have pixels from rims."""
-    asked = []
-    engine_averages = rims.rim_averages
-    with monkeypatch.context() as patch:
-        patch.setattr(rims, "rim_averages", lambda *given: asked.append(given[2].size) or engine_averages(*given))
-        made = lm.psf(pupil, shape, pixel, integrate=True, tol=1e-4, dtype=np.float32, **more)
-    assert np.max(made.error_bound) <= 1e-4
-    return sum(asked)
+    _, made = averages(pupil, shape, pixel)
+    return sum(made["counts"])
 
 
-def test_rims_serve_stacks_whose_light_is_in_a_small_box(monkeypatch):
+def test_rims_serve_stacks_whose_light_is_in_a_small_box():
     rng = np.random.default_rng(2)
-    assert taken(monkeypatch, pupils(rng, 20, 0.1), 33, 2.65) >= 20
-    assert taken(monkeypatch, pupils(rng, 20, 0.1), 33, 2.65, derivatives=["noll 5"]) == 0
-    assert taken(monkeypatch, pupils(rng, 1, 0.1), 33, 2.65) == 1
-    assert taken(monkeypatch, pupils(rng, 1, 0.1), 33, 1.0) == 0  # few nodes take less time
-    assert taken(monkeypatch, pupils(rng, 20, 0.6), 33, 2.65) == 0  # light is everywhere
-    assert taken(monkeypatch, pupils(rng, 20, 0.05), 5, 2.65) == 0  # all pixels are near
-    assert taken(monkeypatch, pupils(rng, 4, 0.05), 150, 2.65) == 0  # tables take longer
-    assert taken(monkeypatch, pupils(rng, 20, 0.02, (4, 154)), 33, 2.65) == 0  # of degree 17
+    assert taken(pupils(rng, 20, 0.1), 33, 2.65) >= 20
+    assert taken(pupils(rng, 1, 0.1), 33, 2.65) == 1
+    assert taken(pupils(rng, 1, 0.1), 33, 1.0) == 0  # few nodes take less time
+    assert taken(pupils(rng, 20, 0.6), 33, 2.65) == 0  # light is everywhere
+    assert taken(pupils(rng, 20, 0.05), 5, 2.65) == 0  # all pixels are near
+    assert taken(pupils(rng, 4, 0.05), 150, 2.65) == 0  # tables take longer
+    assert taken(pupils(rng, 20, 0.02, (4, 154)), 33, 2.65) == 0  # of degree 17
 
 
 @pytest.mark.parametrize("obscuration", [0.002, 0.01, 0.03, 0.1, 0.93])
@@ -230,24 +253,19 @@ def test_windows_beside_the_axis_are_divided_by_their_own_largest_value(row):
     np.testing.assert_allclose(made.values.max(axis=(1, 2)), 1.0, rtol=1e-6)
 
 
-def test_pupils_that_fail_have_larger_boxes_and_then_nodes(monkeypatch):
-    rng = np.random.default_rng(4)
-    pupil, boxes, engine_averages = pupils(rng, 24, 0.05), [], rims.rim_averages
-
-    def failing(*given):
-        off, top = engine_averages(*given)
-        boxes.append(given[3].shape[1])
-        off[given[6] % 5 == 0] = 1.0
-        return off, top
-
-    monkeypatch.setattr(rims, "rim_averages", failing)
-    made = lm.psf(pupil, 33, 2.65, integrate=True, tol=1e-4, dtype=np.float32)
-    assert len(set(boxes)) >= 3
-    assert np.max(made.error_bound) <= 1e-4
-    monkeypatch.setattr(rims, "rim_boxes", lambda *given: None)
-    by_nodes = lm.psf(pupil, 33, 2.65, integrate=True, tol=1e-6)
-    off = np.abs(made.values - by_nodes.values).max(axis=(1, 2)) / by_nodes.values.max(axis=(1, 2))
-    assert off.max() <= 1.1e-4
+def test_pupils_that_fail_have_larger_boxes_and_then_nodes():
+    pupil = pupils(np.random.default_rng(4), 24, 0.05)
+    values, made = averages(pupil, 33, 2.65, failing=5)
+    assert made["made"]
+    assert len(set(made["sides"])) >= 3
+    assert max(made["sides"]) <= 0.7 * 33
+    assert made["counts"][-1] == 5
+    assert max(made["errors"]) <= 1e-4
+    method = lm.NijboerZernike(1e-6)
+    exact = lm.psf(pupil, 33, 2.65, integrate=True, normalize="strehl", method=method).values
+    assert (np.abs(values - exact).max(axis=(1, 2)) <= 1.01e-4 * exact.max(axis=(1, 2))).all()
+    whole, _ = averages(pupil[::5], 33, 2.65, tol=1e-9)
+    assert np.abs(values[::5] - whole).max() <= 1e-6  # nodes, which are far more exact than is asked of them
 
 
 def test_few_of_a_box_go_with_a_larger_one():
@@ -255,8 +273,7 @@ def test_few_of_a_box_go_with_a_larger_one():
     waves = np.array([0.02] * 20 + [0.05] * 3 + [0.1] * 12 + [1.0] * 2)
     made = np.stack([pupils(rng, 1, each).wavefront.edge[0] for each in waves])
     stack = disk_stack(pupils(rng, 37, 0.1))._replace(edge=made)
-    boxes = engine.rim_boxes(stack, engine.Window((33, 33), (16.0, 16.0), 8.0), 1e-4, least_average(8.0), 1)
-    sides = boxes.sides
+    sides, _, _ = boxes_of(stack, Window((33, 33), (16.0, 16.0), 8.0), 1e-4)
     assert len(set(sides[:20])) == 1
     counts = Counter(sides[:35].tolist())
     assert all(many >= 8 for side, many in counts.items() if side < max(counts))
@@ -270,11 +287,11 @@ def test_boxes_are_within_the_window_also_of_pupils_that_go_with_others():
     stack = disk_stack(pupils(rng, 20, 0.1))._replace(edge=np.concatenate(edge))
     centers = np.full((20, 2), 16.0)
     centers[17:, 0] = 3.0
-    boxes = engine.rim_boxes(stack, engine.Window((33, 33), (centers,), 8.0), 1e-4, least_average(8.0), 1)
-    assert boxes.sides[:17].min() > 7
-    assert (boxes.sides[17:] > 0).all()
-    assert (boxes.sides[17:] // 2 <= 3).all()
-    np.testing.assert_array_equal(boxes.axes, centers)
+    sides, axes, _ = boxes_of(stack, Window((33, 33), (centers,), 8.0), 1e-4)
+    assert sides[:17].min() > 7
+    assert (sides[17:] > 0).all()
+    assert (sides[17:] // 2 <= 3).all()
+    np.testing.assert_array_equal(axes, centers)
 
 
 def test_the_largest_average_is_about_as_guessed():
@@ -283,23 +300,24 @@ def test_the_largest_average_is_about_as_guessed():
         pupil = pupils(rng, 20, waves)
         exact = lm.psf(pupil, 21, pixel, integrate=True, normalize="strehl").values.max(axis=(1, 2))
         window = window_of(pupil, Grid(121, pixel, integrate=True))
-        boxes = engine.rim_boxes(disk_stack(pupil), window, 1e-3, least_average(window.step), 1)
-        assert (boxes.tolerances / (1e-3 * exact) > 0.6).all()
-        assert (boxes.tolerances / (1e-3 * exact) < 1.7).all()
+        _, _, tolerances = boxes_of(disk_stack(pupil), window, 1e-3)
+        assert (tolerances / (1e-3 * exact) > 0.6).all()
+        assert (tolerances / (1e-3 * exact) < 1.7).all()
 
 
-def test_pupils_left_over_do_not_make_others_start_again(monkeypatch):
-    asked, engine_averages = [], engine.chordal_averages
-    pupil = lm.Pupil(lm.Wavefront.zernike({(2, 0): np.r_[[0.3] * 38, [9.0] * 2], (3, 1): np.full(40, 0.1)}))
-
-    def averages(question, tol, *, if_cheaper):
-        asked.append((question.window.shape[0], len(question.stack.edge), if_cheaper))
-        return engine_averages(question, tol, if_cheaper=if_cheaper)
-
-    monkeypatch.setattr(chordal_gauss, "chordal_averages", averages)
-    made = lm.psf(pupil, 25, 2.65, integrate=True, tol=1e-5, threads=1)
-    assert np.max(made.error_bound) <= 1e-5
-    assert [(count, declines) for side, count, declines in asked if side == 25] == [(2, False)]
+def test_pupils_left_over_do_not_make_others_start_again():
+    """Alone, the series would take less time for those of much defocus, and decline for all."""
+    defocus = np.r_[[0.3] * 38, [9.0] * 2]
+    pupil = lm.Pupil(lm.Wavefront.zernike({(2, 0): defocus, (3, 1): np.full(40, 0.1)}))
+    stack, window = disk_stack(pupil), window_of(pupil, Grid(25, 2.65, integrate=True))
+    values = np.empty((40, 25, 25))
+    given = (*stack, axes_of(window, 40), window.step, 1e-5, 1.0)
+    made = _core_tests.watched_averages(*given, if_cheaper=True, failing=0, values=values)
+    assert made["made"]
+    assert sum(made["counts"]) == 38
+    alone = (*stack._replace(edge=stack.edge[38:].copy()), axes_of(window, 2), window.step, 1e-5, 1.0)
+    with pytest.raises(ValueError, match="series"):
+        _core_tests.watched_averages(*alone, if_cheaper=True, failing=0, values=np.empty((2, 25, 25)))
 
 
 @pytest.mark.parametrize("waves", [0.02, 0.05, 0.1, 0.2, 0.4, 1.0])
@@ -312,8 +330,8 @@ def test_five_hundred_pupils_are_within_their_bounds(waves):
             rng, 50, waves, obscuration=float(rng.choice([0.0, 0.3])), apodization=float(rng.choice([0.0, 0.5]))
         )
         stack, step = disk_stack(pupil), pixel * np.pi
-        remainders, _ = engine.rim_remainders(stack, window_of(pupil, Grid(9, pixel)), 1)
-        nearest = 1.2 * float(np.median(remainders) / 3e-4) ** (1 / engine.RIM_ORDERS)
+        remainders, _ = remainders_of(stack, window_of(pupil, Grid(9, pixel)))
+        nearest = 1.2 * float(np.median(remainders) / 3e-4) ** (1 / _core_tests.RIM_ORDERS)
         box = max(5, 2 * math.ceil(max(nearest, 20.0) / step) + 1)
         side = box + 8
         error = 10.0 ** rng.uniform(-7, -5)

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import beta
 
-from lommel.methods.pixels.transfer_rule import mean_rule
+from lommel.core.engine import band_points, transfer_rule
 
 
 def chords(w: float) -> float:
@@ -34,7 +34,7 @@ def test_the_autocorrelation_of_chords_is_below_its_majorant():
 
 @pytest.mark.parametrize("degree", [2, 5, 32, 257, 700])
 def test_squares_of_polynomials_have_their_integral(degree):
-    w, weights = mean_rule(degree)
+    w, weights = transfer_rule(degree)
     assert weights.min() > 0.0
     assert (np.abs(w) < 2.0).all()
     assert (w > 0.0).all()
@@ -54,7 +54,7 @@ def test_the_bound_is_above_the_mean_modulus_and_not_far(odd, reach):
     x, c = np.linspace(0.0, reach, 24)[odd:], rng.normal(size=24 - odd)
     fine = np.linspace(0.0, 2.0, 4001)
     m = np.interp(fine, at := np.linspace(0.0, 2.0, 401), [chords(each) for each in at])
-    w, weights = mean_rule(math.ceil(2.36 * reach) + 48)
+    w, weights = transfer_rule(band_points(reach).size)
     mean = 2.0 * np.trapezoid(np.abs(wave(np.outer(fine, x)) @ c) * m, fine)
     bound = math.sqrt(float(weights @ (wave(np.outer(w, x)) @ c) ** 2))
     assert mean <= bound <= 2.2 * mean

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,15 +11,21 @@ from scipy.linalg import eigh_tridiagonal
 from scipy.special import pro_ang1
 
 import lommel as lm
-from lommel.core import engine
+from core_tests import _core_tests
 from lommel.core.answers import Wanted
+from lommel.core.engine import disk_averages
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import averaging
-from lommel.methods.pixels.window_nodes import eigenvector, prolate_zeros, window_nodes
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
 NOLL = {"noll 4": (2, 0), "noll 7": (3, -1), "noll 12": (4, 2)}
+
+
+def window_nodes(step, pixels, error):
+    """Return nodes as an object with attributes, or None."""
+    made = _core_tests.window_nodes(step, pixels, error)
+    return None if made is None else SimpleNamespace(**made | {"places": np.array(made["places"])})
 
 
 def chords(w):
@@ -32,7 +39,7 @@ def chords(w):
 
 @pytest.mark.parametrize(("degree", "bandwidth"), [(4, 2.0), (8, 5.0), (12, 8.0), (16, 12.0)])
 def test_nodes_are_zeros_of_a_prolate_function(degree, bandwidth):
-    zeros = prolate_zeros(degree, bandwidth)
+    zeros = np.array(_core_tests.prolate_zeros(degree, bandwidth))
     assert zeros.size == degree // 2
     beside = np.array([pro_ang1(0, degree, bandwidth, x)[0] for x in np.concatenate([zeros - 1e-4, zeros + 1e-4])])
     assert (beside[: zeros.size] * beside[zeros.size :] < 0).all()
@@ -42,7 +49,7 @@ def test_nodes_are_zeros_of_a_prolate_function(degree, bandwidth):
 def test_eigenvectors_are_those_of_a_library(size, index):
     rng = np.random.default_rng(size)
     diagonal, beside = np.sort(rng.uniform(0, 100, size)), rng.uniform(1, 5, size - 1)
-    found = eigenvector(diagonal, beside, index)
+    found = np.array(_core_tests.eigenvector(diagonal.tolist(), beside.tolist(), index))
     _, wanted = eigh_tridiagonal(diagonal, beside, select="i", select_range=(index, index))
     assert abs(abs(found @ wanted[:, 0]) - 1.0) <= 1e-11
 
@@ -122,25 +129,16 @@ def test_averages_at_nodes_are_within_their_bound(seed):
 
 
 @pytest.mark.parametrize("count", [1, 40])
-@pytest.mark.parametrize("single", [False, True])
-def test_sums_are_those_of_samples_in_either_precision(count, single):
+@pytest.mark.parametrize(("tol", "off"), [(1e-3, 1e-5), (1e-9, 3e-9)])
+def test_sums_are_those_of_samples_in_either_precision(count, tol, off):
     rng = np.random.default_rng(8)
     wavefront = lm.Wavefront.zernike({j: rng.normal(size=count) for j in (4, 5, 8)}, order="noll")
     pupil, grid = lm.Pupil(wavefront), Grid((6, 11), 1.0, integrate=True)
-    rows, columns = (window_nodes(math.pi, side, 1e-9) for side in grid.shape)
-    window = window_of(pupil, grid)
-    places, weights = (rows.places, columns.places), (rows.weights, columns.weights)
-    tol = 1e-3 if single else 1e-11
-    asked = engine.NodeQuestion(disk_stack(pupil), window, places, weights, 1, single)
-    made = engine.chordal_averages(asked, tol)
+    made = disk_averages(disk_stack(pupil), window_of(pupil, grid), tol, Wanted(threads=1))
     # By filters, which take samples of a series.
     method = lm.NijboerZernike(1e-9)
     exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, method=method, normalize="strehl").values
-    off = np.abs(made.values[0] - exact).max(axis=(1, 2))
-    assert (made.error <= tol).all()
-    of_samples = made.error * (2 * np.sqrt(made.brightest) + made.error)
-    assert (off <= rows.gain * columns.gain * of_samples + 1e-6 * single + 3e-9).all()
-    assert off.max() < (1e-5 if single else 3e-9)
+    assert np.abs(made.values - exact).max() < off
 
 
 def test_windows_that_have_nodes_take_no_filter(monkeypatch):
@@ -151,36 +149,21 @@ def test_windows_that_have_nodes_take_no_filter(monkeypatch):
 
 
 @pytest.mark.parametrize("tol", [1e-3, 1e-7])
-def test_the_bound_has_all_of_its_terms(tol, monkeypatch):
-    used = []
-    monkeypatch.setattr(averaging, "window_nodes", lambda *side: used.append(window_nodes(*side)) or used[-1])
-    pupil, grid, asked = (
-        lm.Pupil(lm.Wavefront.zernike({8: np.ones(1)}, order="noll")),
-        Grid(5, 2.0, integrate=True),
-        [],
-    )
-
-    def made(question, tol):
-        asked.append((question, tol))
-        values = np.zeros((1, 5, 5))
-        values[0, 2, 2] = 0.1
-        slopes = np.full((1, 1), 3 * tol), np.full((1, 1), 0.05)
-        return engine.NodeAverages(values[None], np.full(1, 0.9 * tol), *np.array([[0.2], [0.1], [0.1]]), *slopes)
-
-    wanted = Wanted(dtype=np.dtype(np.float64), scale=1.0, threads=1)
-    disks = averaging.Disks(disk_stack(pupil), window_of(pupil, grid), made)
-    found = averaging.averaged_at_nodes(disks, pupil, tol, wanted)
-    (question, of_field), nodes = asked[-1], used[-1]
-    assert (question.places[0] == nodes.places).all()
-    assert question.single == (tol == 1e-3)
-    gain, light = nodes.gain**2, 1.01 * nodes.spread**2 * 0.1  # less than all of the brightest sample
+def test_the_bound_has_all_of_its_terms(tol):
+    values = np.zeros((1, 5, 5))
+    values[0, 2, 2] = 0.1
+    numbers = np.array([0.2, 0.1, 0.1, 0.05])  # of samples, of averages, their sum, of slopes
+    found = SimpleNamespace(**_core_tests.bounds_at_nodes(2.0 * math.pi, 5, tol, 1e-16, values, numbers, 0.9, 3.0))
+    assert found.made
+    assert found.single == (tol == 1e-3)
+    gain, light = found.gain**2, 1.01 * found.spread**2 * 0.1  # less than all of the brightest sample
     assert light < 0.2 * gain
-    rounding = (2 * nodes.places.size + 11) * 2.0**-53 + (24 * 2.0**-24 if question.single else 0.0)
-    of_samples = 0.9 * of_field * (2 * math.sqrt(gain * light) + 0.9 * of_field * gain)
-    total = of_samples + (2 + nodes.error) * nodes.error + rounding * light
-    assert found.error[0, 0] == pytest.approx(total / 0.1, rel=1e-6)
-    slope = gain * (3 * of_field + rounding * 0.05) + 2 * (2 + nodes.error) * nodes.error
-    assert found.error[1, 0] == pytest.approx(slope / 0.1, rel=1e-6)
+    rounding = (2 * found.nodes + 11) * 2.0**-53 + (24 * 2.0**-24 if found.single else 0.0)
+    of_samples = 0.9 * found.wanted * (2 * math.sqrt(gain * light) + 0.9 * found.wanted * gain)
+    missed = (2 + found.node_error) * found.node_error
+    assert found.error == pytest.approx((of_samples + missed + rounding * light) / 0.1, rel=1e-6)
+    slope = gain * (3 * found.wanted + rounding * 0.05) + 2 * missed
+    assert found.slope_error == pytest.approx(slope / 0.1, rel=1e-6)
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -221,16 +204,3 @@ def test_samples_weighed_by_moduli_are_below_what_averages_tell():
         moduli = np.abs(nodes.weights) @ samples @ np.abs(nodes.weights).T
         assert moduli.max() <= nodes.spread**2 * averages.sum() * (1 + 1e-12)
         assert 1.0 <= nodes.spread < 1.3
-
-
-def test_weights_and_nodes_that_do_not_fit_are_refused():
-    pupil, grid = lm.Pupil(lm.Wavefront.zernike({8: np.ones(2)}, order="noll")), Grid(3, 1.0, integrate=True)
-    nodes = window_nodes(math.pi, 3, 1e-6)
-    asked = disk_stack(pupil), window_of(pupil, grid)
-    for places, weights in (
-        ((nodes.places[::-1].copy(), nodes.places), (nodes.weights, nodes.weights)),
-        ((nodes.places, nodes.places), (nodes.weights[:2].copy(), nodes.weights)),
-        ((nodes.places[1:].copy(), nodes.places), (nodes.weights, nodes.weights)),
-    ):
-        with pytest.raises(Exception, match="node"):
-            engine.chordal_averages(engine.NodeQuestion(*asked, places, weights, 1), 1e-6)

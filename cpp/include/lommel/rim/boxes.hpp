@@ -80,14 +80,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // Of the likely largest average, by the variance of the phase over the disk without piston and tilt.
-    double variance = 0.0;
-    const double* const edge = stack_.outer.data() + pupil * stack_.terms.size();
-    for (std::size_t t = 0; t < stack_.terms.size(); ++t) {
-        const ZernikeTerm& term = stack_.terms[t];
-        const double c = std::clamp(edge[t], -1e6, 1e6);
-        variance += term.n > 1 ? c * c / static_cast<double>((term.n + 1) * (term.m == 0 ? 1 : 2)) : 0.0;
-    }
+    const double variance = stack_.variance(pupil);  // tells the likely largest average
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
 

@@ -104,6 +104,16 @@ struct DiskStack {
         trim();
     }
 
+    // Of the phase of a pupil over the full disk, without piston and tilt.
+    double variance(std::size_t pupil) const {
+        double sum = 0.0;
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            const double c = std::clamp(outer[pupil * terms.size() + t], -1e6, 1e6);
+            sum += terms[t].n > 1 ? c * c / static_cast<double>((terms[t].n + 1) * (terms[t].m == 0 ? 1 : 2)) : 0.0;
+        }
+        return sum;
+    }
+
     // Fills `inner`: the same phase over the radius of the obscuration, its constant among the terms.
     void shrink();
 
@@ -151,6 +161,25 @@ struct DiskStack {
             terms.push_back(term);
         }
         return j;
+    }
+};
+
+// Pupils as callers have them, edge[pupil][term], around the axis of a window, or each around its own.
+struct DiskPupils {
+    std::vector<ZernikeTerm> terms;
+    const double* edge;
+    std::size_t count;
+    double obscuration;
+    Amplitude amplitude;
+    DiskWindow window;
+    const double* centers;  // [pupil], (row, column); null for that of the window
+
+    DiskStack stack() const {
+        DiskStack made(terms, edge, count, obscuration, amplitude);
+        if (centers != nullptr) {
+            made.tilt_to(centers, window);
+        }
+        return made;
     }
 };
 

@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import ToleranceError, Wanted
-from lommel.core.engine import DiskStack, NodeAverages, NodeQuestion, Window, aperture_averages
+from lommel.core.answers import Images, Pixels, Slopes, Wanted
+from lommel.core.engine import DiskStack, Window, aperture_averages
 from lommel.methods.moment_rule import MomentRule, degrees_and_error, moment_rule, nodes, roundings
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels.averaging import Averages, Disks, averaged_at_nodes
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -29,49 +28,55 @@ _SINGLE = 0.5  # of an error, what sums in single precision may lose
 _LEAST = 1e-12  # error of the field, below which roundings are in the way
 
 
-def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Averages | None:
+def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
     """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
     highest = max((n for n, _ in wanted.terms), default=0)
     fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
     if pupil.mask is not None or wanted.powers or fields < _FEWEST:
         return None
+    stack, window = disk_stack(pupil), window_of(pupil, grid)
 
-    def at_nodes(asked: NodeQuestion, tol: float) -> NodeAverages:
-        window = asked.window
-        middles = (window.step * (0.5 * (n - 1) - c) for n, c in zip(window.shape, window.center, strict=True))
-        farthest = (np.abs(places + at).max() for places, at in zip(asked.places, middles, strict=True))
-        reach, aim = math.hypot(*farthest), 0.15 * tol
+    def rule(reach: float, tol: float, single: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
+        aim = 0.15 * tol
         if aim < _LEAST:
-            raise ToleranceError
+            return None
         degree, fine, missed = degrees_and_error(pupil, reach, aim)
-        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, asked):
-            raise ToleranceError
-        rule = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
-        lost = roundings(rule, pupil, reach, single=True)
-        single = asked.single and lost < _SINGLE * tol
-        off = missed + 1.1 * aim + (lost if single else roundings(rule, pupil, reach))
-        # Chords of the rule are rows of the aperture, and those of the core are columns.
-        by, signs = exchanged(asked.terms)
-        other = NodeQuestion(
-            turned(asked.stack),
-            Window(window.shape[::-1], window.center[::-1], window.step),
-            asked.places[::-1],
-            asked.weights[::-1],
-            asked.threads,
-            single,
-            tuple((int(n), int(m)) for n, m in by),
-        )
-        made = aperture_averages(other, of_quadrant(rule, pupil), off)
-        made.values[1:] *= signs[:, None, None, None]
-        return made._replace(values=made.values.swapaxes(2, 3))
+        sums = _SUMS * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
+        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, sums, window):
+            return None
+        made = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
+        lost = roundings(made, pupil, reach, single=True)
+        single = single and lost < _SINGLE * tol
+        off = missed + 1.1 * aim + (lost if single else roundings(made, pupil, reach))
+        return of_quadrant(made, pupil), off, single
 
-    return averaged_at_nodes(Disks(disk_stack(pupil), window_of(pupil, grid), at_nodes), pupil, tol, wanted)
+    # Chords of the rule are rows of the aperture, and those of the core are columns.
+    by, signs = exchanged(wanted.terms)
+    images = aperture_averages(
+        turned(stack),
+        window._replace(shape=window.shape[::-1], center=window.center[::-1]),
+        pupil.likely_strehl,
+        pupil.transmission,
+        tol,
+        wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in by)),
+        rule,
+    )
+    return None if images is None else _turned_back(images, signs, wanted.out)
 
 
-def _pays(count: int, rows: float, asked: NodeQuestion) -> bool:
-    """Return whether sums over nodes are likely to take less time than a filter of samples."""
-    (down, across), window = (places.size for places in asked.places), asked.window
-    sums = _SUMS * rows * down * (rows + across)
+def _turned_back(images: Images, signs: Array, out: Pixels | None) -> Images:
+    """Return images with x and y exchanged, and derivatives with signs."""
+    values = np.empty_like(images.values.swapaxes(1, 2), order="C") if out is None else out
+    values[...] = images.values.swapaxes(1, 2)
+    slopes = images.slopes
+    if slopes is not None:
+        turned_slopes = slopes.values.swapaxes(2, 3) * signs[:, None, None, None].astype(slopes.values.dtype)
+        slopes = Slopes(np.ascontiguousarray(turned_slopes), slopes.error)
+    return images._replace(values=values, slopes=slopes)
+
+
+def _pays(count: int, rows: float, sums: float, window: Window) -> bool:
+    """Return whether sums over nodes are likely to take less time than a filter of samples, the rule made once."""
     samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
     return _MAKING * rows**3 < _STEPS * count * (samples - sums)
 

@@ -21,17 +21,14 @@ import numpy as np
 from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import (
-    DiskStack,
     FarPixels,
-    NodeAverages,
-    NodeQuestion,
-    Window,
     average_samples,
+    band_points,
+    least_average,
     least_squares,
+    transfer_rule,
 )
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.methods.pixels.transfer_rule import band_points, mean_rule
-from lommel.methods.pixels.window_nodes import window_nodes
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -61,7 +58,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     times = np.where(x > 0.0, 2.0, 1.0)
     basis, wanted = times * wave(np.outer(w, x)), response(w)
     if in_disc:
-        at, weights = mean_rule(w.size)
+        at, weights = transfer_rule(w.size)
         root = np.sqrt(weights)
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
     else:
@@ -139,93 +136,12 @@ Far = Callable[[P, Grid, float, float, int], FarPixels]
 Band = tuple[float, float]
 
 
-# From pupils and nodes of their window, and the error that fields may have there, to averages.
-NodeSample = Callable[[NodeQuestion, float], NodeAverages]
-
-
-class Disks(NamedTuple):
-    """Round pupils, their window, and what samples the fields of such at nodes."""
-
-    stack: DiskStack
-    window: Window
-    at_nodes: NodeSample
-    sole: bool = True  # whether all that is wanted is asked of these
-
-
 class Averages(NamedTuple):
     """Averages over pixels of the flattened stack."""
 
     values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k terms, and along y and x if wanted
     error: Array  # (1 + k, n), bounds over peak; that of I for values once they are stored
     peak: Array  # (n,)
-
-
-_NODES = 8  # of which the products are summed in single precision, where samples have that
-_OF_SAMPLES = 0.8  # of the tolerance
-_SHARP, _DIM = 0.87, 0.1  # of the likely peak, what is reckoned with: estimates of low ones are too high
-
-
-def averaged_at_nodes(disks: Disks, pupil: BasePupil, tol: float, wanted: Wanted) -> Averages | None:
-    """Return the intensity averaged over each pixel from samples at nodes of the window, with bounds below `tol`.
-
-    None where the window has none, or where that fails.
-    """
-    step, normalize, lowest = disks.window.step, wanted.scale is None, least_average(disks.window.step)
-    tol_stored = before_storing(tol, wanted)
-    if tol_stored <= 0.0:
-        return None
-    # Of the largest average of most pupils, between the peak and what a pixel holds without aberration.
-    strehl, most = pupil.likely_strehl, min(4.0 * lowest, 1.0)
-    peak_guess = strehl * (_SHARP if strehl > 0.6 else _DIM)
-    err_response = _first_errors(tol_stored, step)[1]
-    err_samples = _OF_SAMPLES * tol_stored * most * peak_guess / (most + peak_guess)
-    # Rounded, so that pupils with about the same peaks share nodes.
-    err_response *= 2.0 ** math.floor(math.log2(_EASIER * strehl))
-    for _ in range(3):
-        rows, columns = (window_nodes(step, side, err_response) for side in disks.window.shape)
-        if rows is None or columns is None:
-            return None
-        gain, spread = rows.gain * columns.gain, rows.spread * columns.spread
-        # All light of an aperture is 4 pi; see below.
-        size = math.sqrt(gain * min(gain, spread * 4.0 * math.pi * pupil.transmission / step**2))
-        err_field = err_samples / (size + math.sqrt(size * size + gain * err_samples))
-        single = err_field >= _SINGLE
-        try:
-            made = disks.at_nodes(
-                NodeQuestion(
-                    disks.stack,
-                    disks.window,
-                    (rows.places, columns.places),
-                    (rows.weights, columns.weights),
-                    wanted.threads,
-                    single,
-                    wanted.terms,
-                    disks.sole,
-                ),
-                err_field,
-            )
-        except ToleranceError:
-            return None
-        tops, off = made.largest, made.error * (2.0 * np.sqrt(made.brightest) + made.error)
-        # Samples weighed by moduli of weights: what all pixels together make of them, but for a factor.
-        light = np.minimum(gain * made.brightest, 1.01 * spread * made.together)
-        err_given = made.error * (2.0 * np.sqrt(gain * light) + gain * made.error)
-        error, longest = max(rows.error, columns.error), max(rows.places.size, columns.places.size)
-        # Of squares, weights, products within blocks, and a sum along rows.
-        rounding = (2 * _NODES + 8) * 2.0**-24 * single + (2 * longest + 11) * 2.0**-53
-        missed = (2.0 + error) * error
-        err_own = missed + rounding * light
-        peak = tops if normalize else np.maximum(tops, lowest * (made.brightest - off))
-        if not peak.min() > 0:
-            return None
-        bounds = once_stored((err_given + err_own) / peak, wanted)
-        if largest(bounds) <= tol:
-            # The transfer function of a derivative is at most twice that of the disk.
-            slopes = (gain * (made.slope_error + rounding * made.steepest) + 2.0 * missed) / peak
-            return Averages(made.values, np.concatenate([bounds[None], slopes]), peak)
-        err_samples /= max(2.0, 2.0 * float((err_given / peak).max()) / tol_stored)
-        err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
-    return None
 
 
 def averaged(
@@ -443,18 +359,6 @@ def finished(made: Averages, wanted: Wanted) -> Images:
         stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
         slopes = Slopes(stored_as, off + (size + off) * storing(wanted.dtype))
     return Images(values, scales, made.error[0], slopes, made.peak)
-
-
-@lru_cache(maxsize=64)
-def least_average(step: float) -> float:
-    """Return what the best placed pixel of pitch `step` in v averages at least, over the peak of I.
-
-    ``f = 2 I - M``, M the peak, is of exponential type 2 along a line through it and within M, so
-    ``f'^2 + 4 f^2 <= 4 M^2`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s below pi/2
-    from the peak ``I >= M cos(s)^2``. The pixel around the peak holds a disc of half its pitch.
-    """
-    r = min(0.5 * step, 0.5 * math.pi)
-    return 0.5 * math.pi * (r * r + r * math.sin(2.0 * r) - math.sin(r) ** 2) / step**2
 
 
 class Taps(NamedTuple):

@@ -1,0 +1,186 @@
+// Averages over pixels: of circular pupils, and of any aperture by a rule that the caller makes.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <nanobind/stl/optional.h>
+
+#include "lommel/averages/disks.hpp"
+#include "lommel/chordal/aperture_averages.hpp"
+
+#include "pupils.hpp"
+
+using namespace bindings;
+
+namespace {
+
+// Where averages are computed before they are stored, of images and of their derivatives.
+template <class T>
+class Room {
+   public:
+    Room(double tol, int threads, double scale, double step, const Out<T, 3>& images, const Out<double, 2>& numbers,
+         const In<std::int32_t, 2>& factors, const Out<T, 4>& slopes, const Out<double, 2>& bounds)
+        : asked{images.shape(1),
+                images.shape(2),
+                step,
+                tol,
+                scale,
+                lommel::storing<T>(false),
+                threads,
+                factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>()},
+          images_(disk_answer_of(images.shape(0), scale, images, numbers)), slopes_(slopes.data()), bounds_(bounds.data()),
+          pupils_(images.shape(0)), values_(new double[images.size()]), slope_values_(new double[slopes.size()]),
+          slope_errors_(bounds.size()) {
+        require(asked.factors.empty() || scale > 0.0,
+                "derivatives of values that are divided by their largest one are not available");
+        require(slopes.shape(0) == asked.factors.size() && bounds.shape(0) == asked.factors.size(), "one derivative a term");
+        require(asked.factors.empty() || (slopes.shape(1) == pupils_ && slopes.shape(2) == asked.height &&
+                                          slopes.shape(3) == asked.width && bounds.shape(1) == pupils_),
+                "derivatives must match the images");
+        require_request(step, tol, threads);
+    }
+
+    lommel::AverageAnswer answer() {
+        return {values_.get(), slope_values_.get(), images_.bounds, images_.peaks, slope_errors_.data()};
+    }
+    void store() { lommel::store_averages(asked, pupils_, answer(), images_, slopes_, bounds_); }
+
+    const lommel::AverageRequest asked;
+
+   private:
+    lommel::DiskAnswer<T> images_;
+    T* slopes_;
+    double* bounds_;
+    std::size_t pupils_;
+    std::unique_ptr<double[]> values_, slope_values_;
+    std::vector<double> slope_errors_;
+};
+
+template <class T, class... Center>
+bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
+                   double step, double tol, int threads, double scale, bool if_cheaper, Out<T, 3> images,
+                   Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
+    require(images.shape(0) == pupils_of(edge), "one image a pupil");
+    Room<T> room(tol, threads, scale, step, images, numbers, factors, slopes, bounds);
+    const lommel::DiskPupils pupils =
+        disks_of(terms, edge, obscuration, amplitude, room.asked.height, room.asked.width, step, center...);
+    return released([&] {
+        const bool made = lommel::DiskAverages(pupils, room.asked, if_cheaper).run(room.answer());
+        if (made) {
+            room.store();
+        }
+        return made;
+    });
+}
+
+// Weights of the nodes of the disk, with which they have the moments of an aperture, what fields are off by with them, and whether
+// sums in single precision are counted there.
+using Weights = std::optional<std::tuple<In<double, 3>, double, bool>>;
+
+template <class T>
+bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step, double tol,
+                       int threads, double scale, double strehl, double transmission, nb::object rule, Out<T, 3> images,
+                       Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
+    require(images.shape(0) == pupils_of(edge), "one image a pupil");
+    require(strehl > 0.0 && strehl <= 1.0 && transmission > 0.0, "strehl and transmission must be positive");
+    Room<T> room(tol, threads, scale, step, images, numbers, factors, slopes, bounds);
+    std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    require_center(center_y, center_x);
+    const lommel::DiskWindow window{room.asked.height, room.asked.width, center_y, center_x, step};
+    const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
+    const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
+                            lommel::NodeNumbers& of_pupils) {
+        lommel::DiskStack stack = pupils.stack();
+        const lommel::PixelNodes nodes =
+            lommel::nodes_about_axis(stack, pupils.window, {question.rows.places, question.columns.places},
+                                     {question.rows.weights.data(), question.columns.weights.data()}, to.values,
+                                     of_pupils.largest.data(), of_pupils.together.data());
+        // Distances from the axis, of which the rule is to be exact.
+        const auto reach = [](const std::vector<double>& places, std::size_t side, double center, double apart) {
+            const double middle = apart * (0.5 * static_cast<double>(side - 1) - center);
+            return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));
+        };
+        const double down = reach(question.rows.places, room.asked.height, center_y, step),
+                     across = reach(question.columns.places, room.asked.width, center_x, step);
+        const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
+                                                 question.rows.places.size(), question.columns.places.size()));
+        if (!made) {
+            throw lommel::ToleranceNotMet(1e300);
+        }
+        const auto& [weights, off, single] = *made;
+        const std::size_t size = 2 * weights.shape(0);
+        require(weights.shape(1) == weights.shape(0) && weights.shape(2) == 8 && size >= 2 && size <= 1024,
+                "eight weights for each node of a quadrant");
+        std::fill(of_pupils.error.begin(), of_pupils.error.end(), off);
+        const lommel::ApertureRule of_aperture{size, weights.data()};
+        const auto ask = [&](auto real) {
+            using Real = decltype(real);
+            const lommel::ChordalDerivatives<Real> more{room.asked.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
+                                                        of_pupils.steepest.data()};
+            lommel::ApertureAverages<Real>(stack, of_aperture, nodes, of_pupils.brightest.data(), more, off).run(threads);
+        };
+        const bool in_single = single;
+        released([&] { in_single ? ask(float()) : ask(double()); });
+    };
+    const bool made = lommel::average_at_nodes(room.asked, {strehl, transmission}, edge.shape(0), room.answer(), sample);
+    if (made) {
+        room.store();
+    }
+    return made;
+}
+
+std::pair<Out<double, 1>, Out<double, 1>> transfer_rule(std::size_t degree) {
+    require(degree <= 100000, "degree must be at most 100000");
+    const lommel::TransferRule rule(degree);
+    auto at = new_array<double, 1>({rule.at.size()}), weights = new_array<double, 1>({rule.at.size()});
+    std::copy(rule.at.begin(), rule.at.end(), at.data());
+    std::copy(rule.weights.begin(), rule.weights.end(), weights.data());
+    return {at, weights};
+}
+
+Out<double, 1> band_points(double reach) {
+    require(reach >= 0.0 && reach <= 1e6, "reach must be from 0 to 1e6");
+    const std::vector<double> points = lommel::band_points(reach);
+    auto w = new_array<double, 1>({points.size()});
+    std::copy(points.begin(), points.end(), w.data());
+    return w;
+}
+
+template <class T, class... Center, class... Named>
+void define_disk_averages(nb::module_& m, const char* says, const Named&... named) {
+    m.def("disk_averages", &disk_averages<T, Center...>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, named...,
+          "step"_a, "tol"_a, "threads"_a, "scale"_a, "if_cheaper"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+          "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(), says);
+}
+
+}  // namespace
+
+void bindings::define_averages(nb::module_& m) {
+    for_both([&](auto pixel) {
+        using T = decltype(pixel);
+        define_disk_averages<T, double, double>(
+            m,
+            "Averages over pixels of pupils of Zernike terms (n, m), and derivatives by the coefficients of `factors`; scale 0 "
+            "divides by the largest. Whether there are any: a window has no nodes, or the tolerance cannot be met.",
+            "center_y"_a, "center_x"_a);
+        define_disk_averages<T, In<double, 2>>(m, "The same, each around an axis of its own.", "centers"_a);
+        m.def(
+            "aperture_averages", &aperture_averages<T>, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "tol"_a,
+            "threads"_a, "scale"_a, "strehl"_a, "transmission"_a, "rule"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+            "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(),
+            "The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those "
+            "of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the "
+            "reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.");
+    });
+    m.def("least_average", &lommel::least_average, "step"_a,
+          "What the best placed pixel of a pitch in v averages at least, over the peak of I.");
+    m.def("transfer_rule", &transfer_rule, "degree"_a,
+          "Frequencies and weights, by which the root of the sum of squares bounds the mean modulus of polynomials, even or "
+          "odd.");
+    m.def("band_points", &band_points, "reach"_a,
+          "Chebyshev points of the band, at which the error of the response of samples up to a distance is found.");
+}

@@ -1,0 +1,11 @@
+// Compiles averages over pixels at nodes of a window. Headers before LOMMEL_DEFINES are compiled by other units.
+#include "lommel/base/parallel.hpp"
+#include "lommel/chordal/images.hpp"
+#include "lommel/rim/averages.hpp"
+#include "lommel/rim/boxes.hpp"
+#include "lommel/special/least_squares.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/averages/disks.hpp"

@@ -1,0 +1,241 @@
+// Averages over pixels of circular and annular pupils with any Zernike terms: of far pixels from the rim where that takes less time,
+// of all others from samples at nodes of their window.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "lommel/averages/at_nodes.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/chordal/images.hpp"
+#include "lommel/rim/averages.hpp"
+#include "lommel/rim/boxes.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+namespace lommel {
+
+class DiskAverages {
+   public:
+    // With `if_cheaper` a series that is likely to take less time is left to do it: LimitExceeded.
+    DiskAverages(const DiskPupils& pupils, const AverageRequest& asked, bool if_cheaper)
+        : pupils_(pupils), asked_(asked), if_cheaper_(if_cheaper), all_(pupils.count) {
+        std::iota(all_.begin(), all_.end(), std::size_t{0});
+    }
+    virtual ~DiskAverages() = default;
+
+    // False where the window has no nodes, or no averages within the tolerance.
+    bool run(const AverageAnswer& answer);
+
+   protected:
+    using Pupils = std::vector<std::size_t>;
+
+    // Writes averages of some pupils, all in boxes of as many pixels around their axes: those within, [pupil][row][column] of the box,
+    // as they are, and those outside; of each what these are off by, and the largest. For tests.
+    virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
+
+   private:
+    static constexpr int tries = 3;  // boxes of a pupil
+    static constexpr double power = 4.0;  // of the side of a box, with which errors fall at the least
+    static constexpr double worth = 0.9;  // of the tolerance, what larger boxes aim at
+    static constexpr double farthest = 16.0;  // times the tolerance, from where on larger boxes are no surer
+
+    bool from_rims(const AverageAnswer& answer);
+    // Whether all of some pupils have averages, in the window or in a box of it, at nodes. Alone, they may be left to a series.
+    bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
+                  const AverageAnswer& answer) const;
+    DiskStack stack_of(const Pupils& which) const;
+    std::vector<double> centers_of(const Pupils& which) const;
+    static std::int64_t larger(std::int64_t side, double times, std::int64_t most);
+
+    DiskPupils pupils_;
+    AverageRequest asked_;
+    bool if_cheaper_;
+    Pupils all_;
+    PupilLight light_{1.0, 1.0};
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE DiskStack DiskAverages::stack_of(const Pupils& which) const {
+    const std::size_t terms = pupils_.terms.size();
+    if (which.size() == pupils_.count) {
+        return {pupils_.terms, pupils_.edge, pupils_.count, pupils_.obscuration, pupils_.amplitude};
+    }
+    std::vector<double> edge;
+    for (const std::size_t p : which) {
+        edge.insert(edge.end(), pupils_.edge + p * terms, pupils_.edge + (p + 1) * terms);
+    }
+    return {pupils_.terms, edge.data(), which.size(), pupils_.obscuration, pupils_.amplitude};
+}
+
+LOMMEL_ONCE std::vector<double> DiskAverages::centers_of(const Pupils& which) const {
+    std::vector<double> centers;
+    for (const std::size_t p : which) {
+        if (pupils_.centers == nullptr) {
+            centers.insert(centers.end(), {pupils_.window.row, pupils_.window.column});
+        } else {
+            centers.insert(centers.end(), {pupils_.centers[2 * p], pupils_.centers[2 * p + 1]});
+        }
+    }
+    return centers;
+}
+
+// Sets the axis of a window to that of all pupils, or tilts them to axes of their own.
+inline void place_axes(const std::vector<double>& centers, DiskStack& stack, DiskWindow& window) {
+    bool same = true;
+    for (std::size_t i = 2; i < centers.size(); ++i) {
+        same = same && centers[i] == centers[i % 2];
+    }
+    if (same) {
+        window.row = centers[0];
+        window.column = centers[1];
+    } else {
+        stack.tilt_to(centers.data(), window);
+    }
+}
+
+LOMMEL_ONCE bool DiskAverages::at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers,
+                                        bool alone, const AverageAnswer& answer) const {
+    DiskWindow window{asked.height, asked.width, static_cast<double>(asked.height / 2), static_cast<double>(asked.width / 2),
+                      asked.step};
+    DiskStack given = stack_of(which);
+    place_axes(centers, given, window);
+    given.shrink();
+    std::vector<double> scales(which.size());
+    const auto sample = [&](const NodeQuestion& question, const AverageAnswer& to, NodeNumbers& numbers) {
+        DiskStack stack = given;
+        const PixelNodes nodes = nodes_about_axis(stack, window, {question.rows.places, question.columns.places},
+                                                  {question.rows.weights.data(), question.columns.weights.data()}, to.values,
+                                                  numbers.largest.data(), numbers.together.data());
+        const auto ask = [&](auto real) {
+            using Real = decltype(real);
+            std::fill(scales.begin(), scales.end(), 1.0);
+            const DiskAnswer<Real> into{nullptr, scales.data(), numbers.error.data(), numbers.brightest.data()};
+            if (!asked.factors.empty()) {
+                const ChordalDerivatives<Real> more{asked.factors, nullptr, numbers.slope_error.data(), to.slopes,
+                                                    numbers.steepest.data()};
+                return ChordalRenderer<Real, ChordalDerivatives<Real>>(stack, nodes, question.tol, asked.threads, into, more)
+                    .run();
+            }
+            ChordalRenderer<Real> images(stack, nodes, question.tol, asked.threads, into);
+            if_cheaper_&& alone ? images.run_if_cheaper() : images.run();
+        };
+        question.single ? ask(float()) : ask(double());
+    };
+    return average_at_nodes(asked, light_, which.size(), answer, sample);
+}
+
+LOMMEL_ONCE void DiskAverages::outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const {
+    DiskWindow window = pupils_.window;
+    DiskStack stack = stack_of(which);
+    place_axes(centers_of(which), stack, window);
+    stack.move_axes(window);
+    stack.shrink();
+    RimAverages(stack, window, box, error, answer).run(asked_.threads);
+}
+
+LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, std::int64_t most) {
+    // No number compares as farther away.
+    const double off = times < farthest ? times : farthest;
+    const double grown = static_cast<double>(side) * std::pow(off / worth, 1.0 / power);
+    const std::int64_t next =
+        side + 2 * std::max<std::int64_t>(1, std::llround(std::ceil(0.5 * (grown - static_cast<double>(side)))));
+    return side > 0 && next <= most ? next : 0;
+}
+
+LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
+    const double room = asked_.before_storing();
+    DiskWindow window = pupils_.window;
+    DiskStack stack = stack_of(all_);
+    place_axes(centers_of(all_), stack, window);
+    stack.move_axes(window);
+    stack.shrink();
+    RimBoxes boxes(stack, window, room, least_average(asked_.step));
+    if (!(room > 0.0) || !boxes.choose(asked_.threads)) {
+        return false;
+    }
+    const std::size_t count = pupils_.count;
+    const std::vector<double> axes = centers_of(all_);
+    std::fill_n(answer.errors, count, std::numeric_limits<double>::infinity());
+    const auto fails = [&](std::size_t p) { return !(answer.errors[p] <= asked_.tol); };
+    Pupils rest = all_;
+    for (int attempt = 0; attempt < tries && !rest.empty(); ++attempt) {
+        std::vector<std::int64_t> sides;
+        for (const std::size_t p : rest) {
+            sides.push_back(boxes.sides[p]);
+        }
+        std::sort(sides.begin(), sides.end());
+        sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+        for (const std::int64_t side : sides) {
+            if (side == 0) {
+                continue;
+            }
+            Pupils which;
+            std::copy_if(rest.begin(), rest.end(), std::back_inserter(which),
+                         [&](std::size_t p) { return boxes.sides[p] == side; });
+            const std::size_t some = which.size();
+            AverageRequest of_box = asked_;
+            of_box.height = of_box.width = static_cast<std::size_t>(side);
+            std::vector<double> near(some * of_box.pixels()), errors(some), peaks(some), remainders, numbers(2 * some), centers;
+            std::vector<std::int64_t> places;
+            double least = std::numeric_limits<double>::infinity();
+            for (const std::size_t p : which) {
+                const double half = static_cast<double>(side / 2);
+                centers.push_back(axes[2 * p] - static_cast<double>(stack.rows[p]) + half);
+                centers.push_back(axes[2 * p + 1] - static_cast<double>(stack.columns[p]) + half);
+                places.push_back(static_cast<std::int64_t>(p));
+                remainders.push_back(boxes.remainders[p]);
+                least = std::min(least, boxes.tolerances[p]);
+            }
+            if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
+                continue;
+            }
+            // Rounded, so that stacks with about the same peaks share tables.
+            least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
+            outside(which, static_cast<std::size_t>(side), least,
+                    {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
+            for (std::size_t i = 0; i < some; ++i) {
+                const std::size_t p = which[i];
+                answer.peaks[p] = asked_.divides() ? std::max(peaks[i], numbers[2 * i + 1]) : peaks[i];
+                answer.errors[p] = std::max(errors[i], asked_.once_stored(numbers[2 * i] / peaks[i]));
+            }
+        }
+        rest.erase(std::remove_if(rest.begin(), rest.end(), [&](std::size_t p) { return !fails(p); }), rest.end());
+        for (const std::size_t p : rest) {
+            boxes.sides[p] = larger(boxes.sides[p], answer.errors[p] / asked_.tol, boxes.most[p]);
+        }
+    }
+    if (rest.empty()) {
+        return true;
+    }
+    const std::size_t pixels = asked_.pixels();
+    std::vector<double> values(rest.size() * pixels), errors(rest.size()), peaks(rest.size());
+    if (!at_nodes(rest, asked_, centers_of(rest), rest.size() == count,
+                  {values.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
+        return false;
+    }
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        std::copy_n(values.data() + i * pixels, pixels, answer.values + rest[i] * pixels);
+        answer.errors[rest[i]] = errors[i];
+        answer.peaks[rest[i]] = peaks[i];
+    }
+    return true;
+}
+
+LOMMEL_ONCE bool DiskAverages::run(const AverageAnswer& answer) {
+    const DiskStack stack = stack_of(all_);
+    double variance = 0.0;
+    for (std::size_t p = 0; p < stack.count; ++p) {
+        variance = std::max(variance, stack.variance(p));
+    }
+    light_ = {1.0 / (1.0 + variance), stack.amplitude.raised(2.0).integral(stack.obscuration)};
+    return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
+}
+#endif
+
+}  // namespace lommel

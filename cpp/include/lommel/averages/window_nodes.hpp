@@ -1,0 +1,304 @@
+// Nodes of a window: few samples, shared by all of its pixels, that give the average over each.
+//
+// Pixels of pitch a, their middles at X_j, fill a window of half width L. At nodes x_k within it a pixel has weights c with
+//     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j)
+// small for |w| <= 2, where light has frequencies; there are about as many as the Shannon number of the window, 4 L / pi, less than
+// half of what a filter takes that is the same for all pixels, and reaches beyond the window. Nodes are the zeros of a prolate
+// spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315), which no bound
+// depends on; weights are by least squares.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "lommel/averages/transfer_rule.hpp"
+#include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/limits.hpp"
+#include "lommel/special/least_squares.hpp"
+
+namespace lommel {
+
+// An eigenvector of a symmetric matrix of three diagonals, by the number of smaller eigenvalues.
+//
+// Eigenvalues by bisection, for as many are below a shift as pivots are negative; the vector from the pivots of both directions, which
+// meet where they leave least (I. S. Dhillon and B. N. Parlett 2004, doi:10.1016/j.laa.2003.12.028, section 3).
+std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index);
+
+// The positive zeros of the prolate spheroidal function of an even degree, rising. The function is a sum of even Legendre polynomials
+// whose coefficients are an eigenvector of a symmetric matrix of three diagonals (Xiao, Rokhlin and Yarvin 2001, section 3).
+std::vector<double> prolate_zeros(std::size_t degree, double bandwidth);
+
+// Nodes along one axis of a window, and the weights of its pixels.
+class WindowNodes {
+   public:
+    std::vector<double> places;  // v about the middle of the window, rising, of either sign
+    std::vector<double> weights;  // [pixel][node]
+    double error;  // bound on the mean error of the response, that the largest transfer function of a disk weighs
+    double gain;  // largest sum of magnitudes of the weights of a pixel
+    double spread;  // largest modulus of a weight over the sum of those of all pixels at its node
+
+    // So many nodes, even.
+    WindowNodes(double step, std::size_t pixels, std::size_t count);
+
+    static constexpr std::size_t most_bytes = std::size_t{1} << 24;
+    bool is(double step, std::size_t pixels, std::size_t count) const {
+        return step_ == step && pixels_ == pixels && places.size() == count;
+    }
+    std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
+
+   private:
+    double step_;
+    std::size_t pixels_;
+};
+
+// Those for pixels of a pitch in v whose response is off by an error in the mean at most; null where the window is too large, or its
+// pixels so small that weights of either sign would magnify errors.
+class ChosenNodes {
+   public:
+    std::shared_ptr<const WindowNodes> nodes;
+
+    ChosenNodes(double step, std::size_t pixels, double error);
+
+    static constexpr std::size_t most_bytes = 64 * 64;
+    bool is(double step, std::size_t pixels, double error) const {
+        return step_ == step && pixels_ == pixels && error_ == error;
+    }
+    std::size_t bytes() const { return 64; }
+
+   private:
+    static constexpr double largest = 450.0;  // bandwidth 2 L: larger windows have filters
+    static constexpr double enough = 2.0, highest = 5.0;  // gains up to which no more nodes are tried, and that serve
+    static constexpr double worth = 0.85;  // of a gain, for which two more nodes are taken
+    static constexpr std::size_t tried = 8;  // numbers of nodes, two more each
+
+    double step_;
+    std::size_t pixels_;
+    double error_;
+};
+
+inline std::shared_ptr<const WindowNodes> window_nodes(double step, std::size_t pixels, double error) {
+    return cache<ChosenNodes>.get(step, pixels, error)->nodes;
+}
+
+#if defined(LOMMEL_DEFINES)
+namespace prolate {
+
+// Pivots of Gauss's elimination of a symmetric matrix of three diagonals less a shift, none of them 0.
+inline std::vector<double> pivots(const std::vector<double>& diagonal, const std::vector<double>& beside, double shift) {
+    const auto not_zero = [](double pivot) { return pivot == 0.0 ? 1e-290 : pivot; };
+    std::vector<double> found{not_zero(diagonal[0] - shift)};
+    for (std::size_t i = 1; i < diagonal.size(); ++i) {
+        found.push_back(not_zero(diagonal[i] - shift - beside[i - 1] * beside[i - 1] / found.back()));
+    }
+    return found;
+}
+
+// The sum of even Legendre polynomials, by Clenshaw's rule.
+inline double series(const std::vector<double>& even, double x) {
+    double next = 0.0, after = 0.0;
+    for (std::size_t k = 2 * even.size() - 1; k-- > 0;) {
+        const double j = static_cast<double>(k);
+        const double here =
+            (k % 2 == 0 ? even[k / 2] : 0.0) + (2.0 * j + 1.0) / (j + 1.0) * x * next - (j + 1.0) / (j + 2.0) * after;
+        after = next;
+        next = here;
+    }
+    return next;
+}
+
+}  // namespace prolate
+
+LOMMEL_ONCE std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside,
+                                            std::size_t index) {
+    const std::size_t size = diagonal.size();
+    const double reach = 2.0 * *std::max_element(beside.begin(), beside.end());
+    double low = *std::min_element(diagonal.begin(), diagonal.end()) - reach,
+           high = *std::max_element(diagonal.begin(), diagonal.end()) + reach;
+    while (high - low > 4e-16 * std::max(std::abs(low), std::abs(high))) {
+        const double middle = 0.5 * (low + high);
+        if (!(low < middle && middle < high)) {
+            break;
+        }
+        const auto found = prolate::pivots(diagonal, beside, middle);
+        const auto below = std::count_if(found.begin(), found.end(), [](double pivot) { return pivot < 0.0; });
+        (static_cast<std::size_t>(below) > index ? high : low) = middle;
+    }
+    const double shift = 0.5 * (low + high);
+    const auto down = prolate::pivots(diagonal, beside, shift);
+    auto up = prolate::pivots({diagonal.rbegin(), diagonal.rend()}, {beside.rbegin(), beside.rend()}, shift);
+    std::reverse(up.begin(), up.end());
+    std::size_t meet = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size; ++i) {
+        const double left = std::abs(down[i] + up[i] - (diagonal[i] - shift));
+        if (left < least) {
+            least = left;
+            meet = i;
+        }
+    }
+    std::vector<double> vector(size, 1.0);
+    for (std::size_t i = meet + 1; i < size; ++i) {
+        vector[i] = -beside[i - 1] / up[i] * vector[i - 1];
+    }
+    for (std::size_t i = meet; i-- > 0;) {
+        vector[i] = -beside[i] / down[i] * vector[i + 1];
+    }
+    const double norm = std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
+    std::transform(vector.begin(), vector.end(), vector.begin(), [&](double v) { return v / norm; });
+    return vector;
+}
+
+LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwidth) {
+    const std::size_t size = (degree + 60) / 2 + static_cast<std::size_t>(std::ceil(0.35 * bandwidth));
+    const double square = bandwidth * bandwidth;
+    std::vector<double> diagonal, beside;
+    for (std::size_t i = 0; i < size; ++i) {
+        const double k = 2.0 * static_cast<double>(i);
+        diagonal.push_back(k * (k + 1.0) + (2.0 * k * (k + 1.0) - 1.0) / ((2.0 * k + 3.0) * (2.0 * k - 1.0)) * square);
+        beside.push_back((k + 2.0) * (k + 1.0) / ((2.0 * k + 3.0) * std::sqrt((2.0 * k + 1.0) * (2.0 * k + 5.0))) * square);
+    }
+    beside.pop_back();
+    std::vector<double> terms = eigenvector(diagonal, beside, degree / 2);
+    for (std::size_t i = 0; i < size; ++i) {
+        terms[i] *= std::sqrt(2.0 * static_cast<double>(i) + 0.5);
+    }
+    std::vector<double> zeros;
+    const std::size_t points = 8 * degree;
+    double low = 0.0, below = prolate::series(terms, 0.0);
+    for (std::size_t i = 1; i < points; ++i) {
+        const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
+        const double value = prolate::series(terms, x);
+        if (std::signbit(value) != std::signbit(below)) {
+            // By the rule of false position, which is exact enough: no bound depends on where nodes are.
+            double left = low, right = x, at_left = below, at_right = value;
+            for (int step = 0; step < 3; ++step) {
+                const double middle = (left * at_right - right * at_left) / (at_right - at_left);
+                const double found = step < 2 ? prolate::series(terms, middle) : 0.0;
+                const bool same = std::signbit(found) == std::signbit(at_left);
+                (same ? left : right) = middle;
+                (same ? at_left : at_right) = found;
+                if (step == 2) {
+                    zeros.push_back(middle);
+                }
+            }
+        }
+        low = x;
+        below = value;
+    }
+    return zeros;
+}
+
+LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_t count) : step_(step), pixels_(pixels) {
+    const double half = 0.5 * step * static_cast<double>(pixels);
+    std::vector<double> x = prolate_zeros(count, 2.0 * half);
+    std::transform(x.begin(), x.end(), x.begin(), [&](double zero) { return half * zero; });
+    const std::size_t nodes = x.size();
+    const std::vector<double> band = band_points(half);
+    const TransferRule rule(band.size());
+    const auto middle = [&](std::size_t j) { return step * (static_cast<double>(j) - 0.5 * static_cast<double>(pixels - 1)); };
+    // Weights that are even make the real part of r, which is even, and odd ones its imaginary part: of each, nodes on one side.
+    std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
+    for (const bool odd : {false, true}) {
+        const auto wave = [odd](double angle) { return odd ? std::sin(angle) : std::cos(angle); };
+        // Of nodes and of pixels, [frequency][which], each times a factor of the frequency.
+        const auto waves = [&](const std::vector<double>& w, const auto& factor) {
+            std::pair<std::vector<double>, std::vector<double>> made;
+            for (std::size_t i = 0; i < w.size(); ++i) {
+                const double angle = 0.5 * step * w[i], mean = angle == 0.0 ? 1.0 : std::sin(angle) / angle;
+                std::transform(x.begin(), x.end(), std::back_inserter(made.first),
+                               [&](double place) { return factor(i) * 2.0 * wave(w[i] * place); });
+                for (std::size_t j = 0; j < pixels; ++j) {
+                    made.second.push_back(factor(i) * (mean * wave(w[i] * middle(j))));
+                }
+            }
+            return made;
+        };
+        const auto [basis, aim] = waves(rule.at, [&](std::size_t i) { return std::sqrt(rule.weights[i]); });
+        std::vector<double>& c = parts[odd];
+        c.resize(nodes * pixels);
+        least_squares(rule.at.size(), nodes, pixels, basis.data(), aim.data(), c.data());
+        // Calls each(pixel, what is left at a frequency).
+        const auto left = [&](const std::vector<double>& given, const std::vector<double>& wanted, const auto& each) {
+            std::vector<double> sums(pixels);
+            for (std::size_t i = 0; i * pixels < wanted.size(); ++i) {
+                std::fill(sums.begin(), sums.end(), 0.0);
+                for (std::size_t k = 0; k < nodes; ++k) {
+                    for (std::size_t j = 0; j < pixels; ++j) {
+                        sums[j] += given[i * nodes + k] * c[k * pixels + j];
+                    }
+                }
+                for (std::size_t j = 0; j < pixels; ++j) {
+                    each(j, sums[j] - wanted[i * pixels + j]);
+                }
+            }
+        };
+        left(basis, aim, [&](std::size_t j, double off) { squares[j] += off * off; });
+        std::vector<double> here(pixels, 0.0);
+        const auto [plain, wanted] = waves(band, [](std::size_t) { return 1.0; });
+        left(plain, wanted, [&](std::size_t j, double off) { here[j] = std::max(here[j], std::abs(off)); });
+        for (std::size_t j = 0; j < pixels; ++j) {
+            most[j] = std::hypot(most[j], here[j]);
+        }
+    }
+    for (std::size_t k = nodes; k-- > 0;) {
+        places.push_back(-x[k]);
+    }
+    places.insert(places.end(), x.begin(), x.end());
+    gain = 0.0;
+    std::vector<double> together(places.size(), 0.0), modulus(places.size(), 0.0);
+    for (std::size_t j = 0; j < pixels; ++j) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::size_t k = i < nodes ? nodes - 1 - i : i - nodes;
+            const double even = parts[0][k * pixels + j], odd = parts[1][k * pixels + j];
+            const double weight = i < nodes ? even - odd : even + odd;
+            weights.push_back(weight);
+            sum += std::abs(weight);
+            together[i] += weight;
+            modulus[i] = std::max(modulus[i], std::abs(weight));
+        }
+        gain = std::max(gain, sum);
+    }
+    const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
+    const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
+    const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
+    // One of the two factors of an average is off by this in the mean, the other at most by `largest`.
+    error = (1.0 + 0.5 * largest) * mean;
+    spread = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        spread = std::max(spread, together[i] > 0.0 ? modulus[i] / together[i] : std::numeric_limits<double>::infinity());
+    }
+}
+
+LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double error)
+    : step_(step), pixels_(pixels), error_(error) {
+    constexpr double pi = 3.141592653589793;
+    const double bandwidth = step * static_cast<double>(pixels);
+    if (bandwidth > largest) {
+        return;
+    }
+    const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
+    const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
+    for (std::size_t more = 0; more < tried; ++more) {
+        const auto made = cache<WindowNodes>.get(step, pixels, least + 2 * more);
+        if (made->error <= error) {
+            const bool better = nodes == nullptr || made->gain < worth * nodes->gain;
+            nodes = nodes == nullptr || made->gain < nodes->gain ? made : nodes;
+            if (nodes->gain <= enough || (!better && nodes->gain <= highest)) {
+                break;
+            }
+        }
+    }
+    if (nodes != nullptr && nodes->gain > highest) {
+        nodes = nullptr;
+    }
+}
+#endif
+
+}  // namespace lommel

@@ -237,3 +237,14 @@ def test_coarse_pixels_hold_all_the_light():
         # What is beyond a circle falls as its radius: 2 / pi^2 of the light beyond lambda N times r.
         outside = 2 / math.pi**2 * pupil.scale / pixel / 64.5
         assert 1 - 1.3 * outside < found.values.sum() < 1 - 0.8 * outside
+
+
+@pytest.mark.parametrize(("pixel", "side"), [(1.3, 129), (1.6, 97), (2.0, 65), (2.33, 33)])
+@pytest.mark.parametrize("tol", [1e-4, 1e-7])
+def test_few_pupils_whose_weights_would_be_many_are_within_their_bound(pixel, side, tol):
+    pupil = lm.Pupil(lm.Wavefront(3.0, -1.1), obscuration=0.25)
+    found = lm.psf(pupil, side, pixel, center=(side / 2 + 0.3, side / 2 - 0.7), tol=tol, **OPTIONS)
+    half = side // 2
+    places = [(half, half - 1), (half + 2, half - 3), (half + 7, half + 9), (3, half), (side - 1, 0)]
+    check(found, pupil, np.pi * pixel, places)
+    assert found.error_bound <= tol

@@ -264,7 +264,11 @@ class PixelRenderer {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        return window_.step >= CoarseAverages::least || first_attempt(phase).level >= exact_level;
+        // Of few pupils with an axis anywhere already where weights of rings are too many.
+        const bool wide = window_.step >= CoarseAverages::least ||
+                          (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
+                           any_axis(AverageRings::most_reach) && !of_rings());
+        return wide || first_attempt(phase).level >= exact_level;
     }
     // About from where on pixels do without rings, in pixels.
     double ringed(const Phase& phase) const {

@@ -285,9 +285,10 @@ class CoarseAverages {
     static constexpr std::size_t few = 8;  // pupils, for which filters may
 #if defined(__wasm__)
     // The live page has one image of a window, whose weights no other image would share.
-    static constexpr double least = 3.0, of_weights = 1e9;
+    static constexpr double least = 3.0, least_alone = least, of_weights = 1e9;
 #else
     static constexpr double least = 7.4;         // v a pixel, from which on this serves
+    static constexpr double least_alone = 4.0;   // and of few pupils whose weights would be made for them alone
     static constexpr double of_weights = 0.125;  // of the time of weights that stacks share, what it may take
 #endif
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -35,8 +35,8 @@ class DiskAverages {
    protected:
     using Pupils = std::vector<std::size_t>;
 
-    // Writes averages of some pupils, all in boxes of as many pixels around their axes: those within, [pupil][row][column] of the box,
-    // as they are, and those outside; of each what these are off by, and the largest. For tests.
+    // Writes averages of some pupils with boxes of as many pixels around their axes: those within, [pupil][row][column] of the box, as
+    // given, and those outside; of each what the latter are off by, and the largest of them. Virtual, for tests to watch.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:
@@ -46,6 +46,10 @@ class DiskAverages {
     static constexpr double farthest = 16.0;  // times the tolerance, from where on larger boxes are no surer
 
     bool from_rims(const AverageAnswer& answer);
+    // Averages of pupils around whose axes a box of the same side has nodes, all other pixels being averaged from rims; `moved` has
+    // their axes in the middle of pixels. Errors stay infinite where the box fails.
+    void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& moved,
+                  const AverageAnswer& answer) const;
     // Whether all of some pupils have averages, in the window or in a box of it, at nodes. Alone, they may be left to a series.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
@@ -148,64 +152,60 @@ LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, s
     return side > 0 && next <= most ? next : 0;
 }
 
+LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& moved,
+                                        const AverageAnswer& answer) const {
+    const std::size_t count = which.size();
+    AverageRequest of_box = asked_;
+    of_box.height = of_box.width = static_cast<std::size_t>(side);
+    std::vector<double> near(count * of_box.pixels()), errors(count), peaks(count), remainders, numbers(2 * count);
+    std::vector<double> centers = centers_of(which);
+    std::vector<std::int64_t> places;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t p = which[i];
+        centers[2 * i] -= static_cast<double>(moved.rows[p] - side / 2);
+        centers[2 * i + 1] -= static_cast<double>(moved.columns[p] - side / 2);
+        places.push_back(static_cast<std::int64_t>(p));
+        remainders.push_back(boxes.remainders[p]);
+        least = std::min(least, boxes.tolerances[p]);
+    }
+    if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
+        return;
+    }
+    // Rounded, so that stacks with about the same peaks share tables.
+    least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
+    outside(which, of_box.height, least, {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
+    for (std::size_t i = 0; i < count; ++i) {
+        const double off = numbers[2 * i], top = numbers[2 * i + 1];
+        answer.peaks[which[i]] = asked_.divides() ? std::max(peaks[i], top) : peaks[i];
+        answer.errors[which[i]] = std::max(errors[i], asked_.once_stored(off / peaks[i]));
+    }
+}
+
 LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
     const double room = asked_.before_storing();
     DiskWindow window = pupils_.window;
-    DiskStack stack = stack_of(all_);
-    place_axes(centers_of(all_), stack, window);
-    stack.move_axes(window);
-    stack.shrink();
-    RimBoxes boxes(stack, window, room, least_average(asked_.step));
+    DiskStack moved = stack_of(all_);
+    place_axes(centers_of(all_), moved, window);
+    moved.move_axes(window);
+    moved.shrink();
+    RimBoxes boxes(moved, window, room, least_average(asked_.step));
     if (!(room > 0.0) || !boxes.choose(asked_.threads)) {
         return false;
     }
-    const std::size_t count = pupils_.count;
-    const std::vector<double> axes = centers_of(all_);
-    std::fill_n(answer.errors, count, std::numeric_limits<double>::infinity());
-    const auto fails = [&](std::size_t p) { return !(answer.errors[p] <= asked_.tol); };
+    std::fill_n(answer.errors, pupils_.count, std::numeric_limits<double>::infinity());
     Pupils rest = all_;
     for (int attempt = 0; attempt < tries && !rest.empty(); ++attempt) {
-        std::vector<std::int64_t> sides;
+        std::map<std::int64_t, Pupils> of_side;
         for (const std::size_t p : rest) {
-            sides.push_back(boxes.sides[p]);
+            of_side[boxes.sides[p]].push_back(p);
         }
-        std::sort(sides.begin(), sides.end());
-        sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-        for (const std::int64_t side : sides) {
-            if (side == 0) {
-                continue;
-            }
-            Pupils which;
-            std::copy_if(rest.begin(), rest.end(), std::back_inserter(which),
-                         [&](std::size_t p) { return boxes.sides[p] == side; });
-            const std::size_t some = which.size();
-            AverageRequest of_box = asked_;
-            of_box.height = of_box.width = static_cast<std::size_t>(side);
-            std::vector<double> near(some * of_box.pixels()), errors(some), peaks(some), remainders, numbers(2 * some), centers;
-            std::vector<std::int64_t> places;
-            double least = std::numeric_limits<double>::infinity();
-            for (const std::size_t p : which) {
-                const double half = static_cast<double>(side / 2);
-                centers.push_back(axes[2 * p] - static_cast<double>(stack.rows[p]) + half);
-                centers.push_back(axes[2 * p + 1] - static_cast<double>(stack.columns[p]) + half);
-                places.push_back(static_cast<std::int64_t>(p));
-                remainders.push_back(boxes.remainders[p]);
-                least = std::min(least, boxes.tolerances[p]);
-            }
-            if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
-                continue;
-            }
-            // Rounded, so that stacks with about the same peaks share tables.
-            least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
-            outside(which, static_cast<std::size_t>(side), least,
-                    {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
-            for (std::size_t i = 0; i < some; ++i) {
-                const std::size_t p = which[i];
-                answer.peaks[p] = asked_.divides() ? std::max(peaks[i], numbers[2 * i + 1]) : peaks[i];
-                answer.errors[p] = std::max(errors[i], asked_.once_stored(numbers[2 * i] / peaks[i]));
-            }
+        of_side.erase(0);
+        for (const auto& [side, which] : of_side) {
+            with_box(which, side, boxes, moved, answer);
         }
-        rest.erase(std::remove_if(rest.begin(), rest.end(), [&](std::size_t p) { return !fails(p); }), rest.end());
+        rest.erase(std::remove_if(rest.begin(), rest.end(), [&](std::size_t p) { return answer.errors[p] <= asked_.tol; }),
+                   rest.end());
         for (const std::size_t p : rest) {
             boxes.sides[p] = larger(boxes.sides[p], answer.errors[p] / asked_.tol, boxes.most[p]);
         }
@@ -215,8 +215,8 @@ LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
     }
     const std::size_t pixels = asked_.pixels();
     std::vector<double> values(rest.size() * pixels), errors(rest.size()), peaks(rest.size());
-    if (!at_nodes(rest, asked_, centers_of(rest), rest.size() == count,
-                  {values.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
+    const AverageAnswer whole{values.data(), nullptr, errors.data(), peaks.data(), nullptr};
+    if (!at_nodes(rest, asked_, centers_of(rest), rest.size() == pupils_.count, whole)) {
         return false;
     }
     for (std::size_t i = 0; i < rest.size(); ++i) {

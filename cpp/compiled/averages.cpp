@@ -1,5 +1,6 @@
 // Compiles averages over pixels at nodes of a window. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/rim/averages.hpp"
 #include "lommel/rim/boxes.hpp"

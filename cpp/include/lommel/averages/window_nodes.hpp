@@ -19,6 +19,7 @@
 #include "lommel/averages/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/least_squares.hpp"
 
@@ -53,6 +54,13 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
+    // Cosines and sines of nodes on one side, and what pixels should make of them, [frequency][node or pixel].
+    struct Waves {
+        std::vector<double> nodes[2], pixels[2];
+    };
+    template <class Factor>
+    Waves waves(const std::vector<double>& w, const Factor& factor, const std::vector<double>& x) const;
+
     double step_;
     std::size_t pixels_;
 };
@@ -99,18 +107,31 @@ inline std::vector<double> pivots(const std::vector<double>& diagonal, const std
     return found;
 }
 
-// The sum of even Legendre polynomials, by Clenshaw's rule.
-inline double series(const std::vector<double>& even, double x) {
-    double next = 0.0, after = 0.0;
-    for (std::size_t k = 2 * even.size() - 1; k-- > 0;) {
-        const double j = static_cast<double>(k);
-        const double here =
-            (k % 2 == 0 ? even[k / 2] : 0.0) + (2.0 * j + 1.0) / (j + 1.0) * x * next - (j + 1.0) / (j + 2.0) * after;
-        after = next;
-        next = here;
+// A sum of even Legendre polynomials, by Clenshaw's rule.
+class EvenSeries {
+   public:
+    explicit EvenSeries(const std::vector<double>& even) {
+        for (std::size_t k = 0; k + 1 < 2 * even.size(); ++k) {
+            const double j = static_cast<double>(k);
+            steps_.push_back({k % 2 == 0 ? even[k / 2] : 0.0, (2.0 * j + 1.0) / (j + 1.0), (j + 1.0) / (j + 2.0)});
+        }
     }
-    return next;
-}
+    double operator()(double x) const {
+        double next = 0.0, after = 0.0;
+        for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+            const double here = step->term + step->once * x * next - step->twice * after;
+            after = next;
+            next = here;
+        }
+        return next;
+    }
+
+   private:
+    struct Step {
+        double term, once, twice;  // of the sum, and of the recurrence P_k+1 = once x P_k - ..., one order later
+    };
+    std::vector<Step> steps_;
+};
 
 }  // namespace prolate
 
@@ -168,30 +189,47 @@ LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwid
     for (std::size_t i = 0; i < size; ++i) {
         terms[i] *= std::sqrt(2.0 * static_cast<double>(i) + 0.5);
     }
+    const prolate::EvenSeries series(terms);
     std::vector<double> zeros;
-    const std::size_t points = 8 * degree;
-    double low = 0.0, below = prolate::series(terms, 0.0);
+    const std::size_t points = 3 * degree;  // four or more from one zero to the next
+    double low = 0.0, below = series(0.0);
     for (std::size_t i = 1; i < points; ++i) {
         const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
-        const double value = prolate::series(terms, x);
+        const double value = series(x);
         if (std::signbit(value) != std::signbit(below)) {
             // By the rule of false position, which is exact enough: no bound depends on where nodes are.
             double left = low, right = x, at_left = below, at_right = value;
+            const auto middle = [&] { return (left * at_right - right * at_left) / (at_right - at_left); };
             for (int step = 0; step < 3; ++step) {
-                const double middle = (left * at_right - right * at_left) / (at_right - at_left);
-                const double found = step < 2 ? prolate::series(terms, middle) : 0.0;
+                const double here = middle(), found = series(here);
                 const bool same = std::signbit(found) == std::signbit(at_left);
-                (same ? left : right) = middle;
+                (same ? left : right) = here;
                 (same ? at_left : at_right) = found;
-                if (step == 2) {
-                    zeros.push_back(middle);
-                }
             }
+            zeros.push_back(middle());
         }
         low = x;
         below = value;
     }
     return zeros;
+}
+
+template <class Factor>
+WindowNodes::Waves WindowNodes::waves(const std::vector<double>& w, const Factor& factor, const std::vector<double>& x) const {
+    Waves made;
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        const double angle = 0.5 * step_ * w[i], mean = angle == 0.0 ? 1.0 : std::sin(angle) / angle, by = factor(i);
+        for (const double place : x) {
+            made.nodes[0].push_back(by * 2.0 * std::cos(w[i] * place));
+            made.nodes[1].push_back(by * 2.0 * std::sin(w[i] * place));
+        }
+        for (std::size_t j = 0; j < pixels_; ++j) {
+            const double middle = step_ * (static_cast<double>(j) - 0.5 * static_cast<double>(pixels_ - 1));
+            made.pixels[0].push_back(by * (mean * std::cos(w[i] * middle)));
+            made.pixels[1].push_back(by * (mean * std::sin(w[i] * middle)));
+        }
+    }
+    return made;
 }
 
 LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_t count) : step_(step), pixels_(pixels) {
@@ -201,49 +239,27 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const std::size_t nodes = x.size();
     const std::vector<double> band = band_points(half);
     const TransferRule rule(band.size());
-    const auto middle = [&](std::size_t j) { return step * (static_cast<double>(j) - 0.5 * static_cast<double>(pixels - 1)); };
     // Weights that are even make the real part of r, which is even, and odd ones its imaginary part: of each, nodes on one side.
+    const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
+    const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
     std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
-    for (const bool odd : {false, true}) {
-        const auto wave = [odd](double angle) { return odd ? std::sin(angle) : std::cos(angle); };
-        // Of nodes and of pixels, [frequency][which], each times a factor of the frequency.
-        const auto waves = [&](const std::vector<double>& w, const auto& factor) {
-            std::pair<std::vector<double>, std::vector<double>> made;
-            for (std::size_t i = 0; i < w.size(); ++i) {
-                const double angle = 0.5 * step * w[i], mean = angle == 0.0 ? 1.0 : std::sin(angle) / angle;
-                std::transform(x.begin(), x.end(), std::back_inserter(made.first),
-                               [&](double place) { return factor(i) * 2.0 * wave(w[i] * place); });
-                for (std::size_t j = 0; j < pixels; ++j) {
-                    made.second.push_back(factor(i) * (mean * wave(w[i] * middle(j))));
-                }
-            }
-            return made;
-        };
-        const auto [basis, aim] = waves(rule.at, [&](std::size_t i) { return std::sqrt(rule.weights[i]); });
+    for (const std::size_t odd : {0, 1}) {
         std::vector<double>& c = parts[odd];
         c.resize(nodes * pixels);
-        least_squares(rule.at.size(), nodes, pixels, basis.data(), aim.data(), c.data());
-        // Calls each(pixel, what is left at a frequency).
-        const auto left = [&](const std::vector<double>& given, const std::vector<double>& wanted, const auto& each) {
-            std::vector<double> sums(pixels);
-            for (std::size_t i = 0; i * pixels < wanted.size(); ++i) {
-                std::fill(sums.begin(), sums.end(), 0.0);
-                for (std::size_t k = 0; k < nodes; ++k) {
-                    for (std::size_t j = 0; j < pixels; ++j) {
-                        sums[j] += given[i * nodes + k] * c[k * pixels + j];
-                    }
-                }
-                for (std::size_t j = 0; j < pixels; ++j) {
-                    each(j, sums[j] - wanted[i * pixels + j]);
-                }
+        least_squares(rule.at.size(), nodes, pixels, of_rule.nodes[odd].data(), of_rule.pixels[odd].data(), c.data());
+        std::vector<double> largest(pixels, 0.0);
+        for (const Waves* each : {&of_rule, &of_band}) {
+            const std::vector<double>& wanted = each->pixels[odd];
+            std::vector<double> made(wanted.size());
+            product(each->nodes[odd].data(), wanted.size() / pixels, nodes, c.data(), pixels, 1, made.data());
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                const double off = std::abs(made[i] - wanted[i]);
+                double &sum = squares[i % pixels], &top = largest[i % pixels];
+                each == & of_rule ? sum += off* off : top = std::max(top, off);
             }
-        };
-        left(basis, aim, [&](std::size_t j, double off) { squares[j] += off * off; });
-        std::vector<double> here(pixels, 0.0);
-        const auto [plain, wanted] = waves(band, [](std::size_t) { return 1.0; });
-        left(plain, wanted, [&](std::size_t j, double off) { here[j] = std::max(here[j], std::abs(off)); });
+        }
         for (std::size_t j = 0; j < pixels; ++j) {
-            most[j] = std::hypot(most[j], here[j]);
+            most[j] = std::hypot(most[j], largest[j]);
         }
     }
     for (std::size_t k = nodes; k-- > 0;) {

@@ -16,6 +16,7 @@ from benchmarks import (
     apertures,
     beads,
     beside,
+    closed_forms,
     costs,
     features,
     fields,
@@ -37,6 +38,7 @@ from benchmarks.settings import Settings
 TABLES: dict[str, Callable[[Settings], Table]] = {
     "targets": limits.run,
     "sizes": sizes.run,
+    "paper": closed_forms.run,
     "costs": costs.costs,
     "physical": costs.physical,
     "changes": beside.changes,

@@ -46,35 +46,32 @@ def test_distinct_radii_rank_every_pixel_of_a_quadrant(rows: int, cols: int) -> 
 
 @given(st.integers(1, 12), st.integers(1, 12), st.integers(1, 3), st.sampled_from([np.float32, np.float64]))
 def test_scatter_puts_the_value_of_its_radius_on_every_pixel(height: int, width: int, stack: int, kind: type) -> None:
-    squares, index = _core.distinct_radii(height // 2, width // 2)
+    squares, _ = _core.distinct_radii(height // 2, width // 2)
     # The profile is the squared radius itself, so the image tells where each value came from.
     profiles = np.ascontiguousarray(np.arange(1.0, stack + 1)[:, None] * squares)
     scales = 1.0 / np.arange(1, stack + 1) ** 2
     out = np.full((stack, height, width), np.nan, dtype=kind)
-    _core.scatter(profiles, scales, index, out)
+    _core.scatter(profiles, scales, 2, out)
     y, x = np.mgrid[:height, :width]
     distance = (y - height // 2) ** 2 + (x - width // 2) ** 2
     assert out == pytest.approx(distance / np.arange(1, stack + 1)[:, None, None], rel=1e-6)
 
 
 def test_scatter_refuses_what_does_not_fit() -> None:
-    squares, index = _core.distinct_radii(2, 3)
+    squares, _ = _core.distinct_radii(2, 3)
     profiles, scales, out = np.ones((2, squares.size)), np.ones(2), np.empty((2, 5, 7))
-    _core.scatter(profiles, scales, index, out)
+    _core.scatter(profiles, scales, 1, out)
     with pytest.raises(ValueError, match="one profile and scale an image"):
-        _core.scatter(profiles, np.ones(3), index, out)
+        _core.scatter(profiles, np.ones(3), 1, out)
     with pytest.raises(ValueError, match="one profile and scale an image"):
-        _core.scatter(np.ones((1, squares.size)), scales, index, out)
-    with pytest.raises(ValueError, match="index must cover the quadrant"):
-        _core.scatter(profiles, scales, index, np.empty((2, 6, 7)))
-    with pytest.raises(ValueError, match="index points outside the profile"):
-        _core.scatter(profiles[:, :-1].copy(), scales, index, out)
-    with pytest.raises(ValueError, match="index points outside the profile"):
-        _core.scatter(profiles, scales, index - np.int32(1), out)
+        _core.scatter(np.ones((1, squares.size)), scales, 1, out)
+    for values, image in ((profiles, np.empty((2, 7, 7))), (profiles[:, :-1].copy(), out)):
+        with pytest.raises(ValueError, match="a profile must have a value at each radius"):
+            _core.scatter(values, scales, 1, image)
     # The output is written in place, so no converted copy of it will do.
     for bad in (out.astype(np.int64), np.empty((2, 5, 14))[:, :, ::2], out[0]):
         with pytest.raises(TypeError, match="incompatible function arguments"):
-            _core.scatter(profiles, scales, index, bad)
+            _core.scatter(profiles, scales, 1, bad)
 
 
 # What an image is asked for with, whichever way.
@@ -273,7 +270,7 @@ def test_an_answer_outlives_its_call_and_may_be_changed() -> None:
 def _calls(scale: int) -> dict[str, Callable[[], Any]]:
     """Return one call of each function; at scale 1 it takes tens of milliseconds."""
     v = np.linspace(0.0, 300.0, 12_000 // scale)
-    squares, index = _core.distinct_radii(700, 700)
+    squares, _ = _core.distinct_radii(700, 700)
     profiles = np.ascontiguousarray(np.tile(np.sqrt(squares), (max(1, 12 // scale), 1)))
     pupils = np.ascontiguousarray(np.linspace([-90.0, 0.0], [90.0, 50.0], max(1, 200 // scale)))
     far = np.linspace(0.0, 64.0, 40_000 // scale)
@@ -281,7 +278,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
 
     def scatter() -> NDArray[np.float32]:
         out = np.empty((len(profiles), 1401, 1400), dtype=np.float32)
-        _core.scatter(profiles, np.ones(len(profiles)), index, out)
+        _core.scatter(profiles, np.ones(len(profiles)), 2, out)
         return out
 
     def render() -> NDArray[np.float32]:

@@ -22,35 +22,51 @@ Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amp
     return out;
 }
 
-Out<complex, 1> closed_form_field(In<double, 1> edges, In<double, 1> alpha, In<double, 1> beta, In<double, 1> gamma,
-                                  double transition, double ratio, std::size_t terms, In<double, 1> v) {
-    const std::size_t pieces = alpha.shape(0);
-    require(pieces > 0 && edges.shape(0) == pieces + 1 && beta.shape(0) == pieces && gamma.shape(0) == pieces,
-            "alpha, beta and gamma must have one value a piece, edges one more");
-    require(transition > 0.0 && ratio > 1.0 + 1e-6 && ratio < 10.0, "transition must be positive, ratio from 1 to 10");
-    require(terms >= 1 && terms <= 40, "terms must be from 1 to 40");
+lommel::FresnelForm fresnel_form(std::size_t terms, In<complex, 1> table) {
+    require(table.shape(0) != 1, "a table must have two samples at least");
+    return {terms, {table.data(), table.shape(0)}};
+}
+
+Out<complex, 2> chirp_moments(double a, In<double, 1> b, In<double, 1> low, In<double, 1> high, std::size_t terms,
+                              In<complex, 1> table) {
+    require(low.shape(0) == b.shape(0) && high.shape(0) == b.shape(0), "b, low and high must match");
+    const lommel::FresnelForm form = fresnel_form(terms, table);
+    auto out = new_array<complex, 2>({3, b.shape(0)});
+    released([&] { lommel::chirp_moments(form, a, b.data(), low.data(), high.data(), b.shape(0), out.data()); });
+    return out;
+}
+
+Out<complex, 2> closed_form_fields(In<double, 1> edges, In<double, 2> alpha, In<double, 2> beta, In<complex, 2> turns,
+                                   In<double, 1> starts, In<complex, 2> coefficients, std::size_t series, std::size_t terms,
+                                   In<complex, 1> table, In<double, 1> v, int threads) {
+    const std::size_t pupils = alpha.shape(0), pieces = alpha.shape(1);
+    require(beta.shape(0) == pupils && turns.shape(0) == pupils, "alpha, beta and turns must be of as many pupils");
+    require(pieces > 0 && edges.shape(0) == pieces + 1 && beta.shape(1) == pieces && turns.shape(1) == pieces,
+            "alpha, beta and turns must have one value a piece, edges one more");
+    require(starts.shape(0) > 0 && coefficients.shape(0) == starts.shape(0) && coefficients.shape(1) == 3,
+            "each start must have three coefficients");
+    require(starts.data()[0] > 0.0 && std::is_sorted(starts.data(), starts.data() + starts.shape(0)),
+            "starts must be positive and rise");
+    require(series >= 1, "there must be a term of the series");
     require_radii(v);
-    const double reach = v.size() == 0 ? 0.0 : *std::max_element(v.data(), v.data() + v.size());
-    auto out = new_array<complex, 1>({v.shape(0)});
+    const lommel::FresnelForm form = fresnel_form(terms, table);
+    auto out = new_array<complex, 2>({pupils, v.shape(0)});
     released([&] {
-        const lommel::HankelPieces hankel(transition, ratio, reach, terms);
-        const lommel::ClosedFormField field({edges.data(), alpha.data(), beta.data(), gamma.data(), pieces}, hankel);
-        for (std::size_t i = 0; i < v.shape(0); ++i) {
-            lommel::look();
-            out.data()[i] = field(v.data()[i]);
-        }
+        lommel::closed_form_fields({edges.data(), alpha.data(), beta.data(), turns.data(), pieces}, pupils,
+                                   {starts.data(), coefficients.data(), starts.shape(0), series}, form, v.data(), v.shape(0),
+                                   threads, out.data());
     });
     return out;
 }
 
-Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<double, 1> v) {
-    require(pieces.shape(0) > 0 && pieces.shape(1) == 16, "pieces must have the shape (pieces, 16)");
+Out<complex, 2> polynomial_fields(In<complex, 3> pieces, double start, double width, In<double, 1> v, int threads) {
+    require(pieces.shape(1) > 0 && pieces.shape(2) > 0, "there must be a piece, and a coefficient of it");
     require(width > 0.0, "width must be positive");
-    for (std::size_t i = 0; i < v.shape(0); ++i) {
-        require(v.data()[i] >= 0.0 && std::isfinite(v.data()[i]), "v must be at least 0 and finite");
-    }
-    auto out = new_array<double, 1>({v.shape(0)});
-    released([&] { lommel::chebyshev_intensity(pieces.data(), pieces.shape(0), width, v.data(), v.shape(0), out.data()); });
+    auto out = new_array<complex, 2>({pieces.shape(0), v.shape(0)});
+    released([&] {
+        lommel::polynomial_fields(pieces.data(), pieces.shape(0), pieces.shape(1), pieces.shape(2), start, width, v.data(),
+                                  v.shape(0), threads, out.data());
+    });
     return out;
 }
 
@@ -59,9 +75,12 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
 void bindings::define_paper(nb::module_& m) {
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");
-    m.def("closed_form_field", &closed_form_field, "edges"_a, "alpha"_a, "beta"_a, "gamma"_a, "transition"_a, "ratio"_a,
-          "terms"_a, "v"_a,
-          "U of the phase alpha R^2 + beta R + gamma on pieces, by Hankel's expansion on pieces that grow by ratio.");
-    m.def("chebyshev_intensity", &chebyshev_intensity, "pieces"_a, "width"_a, "v"_a,
-          "|U|^2 at v from the Chebyshev coefficients of U on pieces.");
+    m.def("chirp_moments", &chirp_moments, "a"_a, "b"_a, "low"_a, "high"_a, "terms"_a, "table"_a,
+          "int_low^high R^m exp(i (a R^2 + b R)) dR for m = 0, 1, 2.");
+    m.def("closed_form_fields", &closed_form_fields, "edges"_a, "alpha"_a, "beta"_a, "turns"_a, "starts"_a, "coefficients"_a,
+          "series"_a, "terms"_a, "table"_a, "v"_a, "threads"_a,
+          "U of the phases alpha R^2 + beta R on pieces, where turns are factors, by quadratics for x J0(x) beyond a power "
+          "series.");
+    m.def("polynomial_fields", &polynomial_fields, "pieces"_a, "start"_a, "width"_a, "v"_a, "threads"_a,
+          "U at rising v from the coefficients of U on pieces.");
 }

@@ -28,21 +28,21 @@ std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t
 }
 
 template <class T>
-void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> index, Out<T, 3> out) {
-    const std::size_t height = out.shape(1), width = out.shape(2), count = profiles.shape(1);
-    require(profiles.shape(0) == out.shape(0) && scales.shape(0) == out.shape(0), "one profile and scale an image");
-    require(index.shape(0) == height / 2 + 1 && index.shape(1) == width / 2 + 1, "index must cover the quadrant");
+void scatter(In<double, 2> profiles, In<double, 1> scales, int threads, Out<T, 3> out) {
+    const std::size_t count = out.shape(0), height = out.shape(1), width = out.shape(2), radii = profiles.shape(1);
+    require(profiles.shape(0) == count && scales.shape(0) == count, "one profile and scale an image");
     released([&] {
-        for (std::size_t i = 0; i < index.size(); ++i) {
-            const std::int32_t rank = index.data()[i];
-            require(rank >= 0 && static_cast<std::size_t>(rank) < count, "index points outside the profile");
-        }
-        std::vector<T> profile(count);
-        for (std::size_t s = 0; s < out.shape(0); ++s) {
-            lommel::store_scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
-            lommel::scatter_rows(profile.data(), index.data(), lommel::FoldedSide(height), lommel::FoldedSide(width), 0,
-                                 height / 2 + 1, out.data() + s * height * width);
-        }
+        const auto layout = lommel::Layout::get(height, width);
+        require(radii == layout->count, "a profile must have a value at each radius");
+        // Some 0.3 microseconds for a thousand pixels.
+        const double work = 0.3e-3 * static_cast<double>(count * height * width);
+        lommel::for_pupils(count, lommel::worthwhile_threads(threads, work), [&](std::size_t i, int own) {
+            std::vector<T> profile(radii);
+            lommel::store_scaled(profiles.data() + i * radii, scales.data()[i], radii, profile.data());
+            lommel::for_rows(layout->rows.distances(), width, own, [&](std::size_t first, std::size_t last) {
+                layout->scatter(profile.data(), first, last, out.data() + i * height * width);
+            });
+        });
     });
 }
 
@@ -110,7 +110,7 @@ void bindings::define_pixels(nb::module_& m) {
     m.def("distinct_radii", &distinct_radii, "rows"_a, "cols"_a,
           "Distinct squared radii of a quadrant, rising, and the rank of every pixel's.");
     for_both([&](auto pixel) {
-        m.def("scatter", &scatter<decltype(pixel)>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert(),
+        m.def("scatter", &scatter<decltype(pixel)>, "profiles"_a, "scales"_a, "threads"_a, "out"_a.noconvert(),
               "Profiles at the distinct radii, times a scale each, onto a stack of images.");
     });
     m.def("pixel_radii", &pixel_radii, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,

@@ -126,9 +126,13 @@ Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
     auto out = new_array<complex, 1>({s.shape(0)});
     released([&] {
         const auto fresnel = lommel::FresnelAuxiliary::get();
+        using V = lommel::Portable::pack;
         for (std::size_t i = 0; i < s.shape(0); ++i) {
             require(s.data()[i] >= 0.0, "s must be at least 0");
-            out.data()[i] = fresnel->at(s.data()[i]);
+            const V at[1] = {lommel::splat<V>(s.data()[i])};
+            V re[1], im[1];
+            (*fresnel)(lommel::Portable{}, at, re, im);
+            out.data()[i] = {re[0][0], im[0][0]};
         }
     });
     return out;

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from lommel import AbramowitzErf, FresnelErf, TableErf
-from lommel.special import erf
 from lommel.special.erf import chirp_moments, disk_moments
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
@@ -130,13 +129,6 @@ def test_the_error_function_that_is_given_is_the_one_that_is_used() -> None:
     assert np.array_equal(exact, chirp_moments(20.0, b, 0.0, 1.0))
     for form in (TableErf(64), AbramowitzErf(10)):
         assert 1e-9 < np.abs(chirp_moments(20.0, b, 0.0, 1.0, erf=form) - exact).max() < 0.1
-
-
-def test_the_size_of_the_blocks_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
-    b = np.linspace(-90.0, 90.0, 57)
-    whole = chirp_moments(0.01, b, 0.2, 1.0)
-    monkeypatch.setattr(erf, "_BLOCK", 100)
-    assert chirp_moments(0.01, b, 0.2, 1.0) == pytest.approx(whole, rel=0, abs=1e-15)
 
 
 @pytest.mark.parametrize("count", [1, 3, 10, 28, 60])

@@ -397,7 +397,7 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
         raise ValueError('normalize="peak" is impossible: no light falls into the window')
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
-    grid.paint(made.values, scales, values)
+    grid.paint(made.values, scales, values, wanted.threads)
     return Images(values, scales, once_stored(made, wanted), None, made.peak)
 
 

@@ -253,7 +253,7 @@ class Grid(EqualByContent):
 
     def v(self, pupil: BasePupil) -> Array:
         """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""
-        return pupil.v(self.radii)
+        return math.pi / pupil.scale * self.radii
 
     def unfold(self, quadrant: NDArray[_Number]) -> NDArray[_Number]:
         """Return images from a `quadrant` of each, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis on."""
@@ -261,12 +261,12 @@ class Grid(EqualByContent):
         columns = np.abs(np.arange(self.width) - self.width // 2)
         return quadrant[..., rows[:, None], columns]
 
-    def paint(self, values: Array, scale: Array, out: NDArray[np.float32] | Array) -> None:
+    def paint(self, values: Array, scale: Array, out: NDArray[np.float32] | Array, threads: int = 0) -> None:
         """Write images times `scale` into `out`, from `values` at the distinct radii, ``(n, radii)``, or images."""
         if values.ndim == 3:
             out[:] = values * scale[:, None, None]
         else:
-            engine.scatter(np.ascontiguousarray(values), scale, _quadrant(*self.shape)[1], out)
+            engine.scatter(np.ascontiguousarray(values), scale, threads, out)
 
 
 @lru_cache(maxsize=8)

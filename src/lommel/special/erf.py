@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.special.legendre import gauss_legendre, gauss_panels
+from lommel.core import engine
+from lommel.special.legendre import gauss_legendre
 
 HALF = 0.5 * math.sqrt(math.pi) * np.exp(0.25j * math.pi)
 """``int_0^inf exp(i tau^2) d tau``."""
@@ -43,6 +44,7 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
 
 
 _RAY = np.exp(-0.25j * math.pi)
+_NOTHING = np.empty(0, dtype=np.complex128)
 
 
 class Erf(ABC):
@@ -51,6 +53,11 @@ class Erf(ABC):
     @abstractmethod
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for `s` of 0 or more."""
+
+    @property
+    def compiled(self) -> tuple[int, NDArray[np.complex128]]:
+        """What the compiled core takes for it: the number of terms of Eq. (14), and a table; here none of them."""
+        return 0, _NOTHING
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
@@ -98,6 +105,11 @@ class TableErf(Erf):
     def __post_init__(self) -> None:
         object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=2, most=10**7))
 
+    @property
+    def compiled(self) -> tuple[int, NDArray[np.complex128]]:
+        """The table."""
+        return 0, _table(self.samples)[1]
+
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` from the table."""
         grid, table = _table(self.samples)
@@ -134,6 +146,11 @@ class AbramowitzErf(Erf):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "terms", validation.integer("terms", self.terms, least=1, most=100_000))
+
+    @property
+    def compiled(self) -> tuple[int, NDArray[np.complex128]]:
+        """The number of terms."""
+        return self.terms, _NOTHING
 
     def __call__(self, z: ArrayLike) -> NDArray[np.complex128]:
         """Return Eq. (14) at complex z, with every exponential scaled so that none overflows before its product.
@@ -183,20 +200,16 @@ class AbramowitzErf(Erf):
         return np.asarray(HALF * (1.0 - self.on_ray(s)) * np.exp(-1j * s * s))
 
 
-_NEARLY_LINEAR = 0.1  # a h^2 below which the closed form loses more digits than quadrature costs
-_BLOCK = 2**20
-
-
 def chirp_moments(
     a: float, b: ArrayLike, low: ArrayLike, high: ArrayLike, *, erf: Erf | None = None
 ) -> NDArray[np.complex128]:
-    r"""Return ``int_low^high R^m exp(i (a R^2 + b R)) dR`` for m = 0, 1, 2.
+    r"""Return ``int_low^high R^m exp(i (a R^2 + b R)) dR`` for m = 0, 1, 2 (compiled).
 
     The m = 0 moment is the error function of the paper's Eq. (13); the others follow by parts:
     ``M_1 = [e]/(2ia) - (b/2a) M_0`` and ``M_2 = [R e]/(2ia) - M_0/(2ia) - (b/2a) M_1``. The error function is
     written through its non-oscillating part G, so that no phase b^2/4a of a distant stationary point appears.
-    Where ``|a| (high - low)^2 < 0.1`` the formulas cancel and Gauss-Legendre quadrature with enough nodes for
-    the whole phase takes over, exact to rounding.
+    Where ``|a| (high - low)^2 < 0.1`` the formulas cancel, and the chirp is a linear wave times powers of its
+    curvature, whose moments follow by parts likewise, exact to rounding.
 
     Parameters
     ----------
@@ -210,49 +223,10 @@ def chirp_moments(
     -------
     ndarray of complex, shape ``(3,) + b.shape``
     """
-    slope, start, end = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in (b, low, high)))
-    if a < 0:
-        return np.conj(chirp_moments(-a, -slope, start, end, erf=erf))
-    flat = a * (end - start) ** 2 < _NEARLY_LINEAR
-    out = np.empty((3, *slope.shape), dtype=np.complex128)
-    if np.any(flat):
-        out[:, flat] = _by_quadrature(a, slope[flat], start[flat], end[flat])
-    if not np.all(flat):
-        bent = ~flat
-        out[:, bent] = _by_erf(a, slope[bent], start[bent], end[bent], erf or FresnelErf())
-    return out
-
-
-def _by_erf(a: float, b: Array, low: Array, high: Array, erf: Erf) -> NDArray[np.complex128]:
-    root = math.sqrt(a)
-    s = root * (np.stack([low, high]) + b / (2.0 * a))
-    side = np.where(s < 0, -1.0, 1.0)
-    ends = np.exp(1j * (a * np.stack([low**2, high**2]) + b * np.stack([low, high])))
-    parts = side * ends * erf.auxiliary(np.abs(s))
-    # The stationary point -b/2a adds the full integral where it lies inside.
-    whole = HALF * (side[1] - side[0]) * np.exp(-1j * b * b / (4.0 * a))
-    zeroth = (parts[0] - parts[1] + whole) / root
-    first = (ends[1] - ends[0]) / (2j * a) - b / (2.0 * a) * zeroth
-    second = (high * ends[1] - low * ends[0] - zeroth) / (2j * a) - b / (2.0 * a) * first
-    return np.stack([zeroth, first, second])
-
-
-def _by_quadrature(a: float, b: Array, low: Array, high: Array) -> NDArray[np.complex128]:
-    length = high - low
-    span = (a * (low + high) + np.abs(b)) * length
-    nodes = int(0.5 * span.max() + 3.0 * span.max() ** (1.0 / 3.0)) + 20
-    x, w = gauss_panels(nodes)
-    nodes = x.size
-    out = np.empty((3, b.size), dtype=np.complex128)
-    rows = max(1, _BLOCK // nodes)
-    for first in range(0, b.size, rows):
-        block = slice(first, first + rows)
-        radius = low[block, None] + length[block, None] * x
-        wave = w * length[block, None] * np.exp(1j * radius * (a * radius + b[block, None]))
-        for m in range(3):
-            out[m, block] = wave.sum(axis=1)
-            wave = wave * radius
-    return out
+    parts = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in (b, low, high)))
+    slope, start, end = (np.ascontiguousarray(x).ravel() for x in parts)
+    values = engine.chirp_moments(float(a), slope, start, end, *(erf or FresnelErf()).compiled)
+    return values.reshape(3, *parts[0].shape)
 
 
 def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:

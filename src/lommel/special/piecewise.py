@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import lru_cache
+from itertools import pairwise, product
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -128,29 +129,37 @@ def fit_quadratics(
     c = validation.real_array("coefficients", coefficients)
     if c.ndim != 1 or c.size == 0:
         raise ValueError(f"coefficients must be a sequence of numbers, got {validation.shown(coefficients)}")
-    edges = split_edges(segments, split)
     validation.choice("fit", fit, FITS)
     validation.truth("piston", piston)
-    rows = []
-    for low, high in pairwise(edges.tolist()):
-        row = _interpolated(c, low, high) if piston else _osculating(c, low, high)
-        if fit == "least-squares":
-            row = _least_squares(c, low, high, row, piston)
-        elif fit == "sweep":
-            row = _swept(c, low, high, piston, sweep)
-        rows.append(row)
-    alpha, beta, gamma = np.array(rows).T
+    edges, rows = fitted(c[None], segments, split, fit, piston, sweep)
+    alpha, beta, gamma = rows[0].T
     bound = None
     if piston and fit == "interpolation":
         bound = float(_interpolation_error(np.abs(c), edges).max())
     return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
 
 
-def _derivative(coefficients: Sequence[float] | Array, rho: ArrayLike, order: int) -> Array:
-    """Return a derivative of the phase."""
-    polynomial = np.zeros(2 * len(coefficients) + 1)
-    polynomial[2::2] = coefficients
-    return np.asarray(np.polynomial.Polynomial(polynomial).deriv(order)(np.asarray(rho)))
+def fitted(
+    c: Array, segments: int, split: str, fit: str, piston: bool, sweep: tuple[float, float] | None = None
+) -> tuple[Array, Array]:
+    """Return the edges and, of each of a stack of phases, alpha, beta and gamma, shape ``(n, segments, 3)``."""
+    edges, each = _through_points(c.shape[-1], segments, split)
+    rows = (c @ each).reshape(len(c), segments, 3) if piston else _osculating(c, edges)
+    if fit != "interpolation":
+        for k, (i, (low, high)) in product(range(len(c)), enumerate(pairwise(edges.tolist()))):
+            if fit == "least-squares":
+                rows[k, i] = _least_squares(c[k], low, high, rows[k, i], piston)
+            else:
+                rows[k, i] = _swept(c[k], low, high, piston, sweep)
+    return edges, rows
+
+
+def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
+    """Return a derivative of each of a stack of phases, shape ``(..., terms)``, at all of `rho`."""
+    c, at = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
+    powers = [2 * k for k in range(1, c.shape[-1] + 1)]
+    factors = np.array([math.perm(p, order) for p in powers], dtype=np.float64)
+    return np.asarray(np.tensordot(c * factors, np.stack([at ** (p - order) for p in powers]), axes=1))
 
 
 def _interpolation_error(c: Array, edges: Array) -> Array:
@@ -162,23 +171,29 @@ def _interpolation_error(c: Array, edges: Array) -> Array:
     return np.asarray((high - low) ** 3 / 32.0 * difference)
 
 
-def _interpolated(c: Array, low: float, high: float) -> Array:
-    x = 0.5 * (low + high) + 0.5 * (high - low) * np.cos(np.pi * np.array([5, 3, 1]) / 6)
-    value = _derivative(c, x, 0)
-    first = np.diff(value) / np.diff(x)
+@lru_cache(maxsize=8)
+def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array]:
+    """Return the edges, and alpha, beta and gamma of each segment through each term at its Chebyshev points."""
+    edges = split_edges(segments, split)
+    middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
+    x = middle + half * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
+    value = np.moveaxis(_derivative(np.eye(terms), x, 0), -2, 0)
+    first = [(value[k + 1] - value[k]) / (x[k + 1] - x[k]) for k in (0, 1)]
     alpha = (first[1] - first[0]) / (x[2] - x[0])
     beta = first[0] - alpha * (x[0] + x[1])
-    return np.array([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]])
+    each = np.stack([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]], axis=-1).reshape(terms, -1)
+    edges.flags.writeable = each.flags.writeable = False
+    return edges, each
 
 
-def _osculating(c: Array, low: float, high: float) -> Array:
-    """Return alpha and beta of the same value (up to whole turns) and slope as the phase in the middle."""
-    middle = 0.5 * (low + high)
-    value, slope, bend = (float(_derivative(c, middle, k)) for k in range(3))
+def _osculating(c: Array, edges: Array) -> Array:
+    """Return alpha and beta of the same value (up to whole turns) and slope as the phase in the middle of each."""
+    middle = 0.5 * (edges[:-1] + edges[1:])
+    value, slope, bend = (_derivative(c, middle, k) for k in range(3))
     # Whole turns that bring the curvature as near to the true one as they can.
-    turns = round((slope * middle - value - 0.5 * bend * middle**2) / (2.0 * math.pi))
+    turns = np.round((slope * middle - value - 0.5 * bend * middle**2) / (2.0 * math.pi))
     alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
-    return np.array([alpha, slope - 2.0 * alpha * middle, 0.0])
+    return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)
 
 
 def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool) -> Array:

@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 
 import lommel as lm
 from lommel import AbramowitzErf, ClosedForm, FresnelErf, Hankel, Pupil, TableErf, Wavefront
+from lommel import _core
 from lommel.special.bessel import j0_series, tangent_line
+from lommel.special.erf import Erf
 from lommel.special.legendre import gauss_legendre
 from lommel.special.piecewise import fit_quadratics
 
@@ -110,6 +112,48 @@ def test_beyond_the_truncation_there_is_no_light_and_within_it_nothing_changes()
     assert np.array_equal(cut[v <= 41.25], whole[v <= 41.25])
     assert np.all(cut[v > 41.25] == 0)
     assert np.all(whole[v > 41.25] != 0)
+
+
+FORMS = [
+    ClosedForm(),
+    ClosedForm(transition=8, terms=28, tangent=40, segments=5),
+    ClosedForm(piston=False, split="linear", segments=7),
+]
+
+
+@pytest.mark.parametrize("wavefront", [Wavefront(10.0), Wavefront(-30.0, 60.0), Wavefront(200.0, 10.0)])
+@pytest.mark.parametrize("method", FORMS, ids=["paper", "tuned", "linear"])
+def test_many_radii_are_interpolated_to_rounding(method: ClosedForm, wavefront: Wavefront) -> None:
+    """By polynomials of values at fewer; the closed form itself serves where few are asked for."""
+    pupil, v = Pupil(wavefront), np.linspace(0.0, 400.0, 5001)
+    many = method.field(pupil, v)
+    few = np.concatenate([method.field(pupil, part) for part in np.array_split(v, 200)])
+    assert 0.0 < np.abs(many - few).max() <= 3e-15
+
+
+@pytest.mark.parametrize("erf", [FresnelErf(), TableErf(64), AbramowitzErf(30)], ids=lambda e: type(e).__name__)
+def test_a_stack_is_its_members_with_any_instructions_and_threads(erf: Erf) -> None:
+    """Among them some of defocus alone, of one piece."""
+    method, v = ClosedForm(erf=erf), np.linspace(0.0, 60.0, 700)
+    defocus, spherical = [0.0, 0.01, 10.0, -20.0, 3.0], [0.0, 0.0, 0.0, 5.0, -30.0]
+    stack = Pupil(Wavefront(defocus, spherical), obscuration=0.2)
+    values = method.profile(stack, v).values
+    assert np.array_equal(method.profile(stack, v, threads=2).values, values)
+    members = np.stack([method.profile(stack[i], v).values[0] for i in range(5)])
+    assert np.abs(values - members).max() <= 1e-13
+    exact = np.abs([sum_of_integrals(method, d, v) for d in defocus[:3]]) ** 2
+    whole = method.profile(Pupil(Wavefront(defocus[:3])), v[1:]).values
+    assert np.abs(whole - exact).max() <= 1e-12
+    try:
+        for level in ("portable", "avx2"):
+            _core.limit_instructions(level)
+            assert np.abs(method.profile(stack, v).values - values).max() <= 1e-13
+    finally:
+        _core.limit_instructions("avx512")
+
+
+def sum_of_integrals(method: ClosedForm, defocus: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    return 2.0 * method.sub_integrals(defocus, v[1:]).sum(axis=0)
 
 
 @pytest.mark.parametrize("samples", [64, 1024, 16384])

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -102,6 +103,20 @@ LOMMEL_INLINE V larger(V a, V b) {
 template <class V>
 LOMMEL_INLINE V smaller(V a, V b) {
     return a < b ? a : b;
+}
+// a where x is below the limit, else b.
+template <class V>
+LOMMEL_INLINE V below(V x, V limit, V a, V b) {
+    return x < limit ? a : b;
+}
+// 2^k, from 1.5 * 2^52 + k.
+template <class B, class V>
+LOMMEL_INLINE V power_of_two(V shifted) {
+    B bits;
+    std::memcpy(&bits, &shifted, sizeof bits);
+    bits = (bits << 52) + (std::int64_t{1023} << 52);
+    std::memcpy(&shifted, &bits, sizeof shifted);
+    return shifted;
 }
 // a where the bit of the integer in `at` is set, else b.
 template <class B, class V>
@@ -401,6 +416,18 @@ LOMMEL_INLINE V from_bits(V x) {
 template <class V>
 LOMMEL_INLINE V smaller(V a, V b) {
     return V::each(a, b, [](double x, double y) { return x < y ? x : y; });
+}
+template <class V>
+LOMMEL_INLINE V below(V x, V limit, V a, V b) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+        a.v[i] = x.v[i] < limit.v[i] ? a.v[i] : b.v[i];
+    }
+    return a;
+}
+template <class B, class V>
+LOMMEL_INLINE V power_of_two(V shifted) {
+    return V::each(shifted, shifted,
+                   [](double x, double) { return std::ldexp(1.0, static_cast<int>(x - 6755399441055744.0)); });
 }
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {

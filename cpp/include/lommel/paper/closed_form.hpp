@@ -1,5 +1,5 @@
-// The paper's closed form, refined: Hankel's expansion beyond a transition, its amplitude and the phase by quadratics on
-// pieces, every piece an elementary end-point term and a Fresnel integral.
+// The paper's closed form, as printed or refined: the power series of J0 up to a transition, beyond it an asymptotic form whose
+// amplitude and phase are quadratics on pieces, every piece an elementary end-point term and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -7,234 +7,306 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <vector>
 
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/limits.hpp"
+#include "lommel/special/chirp.hpp"
 #include "lommel/special/fresnel.hpp"
 #include "lommel/special/legendre.hpp"
 
 namespace lommel {
 
-// alpha R^2 + beta R + gamma on [edges[i], edges[i + 1]), R from 0 to 1.
+// alpha R^2 + beta R on [edges[i], edges[i + 1]), R from 0 to 1, where 2 exp(i (Phi - that)) is turns[i], of each of a stack of pupils,
+// one after the other.
 struct PhasePieces {
-    const double *edges, *alpha, *beta, *gamma;
+    const double *edges, *alpha, *beta;
+    const std::complex<double>* turns;
     std::size_t count;
 };
 
-// x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] on pieces of x from the transition on: the paper's tangent line, made
-// as good as one likes. x sqrt(2 / (pi x)) (P + i Q) is interpolated at the Chebyshev points of geometric pieces.
-class HankelPieces {
-   public:
-    std::vector<double> edges;
-    std::vector<std::array<std::complex<double>, 3>> coefficients;
-
-    HankelPieces(double transition, double ratio, double reach, std::size_t terms) {
-        edges.push_back(transition);
-        while (edges.back() < reach) {
-            look();
-            const double low = edges.back(), high = low * ratio;
-            std::array<double, 3> x;
-            std::array<std::complex<double>, 3> f;
-            for (std::size_t j = 0; j < 3; ++j) {
-                // cos(pi (2j + 1) / 6) = 0.866, 0, -0.866
-                x[j] = 0.5 * (low + high) - 0.5 * (high - low) * 0.86602540378443864676 * (1.0 - static_cast<double>(j));
-                f[j] = std::sqrt(two_over_pi * x[j]) * series(x[j], terms);
-            }
-            const std::complex<double> first = (f[1] - f[0]) / (x[1] - x[0]), second = (f[2] - f[1]) / (x[2] - x[1]);
-            const std::complex<double> c2 = (second - first) / (x[2] - x[0]), c1 = first - c2 * (x[0] + x[1]);
-            coefficients.push_back({f[0] - (c1 + c2 * x[0]) * x[0], c1, c2});
-            edges.push_back(high);
-        }
-    }
-
-   private:
-    static constexpr double two_over_pi = 0.63661977236758134308;
-
-    // P + i Q of order 0 (DLMF 10.17): sum_k (i / x)^k a_k with a_k = prod (-(2j-1)^2) / (8 j).
-    static std::complex<double> series(double x, std::size_t terms) {
-        std::complex<double> sum = 1.0, term = 1.0;
-        for (std::size_t k = 1; k < terms; ++k) {
-            const double odd = 2.0 * static_cast<double>(k) - 1.0;
-            term *= std::complex<double>(0.0, -odd * odd / (8.0 * static_cast<double>(k) * x));
-            sum += term;
-        }
-        return sum;
-    }
+// x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] from starts[i] up to starts[i + 1], the last one without end; and so many
+// `terms` of the power series up to the first.
+struct BesselPieces {
+    const double* starts;
+    const std::complex<double>* coefficients;  // three a piece
+    std::size_t count, terms;
 };
 
+// By the terms of a series, or by a table, or, where there is neither, to rounding.
+struct FresnelForm {
+    std::size_t terms;
+    FresnelTable table;
+};
+
+// int_low^high R^m exp(i (a R^2 + b R)) dR, out[m * count + i], at each of so many b, low and high.
+void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
+                   std::complex<double>* out);
+
+// U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR, out[pupil * count + i], at rising v.
+void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselPieces& bessel, const FresnelForm& form,
+                        const double* v, std::size_t count, int threads, std::complex<double>* out);
+
+// U at rising v, out[pupil * n + i], from so many coefficients of the powers of x, from -1 to 1, on each of `count` pieces of the v axis
+// from `start` on.
+void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
+                       double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
+
+#if defined(LOMMEL_DEFINES)
+template <class V>
+LOMMEL_INLINE double largest_lane(V v) {
+    double top = v[0];
+    for (std::size_t i = 1; i < sizeof(V) / sizeof(double); ++i) {
+        top = std::max(top, static_cast<double>(v[i]));
+    }
+    return top;
+}
+
+template <class Auxiliary>
 class ClosedFormField {
    public:
-    ClosedFormField(const PhasePieces& phase, const HankelPieces& hankel) : phase_(phase), hankel_(hankel) {
-        nodes_.resize(node_count);
-        weights_.resize(node_count);
-        gauss_legendre(node_count, nodes_.data(), weights_.data());
+    ClosedFormField(const BesselPieces& bessel, const Auxiliary& auxiliary)
+        : bessel_(bessel), auxiliary_(auxiliary), series_(bessel.terms, 1.0) {
+        for (std::size_t m = 1; m < series_.size(); ++m) {
+            series_[m] = series_[m - 1] / static_cast<double>(m * m);
+        }
     }
 
-    // U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR.
-    std::complex<double> operator()(double v) const {
-        const double transition = hankel_.edges.front();
-        const double split = v > transition ? transition / v : 1.0;
-        std::complex<double> sum = 0.0;
+    template <class I>
+    LOMMEL_INLINE void operator()(I isa, const PhasePieces& phase, typename I::pack v, typename I::pack& re,
+                                  typename I::pack& im) const {
+        using V = typename I::pack;
+        const V zero = splat<V>(0.0), turn = splat<V>(1.0) / larger(v, splat<V>(1e-300));
+        const V split = smaller(splat<V>(bessel_.starts[0]) * turn, splat<V>(1.0));
+        const double inner = largest_lane(split), outer = -largest_lane(zero - split);
+        re = im = zero;
         std::size_t piece = 0;
-        for (std::size_t i = 0; i < phase_.count; ++i) {
-            look();
-            const double low = phase_.edges[i], high = phase_.edges[i + 1];
-            if (low < split) {
-                sum += inner(v, i, low, std::min(high, split));
+        for (std::size_t i = 0; i < phase.count; ++i) {
+            const V low = splat<V>(phase.edges[i]), high = splat<V>(phase.edges[i + 1]);
+            const auto within = [&](V x) LOMMEL_INLINE_LAMBDA { return smaller(larger(x, low), high); };
+            V a = zero, b = zero;
+            if (phase.edges[i] < inner) {
+                add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            double from = std::max(low, split);
-            while (from < high) {
-                while (piece + 1 < hankel_.coefficients.size() && hankel_.edges[piece + 1] <= from * v * (1.0 + 1e-15)) {
-                    ++piece;
+            // From the piece of the nearest lane to that of the farthest.
+            while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
+                --piece;
+            }
+            for (V from = within(split); outer < phase.edges[i + 1];) {
+                const bool last = piece + 1 == bessel_.count;
+                const V to = last ? high : within(splat<V>(bessel_.starts[piece + 1]) * turn);
+                if (largest_lane(to - from) > 0.0) {
+                    add_waves(isa, phase.alpha[i], phase.beta[i], v, turn, bessel_.coefficients + 3 * piece, from, to, a, b);
                 }
-                const bool last = piece + 1 == hankel_.coefficients.size();
-                // Rounding must not keep the same place from being left.
-                const double to =
-                    std::max(last ? high : std::min(high, hankel_.edges[piece + 1] / v), std::nextafter(from, 2.0));
-                sum += outer(v, i, piece, from, to);
+                if (largest_lane(high - to) <= 0.0) {
+                    break;
+                }
                 from = to;
+                ++piece;
             }
+            const V c = splat<V>(phase.turns[i].real()), s = splat<V>(phase.turns[i].imag());
+            re = re + (c * a - s * b);
+            im = im + (s * a + c * b);
         }
-        return 2.0 * sum;
     }
 
    private:
-    static constexpr std::size_t node_count = 12;
+    template <std::size_t count>
+    struct Rule {
+        std::array<double, count> nodes, weights;
+        Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
+        static const Rule& get() {
+            static const Rule rule;
+            return rule;
+        }
+    };
 
-    // Calls add(R, weight) for the nodes of a Gauss rule on panels of at most six radians each.
-    template <class Add>
-    void integrate(double low, double high, double span, const Add& add) const {
+    // Within the transition, by Gauss quadrature of the power series on panels of at most four radians, or, where the phase hardly varies
+    // and the terms are few, by as many nodes as these take.
+    template <class I>
+    LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
+                                  typename I::pack high, typename I::pack& re, typename I::pack& im) const {
+        using V = typename I::pack;
+        const V rate = splat<V>(std::abs(alpha)) * (low + high) + splat<V>(std::abs(beta));
+        const double turn = largest_lane(rate * (high - low)), span = largest_lane((rate + v) * (high - low));
         if (!(span <= 4.0 * (max_phase + max_reach))) {
             throw LimitExceeded("phases and radii this large take more panels of quadrature than there may be");
         }
-        const std::size_t panels = static_cast<std::size_t>(span / 6.0) + 1;
-        const double width = (high - low) / static_cast<double>(panels);
+        if (turn < 0.1 && series_.size() <= 3) {
+            return add_panels(isa, Rule<6>::get(), 1, alpha, beta, v, low, high, re, im);
+        }
+        add_panels(isa, Rule<12>::get(), static_cast<std::size_t>(span / 4.0) + 1, alpha, beta, v, low, high, re, im);
+    }
+    template <class I, std::size_t count>
+    LOMMEL_INLINE void add_panels(I isa, const Rule<count>& rule, std::size_t panels, double alpha, double beta,
+                                  typename I::pack v, typename I::pack low, typename I::pack high, typename I::pack& re,
+                                  typename I::pack& im) const {
+        using V = typename I::pack;
+        const V half = splat<V>(0.5 / static_cast<double>(panels)) * (high - low), q = splat<V>(-0.25) * v * v;
         Glance glance;
         for (std::size_t p = 0; p < panels; ++p) {
-            glance(64 * node_count);
-            const double middle = low + (static_cast<double>(p) + 0.5) * width;
-            for (std::size_t k = 0; k < node_count; ++k) {
-                add(middle + 0.5 * width * nodes_[k], 0.5 * width * weights_[k]);
+            glance(64 * count);
+            const V middle = low + splat<V>(static_cast<double>(2 * p + 1)) * half;
+            for (std::size_t k = 0; k < count; ++k) {
+                const V r = middle + half * splat<V>(rule.nodes[k]), square = q * r * r;
+                V sine, cosine, sum = splat<V>(series_.back());
+                sincos(isa, (splat<V>(alpha) * r + splat<V>(beta)) * r, sine, cosine);
+                for (std::size_t m = series_.size() - 1; m-- > 0;) {
+                    sum = sum * square + splat<V>(series_[m]);
+                }
+                sum = sum * r * half * splat<V>(rule.weights[k]);
+                re = re + sum * cosine;
+                im = im + sum * sine;
             }
         }
     }
 
-    // Within the transition, by Gauss quadrature of the power series.
-    std::complex<double> inner(double v, std::size_t i, double low, double high) const {
-        const double a = phase_.alpha[i], b = phase_.beta[i];
-        std::complex<double> sum = 0.0;
-        integrate(low, high, (std::abs(a) * (low + high) + std::abs(b) + v) * (high - low), [&](double r, double weight) {
-            const double angle = (a * r + b) * r + phase_.gamma[i];
-            sum += weight * r * power_series(v * r) * std::complex<double>(std::cos(angle), std::sin(angle));
-        });
-        return sum;
+    // Beyond it R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
+    template <class I>
+    LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
+                                 const std::complex<double>* c, typename I::pack low, typename I::pack high,
+                                 typename I::pack& re, typename I::pack& im) const {
+        using V = typename I::pack;
+        const V slopes[2] = {splat<V>(beta) + v, splat<V>(beta) - v}, scale = splat<V>(0.5) * turn;
+        ChirpMoments<I> moments[2];
+        chirp_moments(isa, auxiliary_, alpha, slopes, low, high, moments);
+        const std::complex<double> eighth(0.70710678118654752440, -0.70710678118654752440);
+        V power = scale;
+        for (int m = 0; m < 3; ++m) {
+            const std::complex<double> factor = eighth * c[m];
+            const V x = splat<V>(factor.real()) * power, y = splat<V>(factor.imag()) * power;
+            re = re + (x * (moments[0].re[m] + moments[1].re[m]) - y * (moments[0].im[m] - moments[1].im[m]));
+            im = im + (x * (moments[0].im[m] + moments[1].im[m]) + y * (moments[0].re[m] - moments[1].re[m]));
+            power = power * v;
+        }
     }
 
-    static double power_series(double x) {
-        const double q = -0.25 * x * x;
-        double term = 1.0, sum = 1.0;
-        for (int m = 1; m < 60; ++m) {
-            term *= q / (static_cast<double>(m) * static_cast<double>(m));
-            sum += term;
-            if (std::abs(term) < 1e-17) {
-                break;
-            }
-        }
-        return sum;
-    }
-
-    std::complex<double> outer(double v, std::size_t i, std::size_t piece, double low, double high) const {
-        // R J0(v R) = x J0(x) / v, of the real part half from each of e^{+-i(x - pi/4)}.
-        static const std::complex<double> turn(0.70710678118654752440, -0.70710678118654752440);
-        const auto& c = hankel_.coefficients[piece];
-        std::complex<double> sum = 0.0;
-        for (const double sign : {1.0, -1.0}) {
-            std::complex<double> moments[3];
-            chirp(phase_.alpha[i], phase_.beta[i] + sign * v, low, high, moments);
-            std::complex<double> part = 0.0;
-            double power = 1.0;
-            for (std::size_t k = 0; k < 3; ++k, power *= v) {
-                part += (sign > 0.0 ? c[k] : std::conj(c[k])) * power * moments[k];
-            }
-            sum += (sign > 0.0 ? turn : std::conj(turn)) * part;
-        }
-        const double g = phase_.gamma[i];
-        return 0.5 / v * sum * std::complex<double>(std::cos(g), std::sin(g));
-    }
-
-    // int_low^high R^m exp(i (a R^2 + b R)) dR, m = 0, 1, 2.
-    void chirp(double a, double b, double low, double high, std::complex<double>* moments) const {
-        if (a < 0.0) {
-            chirp(-a, -b, low, high, moments);
-            for (int m = 0; m < 3; ++m) {
-                moments[m] = std::conj(moments[m]);
-            }
-            return;
-        }
-        const double h = high - low;
-        const double span = (a * (low + high) + std::abs(b)) * h;
-        if (span < 6.0 || a * h * h < 1e-3) {
-            moments[0] = moments[1] = moments[2] = 0.0;
-            return integrate(low, high, span, [&](double r, double weight) {
-                const double angle = (a * r + b) * r;
-                const std::complex<double> wave = weight * std::complex<double>(std::cos(angle), std::sin(angle));
-                moments[0] += wave;
-                moments[1] += r * wave;
-                moments[2] += r * r * wave;
-            });
-        }
-        const double root = std::sqrt(a), shift = b / (2.0 * a);
-        const double s[2] = {root * (low + shift), root * (high + shift)};
-        const double r[2] = {low, high};
-        std::complex<double> end[2], part[2];
-        for (int j = 0; j < 2; ++j) {
-            const double angle = (a * r[j] + b) * r[j];
-            end[j] = std::complex<double>(std::cos(angle), std::sin(angle));
-            part[j] = (s[j] < 0.0 ? -1.0 : 1.0) * end[j] * fresnel_->at(std::abs(s[j]));
-        }
-        std::complex<double> zeroth = part[0] - part[1];
-        if (s[0] < 0.0 && s[1] >= 0.0) {
-            // The stationary point lies inside.
-            const double angle = -b * shift / 2.0;
-            zeroth += 2.0 * FresnelAuxiliary::half() * std::complex<double>(std::cos(angle), std::sin(angle));
-        }
-        zeroth /= root;
-        const std::complex<double> by(0.0, -0.5 / a);  // 1 / (2 i a)
-        moments[0] = zeroth;
-        moments[1] = by * (end[1] - end[0]) - shift * zeroth;
-        moments[2] = by * (high * end[1] - low * end[0] - zeroth) - shift * moments[1];
-    }
-
-    PhasePieces phase_;
-    const HankelPieces& hankel_;
-    std::shared_ptr<const FresnelAuxiliary> fresnel_ = FresnelAuxiliary::get();
-    std::vector<double> nodes_, weights_;
+    BesselPieces bessel_;
+    const Auxiliary& auxiliary_;
+    std::vector<double> series_;  // 1 / m!^2
 };
 
-// |U|^2 at v from 16 Chebyshev coefficients of U on each piece of the v axis, by Clenshaw's recurrence.
-inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v,
-                                std::size_t n, double* intensity) {
-    constexpr std::size_t terms = 16;
-    const double last = static_cast<double>(count - 1);
-    Glance glance;
-    for (std::size_t i = 0; i < n; ++i) {
-        glance(2 * terms);
-        const std::size_t s = static_cast<std::size_t>(std::min(v[i] / width, last));
-        const double x = 2.0 * (v[i] / width - static_cast<double>(s)) - 1.0;
-        const std::complex<double>* c = pieces + s * terms;
-        double re1 = 0.0, re2 = 0.0, im1 = 0.0, im2 = 0.0;
-        for (std::size_t k = terms; k-- > 1;) {
-            const double re = c[k].real() + 2.0 * x * re1 - re2, im = c[k].imag() + 2.0 * x * im1 - im2;
-            re2 = re1;
-            re1 = re;
-            im2 = im1;
-            im1 = im;
-        }
-        const double re = c[0].real() + x * re1 - re2, im = c[0].imag() + x * im1 - im2;
-        intensity[i] = re * re + im * im;
+// Calls use(auxiliary) with the one that is meant.
+template <class Use>
+void with_auxiliary(const FresnelForm& form, const Use& use) {
+    if (form.table.samples > 0) {
+        use(form.table);
+    } else if (form.terms > 0) {
+        use(FresnelSeries{form.terms});
+    } else {
+        use(*FresnelAuxiliary::get());
     }
 }
+
+// The values from `first` on; behind them the last of them again.
+template <class I>
+LOMMEL_INLINE typename I::pack lanes_from(const double* values, std::size_t first, std::size_t last) {
+    if (first + I::lanes <= last) {
+        return load<typename I::pack>(values + first);
+    }
+    alignas(64) double lanes[I::lanes];
+    for (std::size_t i = 0; i < I::lanes; ++i) {
+        lanes[i] = values[std::min(first + i, last - 1)];
+    }
+    return load<typename I::pack>(lanes);
+}
+template <class I>
+LOMMEL_INLINE void store_lanes(typename I::pack re, typename I::pack im, std::size_t count, std::complex<double>* to) {
+    alignas(64) double lanes[2 * I::lanes];
+    for (std::size_t i = 0; i < I::lanes; ++i) {
+        lanes[2 * i] = re[i];
+        lanes[2 * i + 1] = im[i];
+    }
+    std::memcpy(to, lanes, std::min(count, I::lanes) * sizeof *to);
+}
+
+LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
+                               std::size_t count, std::complex<double>* out) {
+    // Not dispatched: images do not come from here.
+    using I = Portable;
+    with_auxiliary(form, [&](const auto& auxiliary) {
+        for (std::size_t i = 0; i < count; i += I::lanes) {
+            const typename I::pack slope[1] = {lanes_from<I>(b, i, count)};
+            ChirpMoments<I> moments[1];
+            chirp_moments(I{}, auxiliary, a, slope, lanes_from<I>(low, i, count), lanes_from<I>(high, i, count), moments);
+            for (std::size_t m = 0; m < 3; ++m) {
+                store_lanes<I>(moments[0].re[m], moments[0].im[m], count - i, out + m * count + i);
+            }
+        }
+    });
+}
+
+LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselPieces& bessel,
+                                    const FresnelForm& form, const double* v, std::size_t count, int threads,
+                                    std::complex<double>* out) {
+    constexpr std::size_t block = 128;
+    const std::size_t blocks = (count + block - 1) / block;
+    const double work = static_cast<double>(pupils * count * (phase.count + bessel.count - 1));
+    with_auxiliary(form, [&](const auto& auxiliary) {
+        const ClosedFormField field(bessel, auxiliary);
+        // Some 0.1 microseconds for each radius and piece.
+        parallel_for(pupils * blocks, worthwhile_threads(threads, 0.1 * work), [&](std::size_t, std::size_t task) {
+            const std::size_t pupil = task / blocks, first = task % blocks * block, last = std::min(count, first + block);
+            const PhasePieces own{phase.edges, phase.alpha + pupil * phase.count, phase.beta + pupil * phase.count,
+                                  phase.turns + pupil * phase.count, phase.count};
+            dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using I = decltype(isa);
+                for (std::size_t i = first; i < last; i += I::lanes) {
+                    look();
+                    typename I::pack re, im;
+                    field(isa, own, lanes_from<I>(v, i, last), re, im);
+                    store_lanes<I>(re, im, last - i, out + pupil * count + i);
+                }
+            });
+        });
+    });
+}
+
+LOMMEL_ONCE void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
+                                   double start, double width, const double* v, std::size_t n, int threads,
+                                   std::complex<double>* out) {
+    const double work = 3e-3 * static_cast<double>(pupils * n);  // microseconds
+    parallel_for(pupils * count, worthwhile_threads(threads, work), [&](std::size_t, std::size_t task) {
+        const std::size_t s = task % count;
+        const std::complex<double>* const c = pieces + task * terms;
+        const auto place = [&](std::size_t piece) {
+            const double begin = start + static_cast<double>(piece) * width;
+            return static_cast<std::size_t>(std::lower_bound(v, v + n, begin) - v);
+        };
+        const std::size_t first = s > 0 ? place(s) : 0, last = s + 1 < count ? place(s + 1) : n;
+        std::complex<double>* const to = out + task / count * n;
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            using V = typename I::pack;
+            const V middle = splat<V>(start + (static_cast<double>(s) + 0.5) * width), slope = splat<V>(2.0 / width);
+            for (std::size_t i = first; i < last; i += I::unroll * I::lanes) {
+                // Two chains of multiply-adds a vector: enough vectors at once hide their latency.
+                V x[I::unroll], re[I::unroll], im[I::unroll];
+                for (std::size_t j = 0; j < I::unroll; ++j) {
+                    x[j] = (lanes_from<I>(v, i + j * I::lanes, last) - middle) * slope;
+                    re[j] = splat<V>(c[terms - 1].real());
+                    im[j] = splat<V>(c[terms - 1].imag());
+                }
+                for (std::size_t k = terms - 1; k-- > 0;) {
+                    const V a = splat<V>(c[k].real()), b = splat<V>(c[k].imag());
+                    for (std::size_t j = 0; j < I::unroll; ++j) {
+                        re[j] = re[j] * x[j] + a;
+                        im[j] = im[j] * x[j] + b;
+                    }
+                }
+                for (std::size_t j = 0; j < I::unroll && i + j * I::lanes < last; ++j) {
+                    store_lanes<I>(re[j], im[j], last - i - j * I::lanes, to + i + j * I::lanes);
+                }
+            }
+        });
+    });
+}
+#endif
 
 }  // namespace lommel

@@ -1,23 +1,32 @@
-// Smooth part of the Fresnel integral, as the closed form needs it.
+// Smooth part of the Fresnel integral, as the closed form needs it, in three ways: G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau
+// for s >= 0, which does not oscillate. Of `count` vectors at once, whose chains of multiply-adds hide each other's latency.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/base/wide.hpp"
 #include "lommel/special/chebyshev.hpp"
+#include "lommel/special/exponential.hpp"
+#include "lommel/special/sincos.hpp"
 
 namespace lommel {
 
-// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0: (s + 2) G(s) as one polynomial in (s - a) / (s + a). It does
-// not oscillate, so that degree 25 holds to 1e-10 for every s. Cost: a division and 26 complex multiply-adds.
+// Real and imaginary part of int_0^inf exp(i tau^2) d tau, sqrt(pi / 8).
+constexpr double half_fresnel = 0.62665706865775012560;
+
+// (s + 2) G(s) as one polynomial in (s - a) / (s + a), to rounding, and where s is large by its asymptotic series (DLMF 7.12).
+// Cost: two divisions and 88 multiply-adds, or one and 16.
 class FresnelAuxiliary {
    public:
-    static constexpr std::size_t terms = 26;
+    static constexpr std::size_t terms = 44;
 
     // Made when it is first asked for, which takes milliseconds.
     static std::shared_ptr<const FresnelAuxiliary> get() { return cache<FresnelAuxiliary>.get(); }
@@ -25,21 +34,41 @@ class FresnelAuxiliary {
     static std::size_t bytes() { return sizeof(FresnelAuxiliary); }
     static constexpr std::size_t most_bytes = 1024;
 
-    std::complex<double> at(double s) const {
-        const double y = (s - center) / (s + center);
-        double re = re_[terms - 1], im = im_[terms - 1];
-        for (std::size_t k = terms - 1; k-- > 0;) {
-            re = re * y + re_[k];
-            im = im * y + im_[k];
+    template <class I, std::size_t count>
+    LOMMEL_INLINE void operator()(I, const typename I::pack (&s)[count], typename I::pack (&re)[count],
+                                  typename I::pack (&im)[count]) const {
+        using V = typename I::pack;
+        V least = s[0], y[count];
+        for (std::size_t n = 1; n < count; ++n) {
+            least = smaller(least, s[n]);
         }
-        const double scale = 1.0 / (s + 2.0);
-        return {re * scale, im * scale};
-    }
-
-    // int_0^inf exp(i tau^2) d tau
-    static std::complex<double> half() {
-        constexpr double root = 0.62665706865775012560;  // sqrt(pi / 8)
-        return {root, root};
+        bool far = true;
+        for (std::size_t i = 0; i < I::lanes; ++i) {
+            far = far && least[i] >= large;
+        }
+        if (far) {
+            for (std::size_t n = 0; n < count; ++n) {
+                asymptotic(s[n], re[n], im[n]);
+            }
+            return;
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            y[n] = (s[n] - splat<V>(center)) / (s[n] + splat<V>(center));
+            re[n] = splat<V>(re_[terms - 1]);
+            im[n] = splat<V>(im_[terms - 1]);
+        }
+        for (std::size_t k = terms - 1; k-- > 0;) {
+            const V a = splat<V>(re_[k]), b = splat<V>(im_[k]);
+            for (std::size_t n = 0; n < count; ++n) {
+                re[n] = re[n] * y[n] + a;
+                im[n] = im[n] * y[n] + b;
+            }
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            const V scale = splat<V>(1.0) / (s[n] + splat<V>(2.0));
+            re[n] = re[n] * scale;
+            im[n] = im[n] * scale;
+        }
     }
 
     // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
@@ -57,7 +86,25 @@ class FresnelAuxiliary {
     }
 
    private:
-    static constexpr double center = 2.1;
+    static constexpr double center = 2.6, large = 8.0;
+
+    // i / 2s times the sum of (2k-1)!! (-i u)^k for u = 1 / 2s^2, up to k = 15.
+    template <class V>
+    static LOMMEL_INLINE void asymptotic(V s, V& re, V& im) {
+        const V scale = splat<V>(0.5) / s, u = splat<V>(2.0) * scale * scale, square = u * u;
+        V even = splat<V>(213458046676875.0), odd = splat<V>(6190283353629375.0);
+        for (int j = 6; j >= 0; --j) {
+            double a = 1.0, b = 1.0;
+            for (int k = 1; k <= 2 * j; ++k) {
+                a *= 2 * k - 1;
+                b *= 2 * k + 1;
+            }
+            even = splat<V>(a) - square * even;
+            odd = splat<V>(b) - square * odd;
+        }
+        re = scale * u * odd;
+        im = scale * even;
+    }
 
     // On the turned path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
     // x = e^{w - e^{-w}} (double exponential, for a half line) converges to the last digit.
@@ -76,6 +123,82 @@ class FresnelAuxiliary {
     }
 
     std::array<double, terms> re_{}, im_{};
+};
+
+// (s + 2) G(s) by lines between its values at equal steps of s / (s + 2), from 0 to 1.
+struct FresnelTable {
+    const std::complex<double>* values;
+    std::size_t samples;
+
+    template <class I, std::size_t count>
+    LOMMEL_INLINE void operator()(I, const typename I::pack (&s)[count], typename I::pack (&re)[count],
+                                  typename I::pack (&im)[count]) const {
+        for (std::size_t n = 0; n < count; ++n) {
+            alignas(64) double parts[2][I::lanes];
+            for (std::size_t i = 0; i < I::lanes; ++i) {
+                const double scale = 1.0 / (s[n][i] + 2.0), place = static_cast<double>(samples - 1) * s[n][i] * scale;
+                const std::size_t at = std::min(static_cast<std::size_t>(place), samples - 2);
+                const std::complex<double> value =
+                    values[at] + (place - static_cast<double>(at)) * (values[at + 1] - values[at]);
+                parts[0][i] = scale * value.real();
+                parts[1][i] = scale * value.imag();
+            }
+            re[n] = load<typename I::pack>(parts[0]);
+            im[n] = load<typename I::pack>(parts[1]);
+        }
+    }
+};
+
+// What the first terms of Abramowitz and Stegun 7.1.29 leave of 1 - erf(e^{-i pi/4} s). Cost: an exponential and a division a term.
+class FresnelSeries {
+   public:
+    explicit FresnelSeries(std::size_t terms) {
+        for (std::size_t k = 1; k <= terms; ++k) {
+            weights_.push_back(std::exp(-0.25 * static_cast<double>(k) * static_cast<double>(k)));
+        }
+    }
+
+    template <class I, std::size_t count>
+    LOMMEL_INLINE void operator()(I isa, const typename I::pack (&s)[count], typename I::pack (&re)[count],
+                                  typename I::pack (&im)[count]) const {
+        for (std::size_t n = 0; n < count; ++n) {
+            one(isa, s[n], re[n], im[n]);
+        }
+    }
+
+   private:
+    template <class I>
+    LOMMEL_INLINE void one(I isa, typename I::pack s, typename I::pack& re, typename I::pack& im) const {
+        using V = typename I::pack;
+        // z = x - i x.
+        const V x = s * splat<V>(0.70710678118654752440), twice = x + x, zero = splat<V>(0.0), half = splat<V>(0.5);
+        V sine, cosine;
+        sincos(isa, s * s, sine, cosine);
+        const V fall = exponential(isa, zero - x * x), step = exponential(isa, zero - x);
+        alignas(64) double real[I::lanes];
+        for (std::size_t i = 0; i < I::lanes; ++i) {
+            real[i] = std::erf(x[i]);
+        }
+        const V one = splat<V>(1.0), share = fall / larger(splat<V>(6.28318530717958647693) * x, splat<V>(1e-150));
+        const V versine = below(cosine, zero, one - cosine, sine * sine / (one + cosine));
+        V a = load<V>(real) + share * versine, b = zero - share * sine, sink = fall;
+        double n = 0.0;
+        for (const double weight : weights_) {
+            n += 1.0;
+            sink = sink * step;
+            const V away = x - splat<V>(0.5 * n), rise = exponential(isa, zero - away * away), fade = splat<V>(weight) * sink;
+            const V even = half * (rise + fade), odd = splat<V>(0.5 * n) * (rise - fade);
+            const V scale = splat<V>(0.63661977236758134308) / (splat<V>(n * n) + twice * twice);
+            a = a + scale * (twice * (splat<V>(weight) * fall - even * cosine) + odd * sine);
+            b = b - scale * (twice * even * sine + odd * cosine);
+        }
+        // sqrt(pi / 8) (1 + i) (1 - a - i b) (cosine - i sine)
+        const V c = splat<V>(half_fresnel) * (one - a + b), d = splat<V>(half_fresnel) * (one - a - b);
+        re = c * cosine + d * sine;
+        im = d * cosine - c * sine;
+    }
+
+    std::vector<double> weights_;  // exp(-n^2 / 4)
 };
 
 }  // namespace lommel

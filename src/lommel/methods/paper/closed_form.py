@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import pairwise
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -12,21 +13,23 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.core import engine
 from lommel.core.answers import Declined, FieldValues, Intensities, ToleranceError
 from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
-from lommel.special.bessel import j0_series, tangent_line
+from lommel.special.bessel import tangent_line
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, unit_moments
-from lommel.special.legendre import gauss_panels
-from lommel.special.piecewise import FITS, SPLITS, PiecewiseQuadratic, fit_quadratics
+from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fitted
 
+_WIDTH, _POINTS = 8.0, 24  # of pieces of U, which is then off by less than 1e-15
+_PAYS = 400  # radii times pieces that are worth it
 # Of the tuned form.
 _TRANSITION, _TERMS = 10.0, 10  # of Hankel's expansion, whose remainder is then below 1e-8 of J0
-_KERNEL = 1e-10  # error of the Fresnel integral's polynomial
-_POINTS = 16
+_SERIES = 28  # terms of the power series up to there, to rounding
+_KERNEL = 1e-10  # error of a chirp's moments, which lose digits where its curvature is small
 _MAX_SEGMENTS = 4096
 
 
@@ -170,7 +173,25 @@ class ClosedForm(FieldMethod[Pupil]):
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v; no bound is claimed."""
-        result = annulus(self._disk, pupil, v)
+        return self._fields(pupil, v, 1)
+
+    def profile(self, pupil: Pupil, v: Array, threads: int = 1) -> Intensities:
+        """Return I at rising v, with at most `threads` threads."""
+        values = self._fields(pupil, v, threads).values
+        intensity = values.real**2 + values.imag**2
+        return Intensities(intensity, None, intensity.max(axis=1))
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if not grid.symmetric:
+            return self.on_pixels(pupil, grid, threads)
+        return self.profile(pupil, grid.v(pupil), threads)
+
+    def _fields(self, pupil: Pupil, v: Array, threads: int) -> FieldValues:
+        def disk(coefficients: Array, at: Array) -> FieldValues:
+            return FieldValues(self._disk(coefficients, at, threads), None)
+
+        result = annulus(disk, pupil, v)
         if self.truncate is not None:
             result.values[:, v > self.truncate] = 0.0
         return result
@@ -187,60 +208,97 @@ class ClosedForm(FieldMethod[Pupil]):
         alpha = 2.0 * defocus
         with np.errstate(divide="ignore", over="ignore"):
             split = np.minimum(self.transition / v, 1.0)
-        m = np.arange(self.terms)[:, None]
+        k = np.arange(self.terms)[:, None]
         factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
         # In x = R / T, where the powers of v T, at most the transition, cannot overflow.
         moments = split**2 * unit_moments(alpha * split**2, self.terms)
-        inner = (-0.25 * (v * split) ** 2) ** m / factorials**2 * moments
+        inner = (-0.25 * (v * split) ** 2) ** k / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
         beyond = split < 1.0
-        outer[:, beyond] = self._beyond(v[beyond], alpha, 0.0, split[beyond], 1.0)
-        return np.concatenate([inner, outer])
-
-    def _disk(self, coefficients: Array, v: Array) -> FieldValues:
-        rows = []
-        for c in coefficients:
-            if np.any(c[1:]):
-                pieces = fit_quadratics(c.tolist(), self.segments, split=self.split, fit=self.fit, piston=self.piston)
-                rows.append(2.0 * self._piecewise(pieces, v))
-            else:
-                rows.append(2.0 * self.sub_integrals(0.5 * float(c[0]), v).sum(axis=0))
-        return FieldValues(np.stack(rows), None)
-
-    def _piecewise(self, pieces: PiecewiseQuadratic, v: Array) -> NDArray[np.complex128]:
-        """Return the sum of all integrals over segments with phases alpha R^2 + beta R + gamma (Eq. 17)."""
-        with np.errstate(divide="ignore", over="ignore"):
-            split = np.minimum(self.transition / v, 1.0)
-        total = np.zeros(v.size, dtype=np.complex128)
-        for i, (low, high) in enumerate(pairwise(pieces.edges.tolist())):
-            alpha, beta = float(pieces.alpha[i]), float(pieces.beta[i])
-            part = np.zeros(v.size, dtype=np.complex128)
-            inside = split > low
-            if np.any(inside):
-                part[inside] = self._within(v[inside], alpha, beta, low, np.minimum(split[inside], high))
-            beyond = split < high
-            if np.any(beyond):
-                start = np.maximum(split[beyond], low)
-                part[beyond] += self._beyond(v[beyond], alpha, beta, start, high).sum(axis=0)
-            total += np.exp(1j * pieces.gamma[i]) * part
-        return total
-
-    def _beyond(self, v: Array, alpha: float, beta: float, low: Array, high: float) -> NDArray[np.complex128]:
-        """Return the integrals of the asymptotic form (Eq. 7) with the tangent line (Eq. 9), in three parts."""
+        at = v[beyond]
         a, b = tangent_line(self.tangent)
-        parts = np.zeros((3, v.size), dtype=np.complex128)
         for sign in (1.0, -1.0):
-            m = chirp_moments(alpha, beta + sign * v, low, high, erf=self.erf)
-            parts += 0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * v * m[2], b * m[1], m[0] / v])
-        return parts * math.sqrt(2.0 / math.pi) if self.variant == "corrected" else parts
+            m = chirp_moments(alpha, sign * at, split[beyond], 1.0, erf=self.erf)
+            outer[:, beyond] += 0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * at * m[2], b * m[1], m[0] / at])
+        return np.concatenate([inner, self._factor * outer])
 
-    def _within(self, v: Array, alpha: float, beta: float, low: float, high: Array) -> NDArray[np.complex128]:
-        """Return the integral of the power series (Eq. 6) up to the transition, by quadrature of its moments."""
-        span = (abs(alpha) * (low + high.max()) + abs(beta)) * float((high - low).max())
-        x, w = gauss_panels(24 + self.terms // 2 + math.ceil(0.6 * span))
-        radius = low + (high - low)[:, None] * x
-        wave = w * (high - low)[:, None] * radius * np.exp(1j * radius * (alpha * radius + beta))
-        return np.asarray((wave * j0_series(v[:, None] * radius, self.terms)).sum(axis=1))
+    def _disk(self, coefficients: Array, v: Array, threads: int) -> NDArray[np.complex128]:
+        """Return U of full disks: of one piece where there is only defocus, else over segments (Eq. 17)."""
+        bent = coefficients[:, 1:].any(axis=1)
+        mixed = bool(bent.any())
+        if mixed and not bent.all():
+            out = np.empty((bent.size, v.size), dtype=np.complex128)
+            for some in (bent, ~bent):
+                out[some] = self._disk(coefficients[some], v, threads)
+            return out
+        if mixed:
+            edges, rows = fitted(coefficients, self.segments, self.split, self.fit, self.piston)
+        else:
+            edges, rows = np.array([0.0, 1.0]), coefficients[:, None, :1] * [1.0, 0.0, 0.0]
+        phase, bessel = _phase(edges, rows), self._bessel
+
+        def fields(at: Array) -> NDArray[np.complex128]:
+            return engine.closed_form_fields(*phase, *bessel, self.terms, *self.erf.compiled, at, threads)
+
+        if not isinstance(self.erf, FresnelErf):
+            return fields(v)
+        # From here on the transition lies in the first segment, and what it adds to U is a function of 1/v that hardly
+        # varies; all else is of exponential type 1.
+        alpha, beta = np.abs(rows[:, 0, :2]).max(axis=0).tolist()
+        start = max(16.0, self.transition / edges[1], (8.0 * alpha * self.transition**2) ** (1 / 3))
+        start = max(start, math.sqrt(6.0 * beta * self.transition))
+        return interpolated(fields, v, start, _WIDTH, threads, spared=_PAYS // rows[..., 0].size)
+
+    @cached_property
+    def _bessel(self) -> tuple[Array, NDArray[np.complex128]]:
+        """Where the asymptotic form (Eq. 7) begins, and with the tangent line (Eq. 9) the quadratic that it is."""
+        a, b = tangent_line(self.tangent)
+        return np.array([self.transition]), self._factor * np.array([[1.0, b, a]], dtype=np.complex128)
+
+    @property
+    def _factor(self) -> float:
+        """The factor of the outer integral: that of Eq. (7), or none."""
+        return math.sqrt(2.0 / math.pi) if self.variant == "corrected" else 1.0
+
+
+def _phase(edges: Array, rows: Array) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
+    """Return phases as the compiled core takes them, U being twice the sum of all integrals."""
+    alpha, beta = np.ascontiguousarray(rows[..., 0]), np.ascontiguousarray(rows[..., 1])
+    return edges, alpha, beta, 2.0 * np.exp(1j * rows[..., 2])
+
+
+def interpolated(
+    fields: Callable[[Array], NDArray[np.complex128]],
+    v: Array,
+    start: float,
+    width: float,
+    threads: int,
+    spared: int = 0,
+) -> NDArray[np.complex128]:
+    """Return fields at rising `v` by pieces of degree 23 from `start` on, if these spare more radii than `spared`."""
+    near = int(np.searchsorted(v, start))
+    pieces = max(1, math.ceil((v[-1] - start) / width)) if near < v.size else 0
+    if pieces * _POINTS + spared >= v.size - near:
+        return fields(v)
+    width = (v[-1] - start) / pieces
+    nodes, to_series, to_powers = _points()
+    at = start + width * (np.arange(pieces)[:, None] + nodes)
+    values = fields(np.concatenate([v[:near], at.ravel()]))
+    powers = values[:, near:].reshape(-1, pieces, _POINTS) @ to_series @ to_powers
+    far = engine.polynomial_fields(powers, start, width, v[near:], threads)
+    return np.concatenate([values[:, :near], far], axis=1) if near else far
+
+
+@lru_cache(maxsize=1)
+def _points() -> tuple[Array, Array, Array]:
+    """Return the Chebyshev points of [0, 1], rising; what turns values there into a series; and that into powers."""
+    angles = np.pi * (np.arange(_POINTS)[::-1] + 0.5) / _POINTS
+    to_series = 2.0 / _POINTS * np.cos(angles[:, None] * np.arange(_POINTS))
+    to_series[:, 0] *= 0.5
+    to_powers = np.zeros((_POINTS, _POINTS))
+    for k, one in enumerate(np.eye(_POINTS)):
+        to_powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(one[: k + 1])
+    return 0.5 * (1.0 + np.cos(angles)), to_series, to_powers
 
 
 @dataclass(frozen=True)
@@ -271,7 +329,7 @@ class TunedClosedForm(FieldMethod[Pupil]):
     - a relative error delta of ``1/sqrt(a)`` changes U by at most ``1.1 delta / sqrt(10)``,
     - an error of the phase changes U by at most itself.
 
-    Roundings and the Fresnel polynomial (1e-10) are estimated, not proven.
+    Roundings (1e-10) are estimated, not proven.
     """
 
     least_tol = 1e-6
@@ -315,24 +373,21 @@ class TunedClosedForm(FieldMethod[Pupil]):
         return annulus(disk, pupil, v)
 
     def _intensities(self, pupil: Pupil, v: Array, error: float) -> tuple[Array, Array]:
-        """Return I and the bound on U; through pieces of degree 15, as NijboerZernike, where those are fewer."""
-        reach = float(v[-1]) if v.size else 0.0
+        """Return I and the bound on U, through pieces where those are fewer than radii."""
         width = 4.0 * (0.1 * error * math.factorial(_POINTS)) ** (1.0 / _POINTS)
-        pieces = max(1, math.ceil(reach / width))
-        if pieces * _POINTS >= v.size:
-            values, bound = self._fields(pupil, v, error)
+        bounds = []
+
+        def fields(at: Array) -> NDArray[np.complex128]:
+            values, bound = self._fields(pupil, at, error)
             assert bound is not None
-            return values.real**2 + values.imag**2, bound
-        angles = np.pi * (np.arange(_POINTS)[::-1] + 0.5) / _POINTS
-        to_coefficients = 2.0 / _POINTS * np.cos(angles[:, None] * np.arange(_POINTS))
-        to_coefficients[:, 0] *= 0.5
-        at = (width * (np.arange(pieces)[:, None] + 0.5 * (1.0 + np.cos(angles)))).ravel()
-        values, bound = self._fields(pupil, at, error)
-        assert bound is not None
-        coefficients = values.reshape(-1, pieces, _POINTS) @ to_coefficients
-        intensity = np.stack([engine.chebyshev_intensity(np.ascontiguousarray(c), width, v) for c in coefficients])
-        # The Lebesgue constant of 16 points, and the error of interpolation.
-        return intensity, 2.77 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
+            # The Lebesgue constant of the points, and the error of interpolation.
+            bounds.append(
+                bound if at is v else 3.03 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
+            )
+            return values
+
+        values = interpolated(fields, v, 0.0, width, 1)
+        return values.real**2 + values.imag**2, bounds[0]
 
 
 def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.complex128], float]:
@@ -358,7 +413,27 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
                 break
             segments = math.ceil(1.3 * segments)
     assert fit.bound is not None
-    values = engine.closed_form_field(fit.edges, fit.alpha, fit.beta, fit.gamma, _TRANSITION, ratio, _TERMS, v)
-    pieces = fit.alpha.size + math.log(max(1.0, float(v[-1]) / _TRANSITION)) / math.log(ratio) if v.size else 1.0
+    starts, quadratics = _hankel_pieces(ratio, float(v[-1]) if v.size else 0.0)
+    phase = _phase(fit.edges, np.stack([fit.alpha, fit.beta, fit.gamma], axis=-1)[None])
+    values = engine.closed_form_fields(*phase, starts, quadratics, _SERIES, *FresnelErf().compiled, v, 1)[0]
+    pieces = fit.alpha.size + starts.size
     # The remainder of Hankel's expansion is at most its first neglected terms, here below 4e-9 of U.
     return values, amplitude + fit.bound + 4e-9 + _KERNEL * math.sqrt(pieces)
+
+
+def _hankel_pieces(ratio: float, reach: float) -> tuple[Array, NDArray[np.complex128]]:
+    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for the amplitude of x J0(x) on each.
+
+    It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
+    """
+    count = max(1, math.ceil(math.log(max(1.0, reach / _TRANSITION)) / math.log(ratio)))
+    starts = np.asarray(_TRANSITION * ratio ** np.arange(count), dtype=np.float64)
+    x = starts * (0.5 * (1.0 + ratio) + 0.5 * (ratio - 1.0) * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None])
+    # P + i Q of order 0 (DLMF 10.17): sum_k (i / x)^k a_k with a_k = prod (-(2j-1)^2) / (8 j).
+    j = np.arange(1.0, _TERMS)
+    terms = np.cumprod(np.append(1.0, -((2.0 * j - 1.0) ** 2) / (8.0 * j)))
+    f = np.sqrt(2.0 / np.pi * x) * np.polynomial.polynomial.polyval(1j / x, terms)
+    first, second = ((f[k + 1] - f[k]) / (x[k + 1] - x[k]) for k in (0, 1))
+    c2 = (second - first) / (x[2] - x[0])
+    c1 = first - c2 * (x[0] + x[1])
+    return starts, np.stack([f[0] - (c1 + c2 * x[0]) * x[0], c1, c2], axis=1)

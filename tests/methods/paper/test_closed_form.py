@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import AbramowitzErf, ClosedForm, FresnelErf, Hankel, Pupil, TableErf, Wavefront
-from lommel import _core
+from lommel import AbramowitzErf, ClosedForm, FresnelErf, Hankel, Pupil, TableErf, Wavefront, _core
 from lommel.special.bessel import j0_series, tangent_line
 from lommel.special.erf import Erf
 from lommel.special.legendre import gauss_legendre

@@ -305,8 +305,8 @@ def _points() -> tuple[Array, Array, Array]:
 class TunedClosedForm(FieldMethod[Pupil]):
     r"""The closed form with all approximations refined to meet a tolerance; slower than the default.
 
-    It shows what the closed form can reach: any practical accuracy, at more than a hundred times the cost of
-    :class:`NijboerZernike`.
+    It shows what the closed form can reach: any practical accuracy, at tens of times the cost of
+    :class:`NijboerZernike` or more.
 
     Parameters
     ----------

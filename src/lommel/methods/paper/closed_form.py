@@ -242,8 +242,8 @@ class ClosedForm(FieldMethod[Pupil]):
 
         if not isinstance(self.erf, FresnelErf):
             return fields(v)
-        # From here on the transition lies in the first segment, and what it adds to U is a function of 1/v that hardly
-        # varies; all else is of exponential type 1.
+        # From here on the transition lies in the first segment, and what it adds to U is a function of 1/v that
+        # hardly varies; all else is of exponential type 1.
         alpha, beta = np.abs(rows[:, 0, :2]).max(axis=0).tolist()
         start = max(16.0, self.transition / edges[1], (8.0 * alpha * self.transition**2) ** (1 / 3))
         start = max(start, math.sqrt(6.0 * beta * self.transition))

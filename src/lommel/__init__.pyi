@@ -39,10 +39,6 @@ from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
 from lommel.estimation.moffat import MoffatFit as MoffatFit, fit_moffat as fit_moffat
 from lommel.recorded.noise import Noise as Noise
-from lommel.estimation.objective_field import (
-    ObjectiveField as ObjectiveField,
-    fit_objective_field as fit_objective_field,
-)
 from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap, Foreshortening as Foreshortening
 from lommel.field.psf_grid import PSFGrid as PSFGrid

@@ -91,33 +91,6 @@ def test_beads_of_a_field_are_found_and_fitted_together(folder):
     assert place["depth"] == "50"  # held
 
 
-def test_beads_of_a_field_become_aberrations_over_the_image(folder):
-    image = np.full((9, 90, 110), 10.0)
-    for row, column in ((14, 15), (14, 90), (45, 40), (45, 71), (75, 17), (74, 93)):
-        wave = lm.Wavefront.zernike({5: 0.3, 8: 5e-3 * (column - 50)}, order="noll")
-        pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=600e-9, aberrations=wave)
-        bead = lm.psf(pupil, 19, 6.5e-6, method=lm.methods.Bead(0.1e-6, 1e-4), integrate=True).values
-        image[:, row - 9 : row + 10, column - 9 : column + 10] += 2e4 * bead
-    seen = lm.Noise(read=1.6, offset=100).record(image, seed=3).round().astype(np.uint16)
-    tifffile.imwrite("many.tif", seen, photometric="minisblack")
-    options = ("--window", "19", "--fixed", "--terms", "4", "--field", "1", "-o", "field.csv")
-    found = run("many.tif", *ASKED[:-2], *options)
-    assert found.exit_code == 0, found.output
-    assert found.stdout.startswith("converged: terms of degree 1 from 6 fits")
-    lines = (folder / "field.csv").read_text(encoding="utf-8").splitlines()
-    assert lines[1] == "row,column,Z5,Z6,Z7,Z8,Z5 error,Z6 error,Z7 error,Z8 error"
-    table = np.loadtxt(lines[2:], delimiter=",")
-    assert table.shape == (25, 10)
-    true = np.zeros((25, 4))
-    true[:, 0], true[:, 3] = 0.3, 5e-3 * (table[:, 1] - 50.0)
-    off = (table[:, 2:6] - true / (2.0 * np.pi)) / table[:, 6:]
-    assert np.sqrt((off**2).mean()) < 2.0
-    assert np.abs(true[:, 3]).max() > 100.0 * table[:, 9].max()
-    row = next(line for line in found.stdout.splitlines() if line.startswith("noll 8 coma x"))
-    shown = [float(cell.partition("+-")[0]) for cell in row.split()[4:]]
-    np.testing.assert_allclose(shown, 1e3 * table[[12, 0, 4, 20, 24], 5], atol=0.05)
-
-
 def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:], "--fixed")
     assert found.exit_code == 3
@@ -128,12 +101,6 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     ("words", "told"),
     [
         (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
-        (("bead.tif", *ASKED, "--field", "1", "-o", "x.toml"), "--output must end in .csv with --field"),
-        (
-            ("field.tif", *ASKED, "--window", "19", "--field", "1", "--fixed"),
-            "--field needs at least 4 beads that fit, got 2 of 2",
-        ),
-        (("bead.tif", *ASKED, "--field", "1"), "--field needs stacks of one size that show the whole field"),
         (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
         (("dark.tif", *ASKED), "standard deviations high: lower --threshold, or check --offset and --gain"),
     ],

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
 import numpy as np
 
-from lommel.base import atomic
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
 from lommel.cli.instruments import (
@@ -27,12 +25,10 @@ from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, PATH, comm
 from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
-from lommel.estimation.objective_field import fit_objective_field
 from lommel.estimation.star_images import label
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_each
 from lommel.recorded.metadata import Unusable, of_all
-from lommel.special import zernike
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -82,12 +78,8 @@ def beads(
     drift: bool = documented(fit_beads, "drift", is_flag=True),
     wavelength: float | None = option("--wavelength", type=NANOMETRES,
         help="Emission wavelength of the beads; by default that of LENS."),
-    degree: int | None = option("--field", type=click.IntRange(0, 4), metavar="DEGREE",
-        help="Aberrations over the image: fit each bead by itself, and polynomials of the position of this degree "
-        "through the terms of all."),
     output: Path | None = option("-o", "--output", type=OUTPUT,
-        help="Microscope file (.toml) with what was found, for all other commands; with --field a table of terms "
-        "over the image (.csv)."),
+        help="Microscope file (.toml) with what was found, for all other commands."),
     figure: Path | None = plot_option("Figure of planes, model, residuals and terms"),
     camera: BeadCamera = BeadCamera(),
 ) -> Report:  # fmt: skip
@@ -109,13 +101,9 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     if output is not None:
-        suffix = ".toml" if degree is None else ".csv"
-        if output.suffix.lower() != suffix:
-            with_field = "" if degree is None else " with --field"
-            raise ValueError(f"--output must end in {suffix}{with_field}, got {line(output)}")
+        if output.suffix.lower() != ".toml":
+            raise ValueError(f"--output must end in .toml, got {line(output)}")
         require_folder(output)
-    if degree is not None and figure is not None:
-        raise ValueError("--plot must be left out with --field, which has no figure")
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
@@ -139,8 +127,8 @@ def beads(
         if any(len(one.window) != planes for one in cut):
             raise ValueError("stacks must have the same number of planes, all --step apart")
         started("fitting")
-        fitted = partial(
-            fit_beads,
+        found = fit_beads(
+            [one.window for one in cut[:_MOST]],
             objective=microscope.objective,
             z=(np.arange(planes) - planes // 2) * step,
             wavelength=microscope.wavelength,
@@ -156,18 +144,8 @@ def beads(
             drift=drift,
             saturation=saturation,
             integrate=microscope.integrate is not False,
+            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
-        if degree is not None:
-            if len({one.field for one in cut}) != 1 or not any(any(one.corner) for one in cut):
-                raise ValueError("--field needs stacks of one size that show the whole field, not beads cut out")
-            each = []
-            for k, one in enumerate(cut):
-                started(f"bead {k + 1} of {len(cut)}", k / len(cut))
-                each.append(fitted(one.window))
-            about = Report({"wavelength": microscope.wavelength, "noise": recorded}, ["", *notes])
-            return _of_field(each, cut, degree, output, about)
-        first = [one.window for one in cut[:_MOST]]
-        found = fitted(first, progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share))
     if output is not None:
         source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
         changed = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
@@ -198,19 +176,17 @@ def _other_step(file: str, stated: object, step: float) -> list[str]:
 
 
 class _Bead(NamedTuple):
-    """A window around a bead, its first pixel in the image, and the shape of the image."""
+    """A window around a bead, and its first pixel in the image."""
 
     name: str
     window: Values
     corner: tuple[int, int]
-    field: tuple[int, int]
 
 
 def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None) -> list[_Bead]:
     """Return the beads of a stack, the whole as one if it shows no more."""
-    shape = planes.shape[1:]
-    if max(shape) <= _FIELD * camera.window:
-        return [_Bead(f"{file} [0]", planes, (0, 0), shape)]
+    if max(planes.shape[1:]) <= _FIELD * camera.window:
+        return [_Bead(f"{file} [0]", planes, (0, 0))]
     window, threshold = camera.window, camera.threshold
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
@@ -218,50 +194,7 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
         raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
     first = (spots.places - np.array(spots.windows.shape[-2:]) // 2).tolist()
     each = enumerate(zip(spots.windows, first, strict=True))
-    return [_Bead(f"{file} [{k}]", one, (row, column), shape) for k, (one, (row, column)) in each]
-
-
-def _of_field(fits: list[BeadFit], beads: list[_Bead], degree: int, output: Path | None, about: Report) -> Report:
-    """Return the report of aberrations over the image, and write them as a table."""
-    lost = [one.message for one in fits if not one.converged]
-    if len(fits) - len(lost) < 4:
-        first = f"; the first that does not: {lost[0]}" if lost else ""
-        raise ValueError(
-            f"--field needs at least 4 beads that fit, got {len(fits) - len(lost)} of {len(fits)}{first}"
-        )
-    shape, own = beads[0].field, [one.beads[0] for one in fits]
-    places = [(at.row + one.corner[0], at.column + one.corner[1]) for at, one in zip(own, beads, strict=True)]
-    field = fit_objective_field(fits, places, sensor=shape, degree=degree)
-    sides = [np.linspace(0.0, side - 1.0, 5) for side in shape]
-    row, column = (part.ravel() for part in np.meshgrid(*sides, indexing="ij"))
-    radians = field.at(row, column)
-    values, errors = (part / (2.0 * math.pi) for part in radians)
-    shown = {"middle": 12, "top left": 0, "top right": 4, "bottom left": 20, "bottom right": 24}
-    rows = []
-    for j, name in enumerate(field.names):
-        each = (_milliwaves(*(part[k, j] for part in radians)) for k in shown.values())
-        rows.append((label(name), *map("+-".join, each)))
-    if output is not None:
-        noll = [f"Z{zernike.index_of(*name, 'noll')}" for name in field.names]
-        head = ["row", "column", *noll, *(f"{name} error" for name in noll)]
-        text = [f"# {field.message}; waves rms", ",".join(head)]
-        text += [",".join(f"{v:.9g}" for v in each) for each in np.column_stack([row, column, values, errors])]
-        atomic.write(output, "\n".join([*text, ""]).encode())
-    facts: Facts = {
-        "message": field.message,
-        "scatter": field.scatter,
-        "constants": field.constants,
-        "terms": [label(name) for name in field.names],
-        "waves": {n: {"coefficients": values[k].tolist(), "errors": errors[k].tolist()} for n, k in shown.items()},
-        "beads": [
-            {"name": bead.name, "row": at[0], "column": at[1], "used": bool(used), "message": one.message}
-            for bead, at, used, one in zip(beads, places, field.used, fits, strict=True)
-        ],
-    }
-    out = [f"- {one['name']}, left out: {one['message']}" for one in facts["beads"] if not one["used"]]
-    table = table_of(("term, milliwaves rms", *shown), rows)
-    parts: list[RenderableType] = [Wrapped(field.message, "bold"), "", table, *map(Wrapped, out)]
-    return Report(facts, parts) + about + written([output])
+    return [_Bead(f"{file} [{k}]", one, (row, column)) for k, (one, (row, column)) in each]
 
 
 def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:

@@ -163,7 +163,6 @@ class BeadFit(FitReport):
     steps: int
     _state: State = field(repr=False)
     _images: BeadImages = field(repr=False)
-    _priors: dict[str, Prior] = field(repr=False)
 
     def pupil(self, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
         """Return the fitted pupil with an emitter at a depth and the stage at z, metres, for :func:`lommel.psf`.
@@ -616,7 +615,6 @@ def _build_bead_fit(
         steps=search.steps,
         _state=state,
         _images=joint.images,
-        _priors=dict(joint.priors),
     )
 
 

@@ -14,12 +14,15 @@ from lommel.base.arrays import Array
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import highest_degree, monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
+from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.least_squares import LinearFit, fit_scatter, inliers, least_squares, scatter_findings
 
 POSES = ("free", "known")
 _FAR = 0.2  # of the spread of places: no lens distorts more in the rms
 _TURNS = 4  # of polynomials and what of them is shift, rotation and magnification
+_HALVINGS = 40
+_OUTLIER, _NEAREST = 10.0, 0.03  # times the median distance, or this one, pixels
+_MOST_OUTLIERS = 0.2  # of the places; more are of too low a degree
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -176,9 +179,9 @@ def fit_distortion(
         spots = _moved(transform, given)
         basis = monomials(*sensor.relative(*sensor.positions(spots)), degree)
         found, distance = robust(basis, first - spots, np.ones(len(at)), np.eye(2))
-        near = inliers(distance)
-        good = np.ones(len(at), dtype=bool) if near is None else near
-        if near is None:  # the degree is too low, or places are far less exact than images
+        good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _NEAREST)
+        if good.mean() < 1.0 - _MOST_OUTLIERS:  # the degree is too low, or places are far less exact than images
+            good[:] = True
             found = np.asarray(np.linalg.lstsq(basis, first - spots, rcond=None)[0].T, np.float64)
         if pose == "known" or turn == _TURNS - 1:
             break
@@ -190,12 +193,23 @@ def fit_distortion(
     off = part.fitted - spots[good][:, None]
     model = _PlaceModel(basis[good], off, part)
     most = max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
-    (solution, covariance, _), scatter, chi2 = fit_scatter(model.fit, most)
+    solution, covariance, chi2 = model.fit(0.0)
+    scatter = 0.0
+    if (above := chi2) > 1.0:
+        low, high = 0.0, most
+        for _ in range(_HALVINGS):
+            scatter = 0.5 * (low + high)
+            solution, covariance, above = model.fit(scatter)
+            low, high = (scatter, high) if above > 1.0 else (low, scatter)
     rest = np.eye(2 * m) - held.T @ held
     coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
     residuals[used[kept]] = model.residuals(solution)
-    findings = scatter_findings("places", "pixels", scatter, chi2, model.freedom)
+    limit, findings = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom))), []
+    if chi2 > limit:
+        text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
+        numbers = {"scatter": scatter, "chi2": chi2, "limit": limit}
+        findings.append(Finding("scatter", "note", text, numbers))
     if lost := len(at) - len(kept):
         findings.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
     return Distortion(
@@ -237,10 +251,21 @@ class _PlaceModel:
         # A hole that is off its place is so in all exposures.
         self.alike = np.kron(np.eye(2), np.ones((e, e)))
 
-    def fit(self, scatter: float) -> LinearFit:
-        """Return the fit for a standard deviation of places about the polynomials."""
+    def fit(self, scatter: float) -> tuple[Array, Array, float]:
+        """Return parameters, their covariance and chi2 per degree of freedom, for a scatter of places.
+
+        Parameters that nothing determines are 0.
+        """
         weight = np.linalg.inv(self.places.noise + scatter**2 * self.alike)
-        return least_squares(self.joined, self.data, weight, self.prior, np.zeros(len(self.prior)), self.freedom)
+        weighted = weight @ self.joined
+        normal = np.tensordot(self.joined, weighted, ([0, 1], [0, 1])) + self.prior
+        scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
+        scales = np.outer(scale, scale)
+        inverse = np.linalg.pinv(normal * scales, rcond=1e-13, hermitian=True) * scales
+        values = inverse @ np.tensordot(weighted, self.data, ([0, 1], [0, 1]))
+        off = self.joined @ values - self.data
+        total = float(np.einsum("ni,nij,nj->", off, weight, off) + values @ self.prior @ values)
+        return values, inverse, total / self.freedom
 
     def residuals(self, solution: Array) -> Array:
         """Return displacements less those of a solution, (r, e, 2)."""

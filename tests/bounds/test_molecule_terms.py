@@ -135,8 +135,8 @@ def test_planes_count_no_more_than_they_are_said_to(made):
 
 def test_the_largest_sums_of_coefficients_are_those_of_what_is_stored(made):
     *_, (largest, often), factor = made.parts
-    pieces, rows, per, wide, *_ = made._numbers["sizes"]
-    stored = made._arrays["coefficients"][: pieces * 8 * rows * per * wide].reshape(pieces, 8, -1)
+    pieces, rows, per, wide, *_ = made._parts["sizes"]
+    stored = made._parts["coefficients"][: pieces * 8 * rows * per * wide].reshape(pieces, 8, -1)
     sizes = np.abs(stored.astype(float)) / factor
     assert sizes.sum(axis=1).max() == pytest.approx(largest, rel=1e-6)
     # The constant term is stored and added once; term n is stored, multiplied, and added with all that follow it.

@@ -26,7 +26,6 @@ import readers
 from lommel import imaging, localize, microscopy
 from lommel.io import fits_images, psf_files, psf_formats
 from lommel.lensfiles.tables import read_csv
-from lommel.localize import table
 from lommel.recorded.frames import read_images
 from lommel.stacks import stack, store
 
@@ -275,20 +274,9 @@ def _recordings(folder: Path) -> dict[str, tuple[Path, object, object]]:
 
 
 def _cameras(folder: Path) -> dict[str, tuple[Path, object, object]]:
-    """Cameras, and tables of images of molecules."""
+    """Cameras."""
     (folder / "camera.toml").write_text(CAMERA)
-    pupil = lm.Objective(NA=0.8, magnification=20, immersion=1.0, sample=1.33).pupil(depth=1e-6, wavelength=600e-9)
-    made = localize.Table(pupil, shape=5, pixel=6.5e-6, z=(-1e-7, 1e-7), reach=0.5, tol=0.05)
-    made.save(folder / "molecules.npz")
-
-    def of_table(path: Path) -> object:
-        loaded = localize.Table.load(path)
-        return loaded(2.0, 2.0, 0.0).tobytes(), repr(loaded), repr(loaded.pupil.to_dict())
-
-    return {
-        "camera.toml": (folder / "camera.toml", lm.load_camera, False),
-        "molecules.npz": (folder / "molecules.npz", of_table, True),
-    }
+    return {"camera.toml": (folder / "camera.toml", lm.load_camera, False)}
 
 
 def mutated(data: bytes, draw: random.Random) -> bytes:
@@ -362,13 +350,13 @@ KINDS = [
     *("exif.jpg", "exif.png", "levels.png", "stars.fits", "stars.tif"),
     *("recording plain.ome.tif", "recording tiles.ome.tif", "recording imagej.tif", "recording chunks.zarr"),
     *("recording shards.zarr", "movie plain.ome.tif", "movie tiles.ome.tif", "movie imagej.tif"),
-    *("images.tif", "images.png", "images.npy", "images.fits.gz", "images.fits.bz2", "camera.toml", "molecules.npz"),
+    *("images.tif", "images.png", "images.npy", "images.fits.gz", "images.fits.bz2", "camera.toml"),
 ]
 # Kinds with a checksum of ours, which says that a file is as it was written; it keeps out damage, not those who can
 # make it, too.
 RESEALED = [
     *("psf.tif", "psf.npy", "psf.npz", "psf.fits", "psf.fits.gz", "psf.h5", "psf.mat", "psf.raw", "stack.npz"),
-    *("grid.tif", "grid.npz", "grid.fits", "grid.zarr", "store.zarr", "colour.npz", "molecules.npz"),
+    *("grid.tif", "grid.npz", "grid.fits", "grid.zarr", "store.zarr", "colour.npz"),
 ]
 # Public functions that read files by others, which are fuzzed.
 BY_OTHERS = {
@@ -408,7 +396,7 @@ def test_a_mutated_file_whose_checksums_are_right_is_refused_or_read(kind, good,
     path, read, _ = copied(kind, good, tmp_path)
     parts = contents(path)
     read(path)  # libraries are there, before any child needs them
-    for module in (table, psf_files, store, stack):
+    for module in (psf_files, store, stack):
         for name in {"checksum", "crc32"} & vars(module).keys():
             monkeypatch.setattr(module, name, lambda *_: Right())
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import csv
 import math
 import re
 
@@ -372,16 +371,8 @@ def test_molecules_are_chosen_and_written(table, tmp_path):
     np.testing.assert_array_equal(some.errors.row, found.errors.row[found.z > 0.0])
     with pytest.raises(TypeError, match="which must be a slice, a mask or indices, got 3"):
         found[3]
-    found.to_csv(tmp_path / "molecules.csv")
-    with (tmp_path / "molecules.csv").open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert [float(row["z"]) for row in rows] == found.z.tolist()
-    assert [float(row["photons_error"]) for row in rows] == found.errors.photons.tolist()
-    assert {row["state"] for row in rows} == {"converged"}
     none = fit(table, np.empty((0, 15, 15)))
     assert repr(none) == "<Molecules: 0>"
-    none.to_csv(tmp_path / "none.csv")
-    assert (tmp_path / "none.csv").read_text().startswith("row,column,z,photons,background,row_error,")
 
 
 ONE = np.ones((2, 15, 15))

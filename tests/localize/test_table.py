@@ -1,11 +1,9 @@
-"""Tables of molecules: values and slopes against images by circles, bounds, files, and what is refused."""
+"""Tables of molecules: values and slopes against images by circles, bounds, and what is refused."""
 
 from __future__ import annotations
 
-import json
 import math
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +13,6 @@ from hypothesis import strategies as st
 import lommel as lm
 from cases import each
 from lommel import _core
-from lommel.base.checksums import sealed
 from lommel.localize import Table
 from objectives import OIL
 
@@ -129,16 +126,16 @@ def test_any_wavefront_keeps_to_the_bound(terms, depth, tol, seed):
 
 def exact_sums(made: Table, row: float, column: float, z: float) -> np.ndarray:
     """The image that the coefficients of a table stand for, in double precision."""
-    pieces, rows, per, wide, *shape = made._numbers["sizes"]
-    first_row, first_column, low, high, *_ = made._numbers["numbers"]
-    stored = made._arrays["coefficients"][: pieces * 8 * rows * per * wide].astype(float)
+    pieces, rows, per, wide, *shape = made._parts["sizes"]
+    first_row, first_column, low, high, *_ = made._parts["numbers"]
+    stored = made._parts["coefficients"][: pieces * 8 * rows * per * wide].astype(float)
     series = np.swapaxes(stored.reshape(pieces, 8, rows, per, wide), -1, -2).reshape(pieces, 8, rows, -1)
     at = (z - low) / (high - low) * pieces
     piece = min(int(at), pieces - 1)
     values = np.tensordot(np.polynomial.chebyshev.chebvander([2.0 * (at - piece) - 1.0], 7)[0], series[piece], 1)
     for axis, (place, first) in enumerate(((row, first_row), (column, first_column))):
         position = -per * place - first
-        powers = made._arrays["polynomials"][::-1]
+        powers = made._parts["polynomials"][::-1]
         taps = np.polynomial.polynomial.polyval(2.0 * (position - math.floor(position)) - 1.0, powers)
         weights = np.zeros((shape[axis], values.shape[axis]))
         for pixel in range(shape[axis]):
@@ -273,98 +270,14 @@ def test_any_number_of_threads_says_the_same(table):
     np.testing.assert_array_equal(table.core.images(places, 1), table.core.images(places, 2))
 
 
-def test_a_table_in_a_file_is_the_same(table, tmp_path):
-    table.save(tmp_path / "table.npz")
-    again = Table.load(tmp_path / "table.npz")
-    np.testing.assert_array_equal(again(5.2, 6.1, 0.1e-6), table(5.2, 6.1, 0.1e-6))
-    assert repr(again) == repr(table)
-    assert again.pupil == table.pupil
-    for name in ("shape", "pixel", "z", "along", "reach", "tol", "error_bound", "slope_bounds", "nbytes"):
-        assert getattr(again, name) == getattr(table, name)
-
-
-def test_a_damaged_file_is_told(table, tmp_path):
-    path = tmp_path / "table.npz"
-    table.save(path)
-    with np.load(path) as found:
-        parts = dict(found)
-    parts["coefficients"][100] += 1e-3
-    np.savez(path, **parts)
-    with pytest.raises(ValueError, match=r"is no table of lommel\.localize: it was changed"):
-        Table.load(path)
-    for data in (b"", b"PK\x03\x04", path.read_bytes()[:3000]):
-        path.write_bytes(data)
-        with pytest.raises(ValueError, match=r"is no table of lommel\.localize"):
-            Table.load(path)
-    np.savez(path, values=np.zeros(3))
-    with pytest.raises(ValueError, match=r"is no table of lommel\.localize"):
-        Table.load(path)
-    with pytest.raises(ValueError, match=r"path must end in \.npz, got table\.h5"):
-        table.save(tmp_path / "table.h5")
-    with pytest.raises(FileNotFoundError):
-        Table.load(tmp_path / "none.npz")
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "message"),
-    [
-        # The product of the sizes is the number of coefficients modulo 2^64.
-        ("sizes", [2**61, 8000, 2, 8000, 11, 13], r"sizes\[0\] must be from 1 to"),
-        ("sizes", [2**20, 34, 2, 16, 11, 13], "sizes must be"),
-        ("sizes", [1, 34, 5, 16, 11, 13], r"sizes\[2\] must be from 2 to 4"),
-        ("sizes", "six", "sizes must be six"),
-        ("shape", [64, 64], "sizes must be"),
-        ("shape", [65, 13], "shape must be at most 64"),
-        ("reach", 16.0, "sizes must be"),
-        ("reach", "far", "reach must be a real number"),
-        ("z", [-5e-5, 5e-5], "numbers must be"),
-        ("z", 3, "z must be"),
-        ("pixel", -1.0, "pixel must be > 0"),
-        ("along", 5, "along must be one of"),
-        ("tol", "abc", "tol must be a real number"),
-        ("error_bound", -5.0, "error_bound must be > 0"),
-        ("error_bound", 0.2, "error_bound must be > 0 and <="),
-        ("slope_bounds", {"row": 1.0}, "slope_bounds must be of row, column and z"),
-        ("slope_bounds", {"row": 1.0, "column": 1.0, "z": -1.0}, r"slope_bounds\[z\] must be > 0"),
-    ],
-)
-def test_nothing_of_a_table_is_believed_because_its_checksum_is_right(name, value, message, table, tmp_path):
-    resealed(table, tmp_path / "table.npz", {name: value})
-    with pytest.raises(ValueError, match=f"is no table of lommel.localize: {message}"):
-        Table.load(tmp_path / "table.npz")
-
-
-@pytest.mark.parametrize("name", ["coefficients", "polynomials"])
-def test_coefficients_in_a_file_are_finite(name, table, tmp_path):
-    resealed(table, tmp_path / "table.npz", {}, name)
-    with pytest.raises(ValueError, match=f"{name} must be finite"):
-        Table.load(tmp_path / "table.npz")
-
-
-def resealed(table: Table, path: Path, change: dict[str, object], infinite: str = "") -> None:
-    """Write a table that was changed, with a checksum that is right."""
-    table.save(path)
-    with np.load(path) as found:
-        arrays = {name: found[name] for name in ("coefficients", "polynomials")}
-        told = json.loads(found["description"].tobytes())
-    assert change.keys() <= told.keys()
-    if infinite:
-        arrays[infinite].flat[7] = np.inf
-    del told["checksum"]
-    text = json.dumps(sealed(told | change, arrays))
-    np.savez(path, description=np.frombuffer(text.encode(), np.uint8), **arrays)
-
-
 def test_sizes_of_a_table_in_the_core_do_not_wrap_around(table):
-    numbers = table._numbers["numbers"]
+    numbers = table._parts["numbers"]
     few = np.zeros(_core.MoleculeTable.beyond, np.float32)
     for sizes in ([2**61, 8000, 2, 8000, 11, 13], [2**20, 2**20, 2**20, 2**20, 11, 13], [0, 1, 1, 1, 1, 1]):
         with pytest.raises(ValueError, match=r"sizes"):
-            _core.MoleculeTable(few, table._arrays["polynomials"], sizes, numbers)
+            _core.MoleculeTable(few, table._parts["polynomials"], sizes, numbers)
     with pytest.raises(ValueError, match="limits must rise"):
-        _core.MoleculeTable(
-            **table._arrays, sizes=table._numbers["sizes"], numbers=[*numbers[:3], np.inf, *numbers[4:]]
-        )
+        _core.MoleculeTable(**table._parts | {"numbers": [*numbers[:3], np.inf, *numbers[4:]]})
 
 
 BAD = [

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, validation
+from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.localize.detection import DEFECT, box_pixels
@@ -130,38 +127,6 @@ class Molecules:
 
         errors = MoleculeErrors(**joined(self.errors, others.errors, _NAMES))
         return Molecules(**joined(self, others, (*_NAMES, *_FURTHER)), errors=errors)
-
-    def to_csv(self, path: str | PathLike[str]) -> None:
-        """Write everything as a table with a row for each molecule, in pixels, metres and electrons.
-
-        Parameters
-        ----------
-        path : path
-
-        Raises
-        ------
-        TypeError
-            If the path is none.
-        OSError
-            If it cannot be written.
-        """
-        target = validation.path("path", path)
-        columns: dict[str, NDArray[Any]] = {}
-        for name, values in self._columns():
-            wide = values if values.ndim == 2 else values[:, None]
-            for c in range(wide.shape[1]):
-                columns[name if wide.shape[1] == 1 else f"{name}[{c}]"] = wide[:, c]
-        columns["state"] = np.array(self.states)[self.state]
-        room = io.StringIO()
-        write = csv.writer(room, lineterminator="\n")
-        write.writerow(columns)
-        write.writerows(zip(*(each.tolist() for each in columns.values()), strict=True))
-        atomic.write(target, room.getvalue().encode())
-
-    def _columns(self) -> list[tuple[str, Array]]:
-        own = [(name, getattr(self, name)) for name in _NAMES]
-        own += [(f"{name}_error", getattr(self.errors, name)) for name in _NAMES]
-        return [*own, ("log_likelihood", self.log_likelihood), ("discrepancy", self.discrepancy)]
 
     def __repr__(self) -> str:
         count = ", ".join(

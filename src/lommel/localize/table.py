@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import io
-import json
 import math
-import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from os import PathLike
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, reading, validation
+from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.checksums import checksum, sealed
-from lommel.base.optional import version
 from lommel.base.units import format_length
 from lommel.core import engine
 from lommel.core.answers import not_met
@@ -130,22 +124,6 @@ class Table:
         threads: int | None = None,
     ) -> None:
         moved = validation.real("offset", offset, least=-1e-5, most=1e-5)
-        self._describe(pupil, shape, pixel, z, along, reach, tol)
-        self.pupil = replace(pupil, focus=pupil.focus + moved)
-        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._make(count)
-
-    def _describe(
-        self,
-        pupil: ObjectivePupil,
-        shape: int | tuple[int, int],
-        pixel: float,
-        z: tuple[float, float],
-        along: str,
-        reach: float,
-        tol: float,
-    ) -> None:
-        """Check and keep what a table is of, from a caller or a file."""
         if not isinstance(pupil, ObjectivePupil):
             raise TypeError(f"pupil must be one of an Objective (Objective.pupil), got {validation.shown(pupil)}")
         if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
@@ -153,7 +131,7 @@ class Table:
         side = validation.image_shape(shape)
         if max(side) > _MOST_SIDE:
             raise ValueError(f"shape must be at most {_MOST_SIDE} pixels a side, got {side}")
-        self.pupil, self.shape = pupil, side
+        self.pupil, self.shape = replace(pupil, focus=pupil.focus + moved), side
         self.pixel = validation.pixel(pixel, metric=True)
         self.along = validation.choice("along", along, ("z", "depth"))
         self.reach = validation.real("reach", reach, least=0.5, most=_MOST_REACH)
@@ -166,6 +144,8 @@ class Table:
         if self.along == "depth" and low < 0.0:
             raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
+        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        self._make(count)
 
     def _make(self, threads: int) -> None:
         waves, step = along_z.Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
@@ -205,7 +185,14 @@ class Table:
         """Make the coefficients and their bounds; return the peak that these are relative to."""
         _, taps, planes, _, per = sampling
         margin = len(taps.filter) - 1
-        first, (rows, columns), wide = self._samples_needed(per, taps.taps.size)
+        # The first row and column that are needed, how many of each, and columns of each phase.
+        half, middle = taps.taps.size // 2, [side // 2 for side in self.shape]
+        first = [-math.ceil(per * (at + self.reach)) - half for at in middle]
+        last = [math.ceil(per * (n - 1 - at + self.reach)) + half for n, at in zip(self.shape, middle, strict=True)]
+        rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
+        wide = math.ceil(columns / per)
+        while wide * per % 16:
+            wide += 1
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact, render)
         whole = np.concatenate([taps.filter[:0:-1], taps.filter])
@@ -221,38 +208,18 @@ class Table:
             raise ValueError(f"z must span less, or shape and reach be smaller: {large}")
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
-        polynomials = np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size])
-        numbers = self._numbers_of(len(planes.matrix), per, taps.taps.size)
-        self._hold({"coefficients": flat, "polynomials": polynomials}, numbers)
+        low, high = self.limits
+        self._parts: dict[str, Any] = {
+            "coefficients": flat,
+            "polynomials": np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size]),
+            "sizes": [len(planes.matrix), rows, per, wide, *self.shape],
+            "numbers": [*map(float, first), *self.z, low[0], high[0], low[1], high[1]],
+        }
+        self.core = engine.MoleculeTable(**self._parts)
         sizes = np.abs(series)
         largest = float(sizes.sum(axis=1).max())
         summed = float(np.einsum("k,pkyx->pyx", _OF_TERMS, sizes).max())
         return self._bound(sampling, error, (largest, summed), light)
-
-    def _samples_needed(self, per: int, taps: int) -> tuple[list[int], list[int], int]:
-        """Return the first row and column, how many there are of each, and columns of each phase."""
-        first = [-math.ceil(per * (side // 2 + self.reach)) - taps // 2 for side in self.shape]
-        last = [math.ceil(per * (side - 1 - side // 2 + self.reach)) + taps // 2 for side in self.shape]
-        counts = [b - a + 1 for a, b in zip(first, last, strict=True)]
-        wide = math.ceil(counts[1] / per)
-        while wide * per % 16:
-            wide += 1
-        return first, counts, wide
-
-    def _numbers_of(self, pieces: int, per: int, taps: int) -> dict[str, list[Any]]:
-        """Return the sizes and numbers that the core is to be given."""
-        first, (rows, _), wide = self._samples_needed(per, taps)
-        places = [(side // 2 - self.reach, side // 2 + self.reach) for side in self.shape]
-        return {
-            "sizes": [pieces, rows, per, wide, *self.shape],
-            "numbers": [float(first[0]), float(first[1]), *self.z, *places[0], *places[1]],
-        }
-
-    def _hold(self, arrays: dict[str, NDArray[Any]], numbers: dict[str, Any]) -> None:
-        """Keep what the core reads, and what is saved."""
-        self._arrays, self._numbers = arrays, numbers
-        parts: dict[str, Any] = arrays | numbers
-        self.core = engine.MoleculeTable(**parts)
 
     def _samples(
         self,
@@ -325,7 +292,7 @@ class Table:
     @property
     def nbytes(self) -> int:
         """Size of the coefficients, bytes."""
-        return int(self._arrays["coefficients"].nbytes)
+        return int(self._parts["coefficients"].nbytes)
 
     def __call__(
         self, row: ArrayLike, column: ArrayLike, z: ArrayLike, *, derivatives: bool = False
@@ -372,101 +339,10 @@ class Table:
         low, high = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
         return np.array([[*low, self.z[0]], [*high, self.z[1]]])
 
-    def save(self, path: str | PathLike[str]) -> None:
-        """Write the table to an .npz file, under a temporary name and moved into place.
-
-        Parameters
-        ----------
-        path : path
-            Ending in .npz.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If the path is none, or does not end in .npz.
-        OSError
-            If it cannot be written.
-        """
-        target = validation.path("path", path)
-        if target.suffix.lower() != ".npz":
-            raise ValueError(f"path must end in .npz, got {target.name}")
-        told = {name: getattr(self, name) for name in _TOLD} | self._numbers
-        told |= {"lommel": version(), "kind": _KIND, "pupil": self.pupil.to_dict()}
-        text = json.dumps(sealed(told, self._arrays))
-        room = io.BytesIO()
-        parts: dict[str, Any] = {"description": np.frombuffer(text.encode(), np.uint8)} | self._arrays
-        np.savez(room, **parts)
-        atomic.write(target, room.getvalue())
-
-    @classmethod
-    def load(cls, path: str | PathLike[str]) -> Self:
-        """Read a table written by :meth:`save`.
-
-        Parameters
-        ----------
-        path : path
-
-        Returns
-        -------
-        Table
-
-        Raises
-        ------
-        TypeError, ValueError
-            If the path is none, or the file is damaged or no table.
-        OSError
-            If it cannot be read.
-        """
-        source = validation.path("path", path)
-        try:
-            members = reading.npz(reading.contents(source))
-            told = reading.json(members["description"](_MOST_BYTES).tobytes())
-            arrays = {name: members[name](_MOST_BYTES) for name in ("coefficients", "polynomials")}
-            if told["kind"] != _KIND or told["checksum"] != checksum(told, arrays):
-                raise ValueError("it was changed, or holds something else")
-            made = cls.__new__(cls)
-            made._describe(ObjectivePupil.from_dict(told["pupil"]), *(told[name] for name in _DESCRIBED))
-            made._believe(told, arrays)
-        except (KeyError, TypeError, ValueError, zipfile.BadZipFile) as failure:
-            raise ValueError(f"{source} is no table of lommel.localize: {reading.reason(failure)}") from None
-        return made
-
-    def _believe(self, told: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> None:
-        """Keep what a file says of bounds, sizes and coefficients, if it agrees with what the table is of.
-
-        Anybody can make the checksum of anything.
-        """
-        self.error_bound = validation.real("error_bound", told["error_bound"], above=0.0, most=self.tol)
-        slopes = told["slope_bounds"]
-        if not isinstance(slopes, dict) or set(slopes) != {"row", "column", self.along}:
-            raise ValueError(f"slope_bounds must be of row, column and {self.along}, got {validation.shown(slopes)}")
-        self.slope_bounds = {
-            name: validation.real(f"slope_bounds[{name}]", at, above=0.0) for name, at in slopes.items()
-        }
-        sizes, polynomials = told["sizes"], arrays["polynomials"]
-        if not isinstance(sizes, list) or len(sizes) != 6 or polynomials.ndim != 2:
-            raise ValueError(f"sizes must be six, and polynomials a table, got {validation.shown(sizes)}")
-        pieces = validation.integer("sizes[0]", sizes[0], least=1, most=_MOST_BYTES)
-        numbers = self._numbers_of(
-            pieces, validation.integer("sizes[2]", sizes[2], least=2, most=4), polynomials.shape[1]
-        )
-        for name, expected in numbers.items():
-            if told[name] != expected:
-                raise ValueError(f"{name} must be {expected}, got {validation.shown(told[name])}")
-        for name, values in arrays.items():
-            if values.dtype.kind != "f" or not np.isfinite(values).all():
-                raise ValueError(f"{name} must be finite numbers")
-        self._hold(arrays, numbers)
-
     def __repr__(self) -> str:
         low, high = (format_length(end, like=max(map(abs, self.z)), digits=3) for end in self.z)
         sides = "x".join(map(str, self.shape))
         return f"<Table of {sides} pixels, {self.along} {low} to {high}, within {self.error_bound:.2g} of the peak>"
-
-
-_KIND = "lommel.localize.Table"
-_DESCRIBED = ("shape", "pixel", "z", "along", "reach", "tol")
-_TOLD = (*_DESCRIBED, "error_bound", "slope_bounds")
 
 
 def _along(values: Array, taps: Array, axis: int) -> Array:

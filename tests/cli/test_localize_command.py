@@ -67,7 +67,10 @@ def test_a_movie_becomes_a_table_and_a_picture(folder, call_lommel):
     assert lines[0] == lm.load_microscope(EXAMPLE).name
     text = " ".join(result.stdout.split())
     assert "8 frames of 72 x 72, 103.2 nm a pixel" in text
-    assert "gain 0.46 electrons per count, offset 100, read noise 1.6 electrons" in text
+    assert (
+        "gain 0.46 electrons per count (by the option), offset 100 counts (by the option), read noise 1.6 electrons"
+        in text
+    )
     assert "spots 24; left out 0 at borders" in text
     assert "localised 24" in text
     assert "z -0.7 um to 0.7 um, position of the stage" in text
@@ -200,7 +203,7 @@ def test_the_opposite_astigmatism_a_hot_pixel_and_a_missing_offset_are_told(fold
         result = call_lommel("localize", *arguments, "-o", "a.csv", "--json", folder=folder)
         facts = json.loads(result.stdout)
         assert result.returncode == (0 if facts["converged"] else 3)
-        missing = any("offset is taken to be 0" in note for note in facts["notes"])
+        missing = facts["noise"]["offset"] == {"value": 0.0, "source": "default"}
         return [*(code in said(facts) for code in codes), missing]
 
     assert notes("long.tif", "objective.toml", *NOISE) == [False, False, False]
@@ -222,7 +225,7 @@ def test_maps_single_frames_and_lengths_are_said_in_plain_words(folder, call_lom
     arguments = ["one.tif", "objective.toml", *NOISE, "--read", "read.npy", "--pixel", "6.93um", "-o", "a.csv"]
     text = " ".join(call_lommel("localize", *arguments, folder=folder).stdout.split())
     assert "movie 1 frame of 72 x 72, 110 nm a pixel" in text
-    assert "gain 0.46 electrons per count, offset 100, read noise by a map " in text
+    assert "offset 100 counts (by the option), read noise by a map (by the option)" in text
     facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
     assert facts["pixel_in_sample"] == 1.1e-7 != 6.93e-6 / 63
 

@@ -17,18 +17,17 @@ from lommel.cli.instruments import (
     LENS,
     CameraOptions,
     differing,
-    noise_facts,
-    noise_in_words,
     require_microscope,
 )
 from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, PATH, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
+from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
+from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.localize.point_sources import find_spots
 from lommel.recorded.frames import read_each
-from lommel.recorded.metadata import Unusable, of_all
+from lommel.recorded.metadata import of_all
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -39,6 +38,7 @@ if TYPE_CHECKING:
 
 _FIELD = 1.6  # times the window, from which a stack shows a field in which beads are found
 _MOST = 20  # beads
+_MILLIWAVES = 1e3 / (2.0 * math.pi)  # of a radian
 
 
 class BeadCamera(CameraOptions, heading="Camera and noise"):
@@ -100,10 +100,7 @@ def beads(
       lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
-    if output is not None:
-        if output.suffix.lower() != ".toml":
-            raise ValueError(f"--output must end in .toml, got {line(output)}")
-        require_folder(output)
+    require_file(output, ".toml")
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
@@ -112,13 +109,12 @@ def beads(
     with progress("reading") as started:
         read = list(read_each(stacks))
         noise, saturation, header = camera.settled(of_all([each.said for each in read]), microscope.camera)
-        recorded = noise_facts(camera.values(), microscope.camera, noise)
-        where = f"in {lens.name}" if camera.camera is None else "by --camera"
-        notes += [noise_in_words(recorded, where), *header, *differing(read[0].said, microscope)]
+        recorded, words = camera.recorded(lens, microscope.camera, noise)
+        notes += [f"Camera: {words}.", *header]
         cut: list[_Bead] = []
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
-            notes += [*stack.notes, *_other_step(file, stack.said.get("step"), step)]
+            notes += [*stack.notes, *differing(stack.said, microscope, step)]
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
@@ -165,16 +161,6 @@ def beads(
     return Report(facts, _parts(found, facts), found.converged) + files
 
 
-def _other_step(file: str, stated: object, step: float) -> list[str]:
-    """Return a sentence where a file states another step between planes than `step`, or what is no step."""
-    taken = f"--step {format_length(step, digits=4)} was taken."
-    if isinstance(stated, Unusable):
-        return [f"{file} states planes {stated.words} apart, which cannot be used; {taken}"]
-    if not isinstance(stated, float) or abs(abs(step) / stated - 1.0) < 0.01:
-        return []
-    return [f"{file} states planes {format_length(stated, digits=4)} apart; {taken}"]
-
-
 class _Bead(NamedTuple):
     """A window around a bead, and its first pixel in the image."""
 
@@ -199,36 +185,29 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
 
 def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     """Return the verdict, and the tables of terms, constants, and beads."""
-    terms, constants = [], []
+    terms, constants, beads = [], [], []
     for name, value in found.coefficients.items():
-        error = found.errors[name]
-        if isinstance(name, str):
-            metres = name in ("coverslip", "pixel", "diameter")
-            cells = with_error(*(1e6 * value, 1e6 * error) if metres else (value, error), most=9)
-            constants.append((f"{name} (um)" if metres else name, *cells))
-        else:
-            terms.append((label(name), *_milliwaves(value, error)))
-    parts: list[RenderableType] = [Wrapped(found.message, "bold"), ""]
-    parts += [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
-    if constants:
-        parts += [table_of(("constant", "value", "std. error"), constants), ""]
+        constant = isinstance(name, str)
+        factor, unit = UNITS[CONSTANTS[name].unit] if constant else (_MILLIWAVES, "")
+        title = f"{name} ({unit.strip()})" if unit else name if constant else label(name)
+        cells = title, *with_error(factor * value, factor * found.errors[name], most=9)
+        (constants if constant else terms).append(cells)
     factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
-    rows = []
     for name, one, bead in zip(facts["beads"], facts["places"], found.beads, strict=True):
         shown = [
             _beside(factor * float(np.mean(one[key])), factor * bead.errors.get(key, 0.0))
             for key, factor in factors.items()
         ]
-        rows.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))
-    parts.append(table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), rows))
-    return [*parts, "", *map(Wrapped, facts["notes"])]
+        beads.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))
+    return paragraphs(
+        [Wrapped(found.message, "bold")],
+        [table_of(("term", "milliwaves rms", "std. error"), terms)],
+        [table_of(("constant", "value", "std. error"), constants)] if constants else [],
+        [table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), beads)],
+        map(Wrapped, facts["notes"]),
+    )
 
 
 def _beside(value: float, error: float) -> str:
     """Return a number and its standard error, or the number alone where it was not estimated."""
     return "+-".join(with_error(value, error, most=3)) if error else f"{value:.4g}"
-
-
-def _milliwaves(value: float, error: float) -> tuple[str, str]:
-    """Return a coefficient in radians and its standard error."""
-    return with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi), most=9)

@@ -11,13 +11,13 @@ import click
 import numpy as np
 
 from lommel.base.plain import plain
-from lommel.base.units import parse_length, with_error
+from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
-from lommel.cli.instruments import IMAGES, LENS, OBJECT_DISTANCE, CameraOptions, instrument_of, mask_of
-from lommel.cli.options import FILE, JSON, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
+from lommel.cli.instruments import IMAGES, LENS, instrument_of
+from lommel.cli.options import JSON, LENGTHS, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
+from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
-from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
+from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.localize.crossings import Crossings, find_crossings, grid_indices
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Array
     from lommel.estimation.field_fit import FieldFit
-    from lommel.lensfiles.camera import Camera
     from lommel.localize.point_sources import PointSources
 
 _MOST_CROSSINGS = 100
@@ -49,29 +48,8 @@ class Targets(Group, heading="Stars and crossings"):
     width: float | None = option("--width", type=float,
         help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius of "
         "defocused stars (rings) and pinholes.")
-    masked: Path | None = option("--mask", type=FILE,
-        help="Image that is not 0 where pixels are to be left out, such as defects, one for all exposures or one for "
-        "each; NaN in images is left out anyway.")
     most: int | None = option("--most", type=click.IntRange(1),
         help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of these.")
-
-
-class FieldCamera(CameraOptions, heading="Camera and noise"):
-    """The camera of the images, of which the options say all."""
-
-    camera: Camera | None = None
-    white: float | None = option(
-        "--white",
-        type=float,
-        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. By "
-        "default 1, images in electrons.",
-    )
-    read: float | None = option(
-        "--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the header."
-    )
-    offset: float | None = option("--offset", type=float, default=0.0, help="Black level, in the unit of the images.")
-    masked: Path | None = None
-    object_distance: float | None = OBJECT_DISTANCE
     # fmt: on
 
 
@@ -95,7 +73,7 @@ def fit_field(
     defocus: str | None = option("--defocus", metavar="NUMBERS",
         help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
         "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
-    wavelengths: str | None = option("--wavelengths", metavar="LENGTHS",
+    wavelengths: tuple[float, ...] | None = option("--wavelengths", type=LENGTHS, metavar="LENGTHS",
         help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
         "that of all. By default that of the lens."),
     known_blur: float | None = option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
@@ -111,7 +89,7 @@ def fit_field(
     spots: Path | None = option("--spots", type=OUTPUT,
         help="Figure of the image with the windows used and what was refused."),
     shown: Targets = Targets(),
-    camera: FieldCamera = FieldCamera(),
+    camera: StarCamera = StarCamera(),
 ) -> Report:  # fmt: skip
     """Estimate wavefronts over the field from stars or a chart.
 
@@ -132,9 +110,8 @@ def fit_field(
       lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
       lommel fit-field chart.tif nifty-fifty.toml --targets crossing --terms 5 --read 2 --saturation 60000
     """
-    for name, path in (("--output", output), ("--twin", twin)):
-        if path is not None and path.suffix.lower() != ".csv":
-            raise ValueError(f"{name} must end in .csv, got {path.name}")
+    require_file(output, ".csv")
+    require_file(twin, ".csv", "--twin")
     if targets == "star" and size is not None:
         raise ValueError("--size must be left out for stars, which are points; choose --targets")
     if targets == "star" and distortion is not None:
@@ -148,15 +125,14 @@ def fit_field(
         )
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
-    instrument = instrument_of(lens, object_distance=camera.object_distance, pixel=camera.pixel)
+    given = {"camera": camera.camera, "object_distance": camera.object_distance, "pixel": camera.pixel}
+    instrument = instrument_of(lens, **given)
     camera.require()
     with progress("reading") as started:
         read = read_images(list(images))
         exposures = read.values
-        noise, saturation, header = camera.settled(read.said, None)
-        mask = None if shown.masked is None else mask_of(shown.masked, exposures)
-        colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
-        if defocus is None and colours is None and len(exposures) > 1:
+        noise, saturation, header = camera.settled(read.said, instrument.camera)
+        if defocus is None and wavelengths is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
         started(f"finding {targets}s")
         known = numbers_of(defocus or "0")
@@ -165,7 +141,12 @@ def fit_field(
         pitch = float(min(np.atleast_1d(instrument.side)))
         across = 0.0 if targets == "crossing" or size is None else size / pitch
         side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
-        finding: Facts = {"noise": noise, "mask": mask, "saturation": saturation, "threshold": shown.threshold}
+        finding: Facts = {
+            "noise": noise,
+            "mask": camera.mask(exposures),
+            "saturation": saturation,
+            "threshold": shown.threshold,
+        }
         finding["width"] = shown.width or smoothing
         found: PointSources | Crossings
         if targets == "crossing":
@@ -180,7 +161,7 @@ def fit_field(
         if len(found) < 4:
             raise ValueError(_too_few(targets, found))
         air = seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
-        given: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
+        grid: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
         started("fitting")
         made = fit(
             found.windows,
@@ -192,13 +173,13 @@ def fit_field(
             degree=degree,
             terms=terms,
             defocus=known,
-            wavelengths=colours,
+            wavelengths=wavelengths,
             blur=air if known_blur is None else known_blur,
             targets=targets,
             size=size,
             saturation=saturation,
             integrate=instrument.integrate,
-            **given,
+            **grid,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
@@ -211,16 +192,6 @@ def fit_field(
     report = Report(facts, _parts(facts, found, _blurred(made, pitch, focal_length)), made.converged)
     verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
-
-
-def _lengths(text: str, exposures: int) -> list[float]:
-    """Return the wavelengths of an option, one for each exposure."""
-    words = text.replace(",", " ").split()
-    if len(words) != exposures:
-        raise ValueError(
-            f"--wavelengths must be one for each of {exposures} exposures, such as 600nm,450nm, got {text!r}"
-        )
-    return [parse_length(word) for word in words]
 
 
 def _grid(found: PointSources | Crossings) -> Array:
@@ -311,8 +282,8 @@ def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any
     if len(left) > _LISTED:
         left[_LISTED:] = [f"- and {len(left) - _LISTED} more, in --json"]
     table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
-    parts: list[Any] = [Wrapped(facts["message"], "bold"), "", *map(Wrapped, first), *([""] if first else [])]
-    return [*parts, table, "", *map(Wrapped, (blur, found.message, *left, *facts["notes"]))]
+    last = map(Wrapped, (blur, found.message, *left, *facts["notes"]))
+    return paragraphs([Wrapped(facts["message"], "bold")], map(Wrapped, first), [table], last)
 
 
 def _values(found: tuple[Array, Array], name: str, unit: float) -> Facts:

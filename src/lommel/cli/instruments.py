@@ -281,18 +281,29 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
     return notes
 
 
-def differing(said: Found, microscope: Microscope) -> list[str]:
-    """Return what images state of pixels and emission where it is not that of the microscope, which is taken."""
+def differing(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
+    """Return what images state of pixels, emission and `step` where it is not that of the command, which is taken."""
     known = {
         "pixels of {} in the sample": (said.get("pixel"), microscope.pixel / microscope.objective.magnification),
         "an emission of {}": (next(iter(said.get("emission") or ()), None), microscope.wavelength),
+        "planes {} apart": (said.get("step"), step),
     }
-    return [
-        f"The images state {words.format(format_length(value, digits=4))}; {format_length(taken, digits=4)} was "
-        "taken."
-        for words, (value, taken) in known.items()
-        if isinstance(value, float) and abs(value - taken) > _ALIKE * taken
-    ]
+    notes = []
+    for words, (value, taken) in known.items():
+        if taken is None or not isinstance(value, float | Unusable):
+            continue
+        text = value.words if isinstance(value, Unusable) else format_length(value, digits=4)
+        if isinstance(value, Unusable) or abs(value - abs(taken)) > _ALIKE * abs(taken):
+            notes.append(f"The images state {words.format(text)}; {format_length(taken, digits=4)} was taken.")
+    return notes
+
+
+_UNITS = {
+    "white": ("gain", " electrons per count", 1.0),
+    "offset": ("offset", " counts", 0.0),
+    "read": ("read noise", " electrons rms", 0.0),
+    "excess": ("excess noise", "", 1.0),
+}
 
 
 class CameraOptions(Group, heading="Camera and noise"):
@@ -331,6 +342,31 @@ class CameraOptions(Group, heading="Camera and noise"):
         saturation = given.pop("saturation")
         return noise_of(given, camera), saturation, notes
 
+    def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
+        """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""
+        known = {} if camera is None else {"white": camera.gain, "offset": camera.offset, "read": camera.read}
+        known |= {"excess": camera.excess} if camera is not None and camera.excess > 1.0 else {}
+        name = None if camera is None else camera.name
+        sources = {
+            "option": "by the option",
+            "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
+            "header": "of the header of the images",
+            "default": "taken, for neither an option nor a camera states it",
+        }
+        found, said = {"camera": name}, list[str]()
+        for key, (word, unit, usual) in _UNITS.items():
+            value: Any = getattr(noise, key)
+            by_map, value = isinstance(value, np.ndarray), usual if value is None else value
+            source = (
+                "option" if getattr(self, key) is not None else "camera" if known.get(key) is not None else "header"
+            )
+            if source == "header" and key != "read" and not by_map and value == usual:
+                source = "default"
+            found[word.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
+            if key != "excess" or value != 1.0:
+                said.append(f"{word} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
+        return found, ", ".join(said)
+
     def mask(self, images: Values) -> NDArray[np.bool_] | None:
         """Return the pixels of images to leave out."""
         return None if self.masked is None else mask_of(self.masked, images)
@@ -348,49 +384,6 @@ class CameraMaps(CameraOptions, heading="Camera"):
         texts = {"white": (self.white, "gain"), "read": (self.read, "read"), "offset": (self.offset, "offset")}
         maps = {name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()}
         return maps | {"excess": self.excess}
-
-
-_UNITS = {
-    "white": ("gain", " electrons per count", 1.0),
-    "offset": ("offset", " counts", 0.0),
-    "read": ("read noise", " electrons rms", 0.0),
-    "excess": ("excess noise", "", 1.0),
-}
-
-
-def noise_facts(given: Facts, camera: Camera | None, noise: Noise) -> Facts:
-    """Return gain, offset and noise of a fit, each with its source: "option", "camera", "header", "default".
-
-    `given` has the options, None where they are left out.
-    """
-    of_camera = {} if camera is None else {"white": camera.gain, "offset": camera.offset, "read": camera.read}
-    of_camera |= {"excess": camera.excess} if camera is not None and camera.excess > 1.0 else {}
-    found: Facts = {"camera": None if camera is None else camera.name}
-    for name, (word, _, usual) in _UNITS.items():
-        value = getattr(noise, name)
-        source = (
-            "option" if given.get(name) is not None else "camera" if of_camera.get(name) is not None else "header"
-        )
-        source = "default" if source == "header" and value in (None, usual) and name != "read" else source
-        found[word.replace(" ", "_")] = {"value": usual if value is None else value, "source": source}
-    return found
-
-
-def noise_in_words(facts: Facts, where: str) -> str:
-    """Return gain, offset, read noise and an excess in a line, with sources; `where` is that of the camera."""
-    sources = {
-        "option": "by the option",
-        "camera": f"of {facts['camera']}, {where}",
-        "header": "of the header of the images",
-        "default": "taken, for neither an option nor a camera states it",
-    }
-    said = []
-    for word, unit, _ in _UNITS.values():
-        each = facts[word.replace(" ", "_")]
-        if word == "excess noise" and each["value"] == 1.0:
-            continue
-        said.append(f"{word} {each['value']:g}{unit} ({sources[each['source']]})")
-    return f"Camera: {', '.join(said)}."
 
 
 def camera_facts(camera: Camera | None) -> Facts | None:

@@ -41,7 +41,6 @@ from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
-from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -170,18 +169,13 @@ def localize(
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
         save_figure(drawn, figure)
-    own = microscope.camera
-    stated = {} if own is None else {"gain": (camera.white, own.gain), "offset": (camera.offset, own.offset)}
-    assumed = [name for name, pair in stated.items() if pair == (None, None)]
-    sources = "neither the option nor the file of the camera gives it"
+    recorded, words = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
-    facts |= {"aberrations": microscope.aberrations is not None, "camera": None if own is None else own.name}
-    facts |= found.to_dict()
+    facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | found.to_dict()
     facts |= {"z": [float(f"{end:.12g}") for end in table.z], "table_error_bound": table.error_bound}
-    facts |= {"seconds": time.perf_counter() - begun, "assumed": assumed}
-    facts["notes"] = [*header, *(f"The {name} is taken to be {_ASSUMED[name]}: {sources}." for name in assumed)]
+    facts |= {"seconds": time.perf_counter() - begun, "notes": header}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
-    return Report(facts, _parts(facts, noise), found.converged) + written([*places, figure])
+    return Report(facts, _parts(facts, words), found.converged) + written([*places, figure])
 
 
 def _brief(part: Localizations) -> Localizations:
@@ -194,15 +188,9 @@ def _brief(part: Localizations) -> Localizations:
     return dataclasses.replace(part, table=kept)
 
 
-def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
+def _parts(facts: Facts, camera: str) -> list[RenderableType]:
     """Return the table of what was found, and what was not corrected."""
     n, (rows, columns) = facts["frames"], facts["shape"]
-    units = {"white": ("gain", 1.0, " electrons per count"), "offset": ("offset", 1.0, "")}
-    units["read"] = ("read noise", 1.0, " electrons")
-    told = [] if facts["camera"] is None else [facts["camera"]]
-    for key, (name, usual, unit) in units.items():
-        value = usual if getattr(noise, key) is None else getattr(noise, key)
-        told.append(f"{name} {f'{value:g}{unit}' if isinstance(value, float) else 'by a map'}")
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
     counts = facts["border_fits"] | facts["states"]
     others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
@@ -213,7 +201,7 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
             "movie",
             f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
         ),
-        ("camera", ", ".join(told)),
+        ("camera", camera),
         ("spots", f"{facts['spots']}; {left}"),
         ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
         ("z", f"{low} to {high}, {what}"),
@@ -226,7 +214,6 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
 
 
 _LEAST_SIDE = 5  # pixels of a box
-_ASSUMED = {"gain": "1 electron per count", "offset": "0 counts"}
 _OTHERS = {
     "z": "at an end of the range of z (--z)",
     "reach": "farther from the middle of their box than --reach",

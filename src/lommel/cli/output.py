@@ -17,7 +17,7 @@ import click
 
 from lommel.base import atomic, optional
 from lommel.base.units import format_length
-from lommel.base.validation import shown
+from lommel.base.validation import line, shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -120,6 +120,14 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
     return table
 
 
+def paragraphs(*parts: Iterable[RenderableType]) -> list[RenderableType]:
+    """Return parts with a blank line between those that hold something."""
+    found: list[RenderableType] = []
+    for part in map(list, parts):
+        found += ["", *part] if found and part else part
+    return found
+
+
 def number(value: float) -> str:
     """Return a number with four significant digits, without an exponent where it is large."""
     text = f"{value:.4g}"
@@ -165,6 +173,14 @@ def require_folder(path: Path) -> None:
     """Raise FileNotFoundError if the folder of a file does not exist, before any file is written."""
     if not path.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
+
+
+def require_file(path: Path | None, suffix: str, option: str = "--output") -> None:
+    """Raise ValueError if a file ends in another suffix, and FileNotFoundError if its folder does not exist."""
+    if path is not None:
+        if path.suffix.lower() != suffix:
+            raise ValueError(f"{option} must end in {suffix}, got {line(path.name)}")
+        require_folder(path)
 
 
 def save_figure(figure: Figure, path: Path) -> None:

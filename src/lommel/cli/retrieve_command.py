@@ -22,7 +22,7 @@ from lommel.cli.instruments import (
     microscope_of,
 )
 from lommel.cli.options import JSON, OUTPUT, PATH, Command, Group, command, documented, option, plot_option
-from lommel.cli.output import Report, Wrapped, save_figure, table_of, written
+from lommel.cli.output import Report, Wrapped, paragraphs, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
@@ -212,22 +212,19 @@ def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType
     row, column = found.center.T
     each = {"row": row, "column": column, "flux": found.flux, "background": found.background}
     blurred = any(found.blurs)
-    own = [name for name in each if blurred or name in found.errors]
+    own = {name: value for name, value in each.items() if blurred or name in found.errors}
 
     def cell(name: str, k: int) -> str:
-        value = float(each[name][k])
+        value = float(own[name][k])
         return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(found.errors[name][k])))
 
     images = [[file, *(cell(name, k) for name in own)] for k, file in enumerate(files)]
-    parts: list[RenderableType] = [
-        table_of(("term", short, "std. error"), rows),
-        "",
-        table_of(["image", *own], images),
-        "",
-    ]
-    if blurred:
-        parts.append(Wrapped(f"blur: {'; '.join(map(in_words, found.blurs))}"))
-    return [*parts, Wrapped(found.message)]
+    last = [f"blur: {'; '.join(map(in_words, found.blurs))}"] if blurred else []
+    return paragraphs(
+        [table_of(("term", short, "std. error"), rows)],
+        [table_of(["image", *own], images)],
+        map(Wrapped, [*last, found.message]),
+    )
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:

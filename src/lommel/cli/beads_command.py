@@ -19,7 +19,7 @@ from lommel.cli.instruments import (
     differing,
     require_microscope,
 )
-from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, PATH, command, documented, option, plot_option
+from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.bead_images import CONSTANTS, UNITS
@@ -44,11 +44,6 @@ _MILLIWAVES = 1e3 / (2.0 * math.pi)  # of a radian
 class BeadCamera(CameraOptions, heading="Camera and noise"):
     """The camera of bead stacks, and where in a field the beads are."""
 
-    masked: Path | None = option(
-        "--mask",
-        type=PATH,
-        help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each.",
-    )
     window: int = option(
         "--window",
         type=click.IntRange(9, 101),

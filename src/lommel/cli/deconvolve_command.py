@@ -30,7 +30,6 @@ from lommel.cli.options import (
     MICROMETRES,
     NANOMETRES,
     OUTPUT_PATH,
-    PATH,
     Group,
     command,
     documented,
@@ -93,8 +92,6 @@ class StackCamera(CameraMaps, heading="Camera"):
     offset: Any = option("--offset", metavar="NUMBER|FILE",
         help="Counts of a pixel without electrons, such as 100.")
     saturation: float | None = option("--saturation", type=float, help="Counts from which on pixels are saturated.")
-    masked: Path | None = option("--mask", type=PATH,
-        help="Image of the pixels to leave out: not 0 there; one for all planes, or one for each.")
     pixel: float | None = None
     # fmt: on
 

@@ -317,13 +317,20 @@ class CameraOptions(Group, heading="Camera and noise"):
         "--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."
     )
     offset: float | None = option(
-        "--offset", type=float, help="Counts of a pixel without electrons; by default that of the camera, or 0."
+        "--offset", type=float, help="Black level, in the unit of the images; by default that of the camera, or 0."
     )
     excess: float | None = EXCESS
     saturation: float | None = option(
-        "--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."
+        "--saturation",
+        type=float,
+        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
+        "saturated.",
     )
-    masked: Path | None = option("--mask", type=PATH)
+    masked: Path | None = option(
+        "--mask",
+        type=PATH,
+        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.",
+    )
     pixel: float | None = SQUARE_PIXEL
 
     def require(self) -> None:

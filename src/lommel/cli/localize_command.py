@@ -60,8 +60,6 @@ class MovieCamera(CameraMaps, heading="Camera"):
         help="Read noise, rms electrons; 0 for none; by default that of the camera.")
     offset: Any = option("--offset", metavar="NUMBER|FILE",
         help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0.")
-    saturation: float | None = documented(find, "saturation", type=float,
-        help="Value in the file at which pixels saturate, such as 60000; they do not count in fits.")
     masked: Path | None = option("--mask", type=PATH, help="Image of the pixels to leave out: not 0 there.")
     # fmt: on
 

@@ -21,7 +21,7 @@ from lommel.cli.instruments import (
     instrument_of,
     microscope_of,
 )
-from lommel.cli.options import JSON, OUTPUT, PATH, Command, Group, command, documented, option, plot_option
+from lommel.cli.options import JSON, OUTPUT, Command, Group, command, documented, option, plot_option
 from lommel.cli.output import Report, Wrapped, paragraphs, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.field_fit import in_words
@@ -73,16 +73,6 @@ class StarCamera(CameraOptions, heading="Camera and noise"):
         "--white", type=float,
         help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
         "By default that of the camera, or 1, images in electrons.")
-    offset: float | None = option(
-        "--offset", type=float,
-        help="Black level, in the unit of the images; by default that of the camera, or 0.")
-    saturation: float | None = option(
-        "--saturation", type=float,
-        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-        "saturated.")
-    masked: Path | None = option(
-        "--mask", type=PATH,
-        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.")
     object_distance: float | None = OBJECT_DISTANCE
     # fmt: on
 

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
+from lommel.estimation.star_images import star_counts
 from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import light_by_rule
@@ -35,7 +36,6 @@ from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
 NONLINEAR = "nonlinear"  # share of electrons that counts lack at 10^4
-LEAST = 0.05  # electrons squared: the smallest variance of reading
 _MOST_NODES = 160
 _TURNS = 4  # of the search for the light of a plane
 _FAINTEST = 1e-3  # of the light before: no step goes below
@@ -210,12 +210,9 @@ class Stack:
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:
         """Return the stack of recorded images, (planes, height, width)."""
-        planes, *sides = counts.values.shape
-        variance = noise.poisson.variance(np.zeros(counts.values.shape))
-        electrons = np.where(counts.known, noise.poisson.electrons(counts.filled()), 0.0)
-        parts = electrons, variance, np.maximum(variance, LEAST), counts.known
-        star = np.stack([part.reshape(planes, -1).astype(np.float64) for part in parts])
-        return Stack(star, (sides[0], sides[1]), z)
+        shape, alike = counts.values.shape, noise.poisson
+        star = star_counts(alike.electrons(counts.filled()), alike.variance(np.zeros(shape)), counts.known)
+        return Stack(star, (shape[1], shape[2]), z)
 
 
 def heights(radius: float) -> tuple[Array, Array]:

@@ -26,7 +26,7 @@ from lommel.estimation.bead_images import (
     Stack,
 )
 from lommel.fit import goodness_of_fit
-from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring
+from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
@@ -252,9 +252,8 @@ class BeadModel:
         """Return Pearson's chi2 per degree of freedom of what stacks say, and its standard deviation."""
         total, expected, spread = np.sum([(part.chi2, part.expected, part.spread) for part in parts], axis=0).tolist()
         pixels = self.tested + self.size + 2 * sum(len(s.z) for s in self.stacks)
-        share = max(self.tested, 1) / pixels
-        most = max(expected * share, 1.0)
-        return total / most, math.sqrt(spread * share) / most
+        chi2, width = reduced_chi2(total, expected, spread, max(self.tested, 1) / pixels)
+        return float(chi2), float(width)
 
 
 def _holding(scores: Scores, at: int, step: float) -> Scores:

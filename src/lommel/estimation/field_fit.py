@@ -335,7 +335,6 @@ def fit_field(
     start: FieldMap | None = None,
     targets: str = "star",
     size: float | None = None,
-    axis: tuple[float, float] | None = None,
     ideal: ArrayLike | None = None,
     pose: str = "free",
     distortion: int = 3,
@@ -394,9 +393,6 @@ def fit_field(
     size : float, optional
         In the image, in the unit of `pixel`: the diameter of pinholes, which need it, or the side of squares; without
         it each corner is one of two lines without end.
-    axis : (float, float), optional
-        Row and column of the optical axis on the sensor, from which positions of the map are measured; by default
-        the middle.
     ideal : array_like, shape (n, 2), optional
         Row and column of each target without distortion, such as those of a grid of pinholes or of a catalogue of
         stars in the tangent plane; NaN where not known. With them distortion is estimated.
@@ -511,8 +507,7 @@ def fit_field(
     validation.function("progress", progress, required=False)
     draw = random_numbers(seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
-    middle = ((rows - 1) / 2.0, (columns - 1) / 2.0) if axis is None else validation.position("axis", axis)
-    chip = Sensor((rows, columns), pitch, middle)
+    chip = Sensor((rows, columns), pitch, ((rows - 1) / 2.0, (columns - 1) / 2.0))
     alike = noise.poisson
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
@@ -564,10 +559,7 @@ def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
     """Return the wavelength of each exposure."""
     found = validation.real_array("wavelengths", wavelengths)
     if found.shape != (exposures,):
-        raise ValueError(
-            f"wavelengths must be one for each of {exposures} exposures (windows of shape (n, exposures, height, "
-            f"width)), got shape {found.shape}"
-        )
+        raise ValueError(f"wavelengths must be one for each of {exposures} exposures, got {len(np.ravel(found))}")
     if pupil.wavelength is None:
         raise ValueError("wavelengths need a pupil with wavelength and f_number, and pixel in metres, got lambda*N")
     return np.array([validation.wavelength(float(each)) for each in found])

@@ -20,7 +20,7 @@ from lommel.estimation.sampled_pupil import SampledPupil
 from lommel.estimation.star_images import StarImages, Unknowns, carrying, loosest_tolerance, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
-from lommel.fit.scoring import RowModel, Scores, covariance, flux_background
+from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import asked_about, output_type
 from lommel.optics.grid import Grid
@@ -374,8 +374,7 @@ class FieldStars:
     ) -> Quality:
         """Return chi2 of single stars of sums of squares, their expectation and variance, and so many parameters."""
         share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
-        expected = np.maximum(total * share, 1.0)
-        return Quality(square / expected, np.sqrt(spread * share) / expected)
+        return Quality(*reduced_chi2(square, total, spread, share))
 
     def bright(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> tuple[float, float]:
         """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN of too few.
@@ -651,12 +650,10 @@ class WholeField(_StarModel):
         squares = self.squares(x).flatten()
         blocks = Blocks.of_stars(info, self.basis, self.waves, c, squares)
         whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
-        share = self.tested / self.pixels
-        expected = max(total.sum() * share, 1.0)
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
-        chi2, errors = square.sum() / expected, math.sqrt(spread.sum() * share) / expected
-        made = Scores(np.array([deviance.sum()]), whole[None], boxed, np.array([chi2]), np.array([errors]))
+        quality = reduced_chi2(square.sum(), total.sum(), spread.sum(), self.tested / self.pixels)
+        made = Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
         if self.best is None or made.deviance[0] < self.best[1].deviance[0]:
             self.best = x.copy(), made
         return made

@@ -14,7 +14,7 @@ from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
 from lommel.fit.findings import Findings, FitReport
 from lommel.fit.goodness_of_fit import chi2_findings
-from lommel.fit.scoring import Policy, RowModel, Scores, covariance, search_rows
+from lommel.fit.scoring import Policy, RowModel, Scores, covariance, reduced_chi2, search_rows
 from lommel.recorded.counts import Counts, recording_findings
 from lommel.recorded.noise import Noise
 from lommel.special.legendre import gauss_legendre
@@ -221,13 +221,11 @@ class _StarProfile(RowModel):
         over = np.maximum(mean + read, 0.25 * read) / counts - 1.0
         deviance = (counts * (over - np.log1p(over))) @ known
         share = self.tested / (self.tested + self.free)
-        expected = np.maximum(total * share, 1e-300)
+        quality = reduced_chi2(products[:, -1, -1], total, spread, share, 1e-300)
         slope, information = products[:, :-1, -1], products[:, :-1, :-1]
         free = np.where(slope > 0.0, x < self.limits[1], x > self.limits[0]) & ~self.held
         information = np.where(free[:, :, None] & free[:, None, :], information, 0.0)
-        return Scores(
-            deviance, slope * free, information, products[:, -1, -1] / expected, np.sqrt(spread * share) / expected
-        )
+        return Scores(deviance, slope * free, information, *quality)
 
     def information(self, x: Array) -> Array:
         """Return Fisher's information (6, 6) for one row of parameters."""

@@ -18,7 +18,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
-from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background
+from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background, reduced_chi2
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
@@ -340,12 +340,9 @@ class StarImages:
         """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
         numbers, found = self.products(x, values, slopes)
         deviance, total, spread = numbers
-        # Where nothing is expected (images below 0, read without noise) any square is a misfit. Each fitted parameter
-        # takes the share of a mean pixel.
-        expected = np.maximum(total * (self.tested / (self.tested + self.size)), 1.0)
-        chi2 = found[:, -1, -1] / expected
-        width = np.sqrt(spread * (self.tested / (self.tested + self.size))) / expected
-        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, width)
+        # Each fitted parameter takes the share of a mean pixel.
+        quality = reduced_chi2(found[:, -1, -1], total, spread, self.tested / (self.tested + self.size))
+        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], *quality)
 
     def products(
         self, x: Array, values: Pixels, slopes: Sequence[Slope], others: Sequence[Array] = ()

@@ -237,6 +237,16 @@ def search_rows(
     return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)[:4]
 
 
+def reduced_chi2(square: Any, total: Any, spread: Any, share: Any, least: float = 1.0) -> tuple[Any, Any]:
+    """Return chi2 per degree of freedom and its standard deviation, of sums of squares, expectations and variances.
+
+    Beside parameters a `share` of the pixels is left. Where less than `least` is expected (images below 0),
+    any square is a misfit.
+    """
+    expected = np.maximum(total * share, least)
+    return square / expected, np.sqrt(spread * share) / expected
+
+
 def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tuple[Array, Array]:
     """Return flux (at least 1) and background (...,) of weighted least squares, of PSFs and pixels (..., pixels).
 

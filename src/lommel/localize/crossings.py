@@ -17,14 +17,6 @@ from lommel.localize.detection import APART, brightest, filled, image_counts
 from lommel.localize.point_sources import Targets, checked_window, target_windows, unusable
 from lommel.recorded.noise import Noise
 
-REASONS = {
-    "saturated": "a pixel of the window is saturated in an exposure",
-    "edge": "the window extends beyond the image",
-    "masked": "a quarter of the window, or of its middle, is masked or NaN",
-    "neighbor": "the windows of two crossings would overlap, and the other has more contrast",
-}
-"""Why crossings are refused, in the order in which the reasons are tried."""
-
 _LEAST, _MOST = 9, 21  # pixels of a window that is chosen
 _RING = 3.0  # radius, in standard deviations of the smoothing, on which a crossing changes its sign four times
 _POINTS = 64  # on it
@@ -72,7 +64,7 @@ class Crossings(Targets):
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
         apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        return self._told("crossing", apart, REASONS)
+        return self._told("crossing", apart)
 
 
 def find_crossings(

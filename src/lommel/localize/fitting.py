@@ -40,7 +40,6 @@ class MoleculeErrors:
 
 
 _NAMES = tuple(each.name for each in fields(MoleculeErrors))
-_FURTHER = ("log_likelihood", "discrepancy", "state", "steps")
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,10 +96,7 @@ class Molecules:
         """Return some of the molecules, indexed as an array of them by a slice, a mask or an array of indices."""
         if np.ndim(np.empty(len(self))[which]) != 1:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
-        parts = {name: getattr(self, name)[which] for name in (*_NAMES, *_FURTHER)}
-        return Molecules(
-            **parts, errors=MoleculeErrors(**{name: getattr(self.errors, name)[which] for name in _NAMES})
-        )
+        return _of_each(lambda values: values[which], self)
 
     def replaced(self, which: NDArray[np.intp], others: Molecules) -> Molecules:
         """Return the same with other estimates of some molecules.
@@ -117,22 +113,27 @@ class Molecules:
         Molecules
         """
 
-        def joined(
-            of: Molecules | MoleculeErrors, by: Molecules | MoleculeErrors, names: Sequence[str]
-        ) -> dict[str, Any]:
-            made = {name: getattr(of, name).copy() for name in names}
-            for name, values in made.items():
-                values[which] = getattr(by, name)
+        def changed(values: NDArray[Any], by: NDArray[Any]) -> NDArray[Any]:
+            made = values.copy()
+            made[which] = by
             return made
 
-        errors = MoleculeErrors(**joined(self.errors, others.errors, _NAMES))
-        return Molecules(**joined(self, others, (*_NAMES, *_FURTHER)), errors=errors)
+        return _of_each(changed, self, others)
 
     def __repr__(self) -> str:
         count = ", ".join(
             f"{n} {name}" for name, n in zip(STATES, np.bincount(self.state, minlength=4), strict=True) if n
         )
         return f"<Molecules: {len(self)}{': ' if count else ''}{count}>"
+
+
+def _of_each(change: Callable[..., Any], *several: Any) -> Any:
+    """Return molecules or errors of which each array is `change` of those of several."""
+    found = {}
+    for name in (each.name for each in fields(several[0])):
+        parts = [getattr(one, name) for one in several]
+        found[name] = _of_each(change, *parts) if name == "errors" else change(*parts)
+    return type(several[0])(**found)
 
 
 def fit(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -23,15 +23,9 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-REASONS = {
-    "saturated": "a pixel of the window is saturated in a plane",
-    "edge": "the window extends beyond the image",
-    "masked": "a quarter of the window, or of its middle, is masked or NaN",
-    "neighbor": "another spot is within reach of the window",
-    "defect": "all of the light is in one pixel, as of a hot pixel or a cosmic ray",
-}
-"""Why spots are refused, in the order in which the reasons are tried."""
-
+# In the order in which they are tried: a pixel of the window is saturated, it extends beyond the image, a quarter
+# of it is masked or NaN, another target is within its reach, all light is in one pixel.
+_REASONS = ("saturated", "edge", "masked", "neighbor", "defect")
 _STRUCTURE = 0.25  # of a window: maxima that near belong to one image
 # Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
 _INSIDE = 0.55  # of a window: half of it, and a pixel
@@ -72,10 +66,10 @@ class Targets:
         """How many were found, and how many refused for each reason."""
         raise NotImplementedError
 
-    def _told(self, noun: str, apart: str, reasons: Iterable[str]) -> str:
+    def _told(self, noun: str, apart: str = "") -> str:
         """Return how many were found, and how many refused for each of the reasons."""
         counts = Counter(each.reason for each in self.refused)
-        refused = ", ".join(f"{counts[reason]} {reason}" for reason in reasons if counts[reason]) or "none"
+        refused = ", ".join(f"{counts[reason]} {reason}" for reason in _REASONS if counts[reason]) or "none"
         said = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
         lost = self.left_out
         return said + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
@@ -142,7 +136,7 @@ class PointSources(Targets):
     @property
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
-        said = self._told("spot", "", REASONS)
+        said = self._told("spot")
         if (best := self.candidate) is not None:
             said += (
                 f"; the highest maximum, at row {best.row}, column {best.column}, is {best.score:.3g} standard "

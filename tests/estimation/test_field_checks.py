@@ -104,8 +104,9 @@ def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
     plain = fitted(given)
 
     def ended_with_another_blur(search, *rest):
-        run(search, *rest)
+        outcome = run(search, *rest)
         search.stars = search.first.shaped(Shape.turbulent())
+        return outcome
 
     monkeypatch.setattr(field_fit, "_run", ended_with_another_blur)
     assert fitted(given).blurs == plain.blurs

@@ -347,19 +347,6 @@ def test_the_picture_has_a_panel_for_each_term_and_the_stars():
     assert "stars, chi2" in titles
 
 
-def test_an_interrupt_keeps_the_best_so_far():
-    places, images, _ = case(seed=4, count=25, defocus=(-2.5, 2.5))
-
-    def stop(share, _):
-        if share > 0.65:
-            raise KeyboardInterrupt
-
-    fit = fitted(images, places, defocus=[-2.5, 2.5], progress=stop)
-    assert fit.message.startswith("interrupted: ")
-    assert not fit.converged
-    assert abs(fit.chi2 - 1.0) < 0.2
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [

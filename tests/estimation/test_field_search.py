@@ -17,7 +17,7 @@ def test_another_minimum_that_fits_as_well_is_a_doubt(rival):
     scores = SimpleNamespace(chi2=np.array([1.0]), spread=np.array([0.01]))
     found: Any = SimpleNamespace(scores=scores, model=SimpleNamespace(chosen=np.arange(9)))
     nothing = Marginal(np.zeros(0), np.zeros((0, 0)))
-    outcome = Outcome(found, np.arange(0), (1.0, 0.1), (1.0, 0.1), np.zeros((9, 2)), 2, {}, [], (), nothing, rival)
+    outcome = Outcome(found, np.arange(0), (1.0, 0.1), (1.0, 0.1), np.zeros((9, 2)), {}, [], (), nothing, rival)
     finding = outcome.findings.get("another_minimum")
     assert outcome.findings.converged
     assert outcome.findings.reliable == (rival is None)

@@ -1,7 +1,6 @@
-"""Fisher scoring: searches end at limits, steps that swing are damped, interrupts keep the best so far."""
+"""Fisher scoring: searches end at limits, steps that swing are damped."""
 
 import numpy as np
-import pytest
 
 from lommel.fit.scoring import (
     Policy,
@@ -83,27 +82,10 @@ class Curve:
         return tried, self.worth(tried)
 
 
-class Interrupted(Curve):
-    def attempt(self, x, now, at, step, factor):
-        if x < 2.0:
-            raise KeyboardInterrupt
-        return super().attempt(x, now, at, step, factor)
-
-
 def test_a_problem_states_its_own_steps():
     end = fisher_scoring(Curve(), 3.0, Curve().worth(3.0), 40, lambda *_: None, Policy(settled=1e-6))
     assert end.settled[0]
     assert abs(end.x) < 0.05
-    assert not end.interrupted
-
-
-def test_an_interrupt_keeps_the_best_so_far_where_a_search_allows_it():
-    ask = 5.0, Curve().worth(5.0), 40, lambda *_: None
-    end = fisher_scoring(Interrupted(), *ask, Policy(interruptible=True))
-    assert end.interrupted
-    assert 0.0 < end.x < 2.0
-    with pytest.raises(KeyboardInterrupt):
-        fisher_scoring(Interrupted(), *ask, Policy())
 
 
 class Plain(Curve):

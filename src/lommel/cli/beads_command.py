@@ -180,7 +180,7 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
 
 def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     """Return the verdict, and the tables of terms, constants, and beads."""
-    terms, constants, beads = [], [], []
+    terms, constants, beads = (list[tuple[str, ...]]() for _ in range(3))
     for name, value in found.coefficients.items():
         constant = isinstance(name, str)
         factor, unit = UNITS[CONSTANTS[name].unit] if constant else (_MILLIWAVES, "")

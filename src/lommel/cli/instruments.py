@@ -360,7 +360,8 @@ class CameraOptions(Group, heading="Camera and noise"):
             "header": "of the header of the images",
             "default": "taken, for neither an option nor a camera states it",
         }
-        found, said = {"camera": name}, list[str]()
+        found: Facts = {"camera": name}
+        said = []
         for key, (word, unit, usual) in _UNITS.items():
             value: Any = getattr(noise, key)
             by_map, value = isinstance(value, np.ndarray), usual if value is None else value

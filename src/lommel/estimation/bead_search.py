@@ -78,7 +78,6 @@ class Evaluated:
     scores: Scores
     settled: bool = False
     steps: int = 0
-    interrupted: bool = False
 
     @property
     def log_posterior(self) -> float:
@@ -264,7 +263,7 @@ def _holding(scores: Scores, at: int, step: float) -> Scores:
     return scores._replace(slope=slope, information=information)
 
 
-_POLICY = Policy(most=1e7, patience=math.inf, interruptible=True)
+_POLICY = Policy(most=1e7, patience=math.inf)
 
 
 def _of_camera(name: str, mean: Array) -> Array:
@@ -277,11 +276,11 @@ def _of_camera(name: str, mean: Array) -> Array:
 
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Take damped steps from a start until they settle; an interrupt ends the search with the best so far."""
+    """Take damped steps from a start until they settle."""
     begin = model.evaluated(start)
     end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
     best: Evaluated = end.x
-    return replace(best, settled=bool(end.settled[0]), steps=end.steps, interrupted=end.interrupted)
+    return replace(best, settled=bool(end.settled[0]), steps=end.steps)
 
 
 @dataclass(eq=False)
@@ -295,7 +294,6 @@ class Search:
     most: int
     progress: Callable[[float, float], object] | None
     steps: int = 0
-    interrupted: bool = False
     _done: float = 0.0
 
     def all(self) -> tuple[Evaluated, list[bool]]:
@@ -322,7 +320,7 @@ class Search:
             if best is None or found.log_posterior > best.log_posterior:
                 best = found
             fits = best.quality[0] < goodness_of_fit.most(best.quality[1], goodness_of_fit.SURE)
-            if self.interrupted or (best.settled and (alike or fits)):
+            if best.settled and (alike or fits):
                 break
             share = 0.0
         assert best is not None
@@ -338,7 +336,7 @@ class Search:
 
         found = climb(model, start, self.most, report)
         self.steps += found.steps
-        self._done, self.interrupted = before + share, found.interrupted
+        self._done = before + share
         return found
 
 

@@ -133,7 +133,7 @@ class BeadFit(FitReport):
         The same of one bead with the aberrations and constants that a fit of the others alone finds, only its place
         and light being fitted: near 1 where these hold for other beads. NaN of fewer than three beads.
     findings : lommel.fit.Findings
-        What the checks found. Errors: "misfit", "no_light", "not_settled", "interrupted", "reversed_z". Doubts:
+        What the checks found. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts:
         "other_explanation" where the data favour something of `tests`, "too_dim", "held_out", "moved",
         "model_error", "too_quiet". Notes: single planes that moved, beads and pixels left out.
     summary : str
@@ -361,7 +361,7 @@ def fit_beads(
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step. KeyboardInterrupt ends the search with the best so far.
+        Called as ``progress(share, chi2)`` before each step.
 
     Returns
     -------
@@ -554,7 +554,7 @@ def _build_bead_fit(
     whole, shared = _inverse(found.scores.information[0]), len(joint.names)
     inverse = whole[:shared, :shared]
     chi2, spread = found.quality
-    held_out = (math.nan, 0.0) if search.interrupted else bead_checks.held_out_chi2(joint, found)
+    held_out = bead_checks.held_out_chi2(joint, found)
     beads = _beads(search.model, found, whole, used, recorded, noise)
     error = bead_checks.model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
@@ -568,21 +568,18 @@ def _build_bead_fit(
     if max(part.visible for part in found.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        if not search.interrupted:
-            tests = bead_checks.missing_tests(joint, found)
-            missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
-            backwards: list[Finding] = []
-            if missing or not Findings(findings).converged:
-                best = found.log_posterior if other is None else max(other, found.log_posterior)
-                start = State(search.setup, search.waves, state.places)
-                backwards = bead_checks.reversed_findings(joint, start, best, chi2)
-            findings += backwards or missing
+        tests = bead_checks.missing_tests(joint, found)
+        missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
+        backwards: list[Finding] = []
+        if missing or not Findings(findings).converged:
+            best = found.log_posterior if other is None else max(other, found.log_posterior)
+            start = State(search.setup, search.waves, state.places)
+            backwards = bead_checks.reversed_findings(joint, start, best, chi2)
+        findings += backwards or missing
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in joint.stacks)
             findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
-    if search.interrupted:
-        findings.insert(0, Finding("interrupted", "error", "this is the best so far"))
-    elif not found.settled:
+    if not found.settled:
         findings.append(Finding("not_settled", "error", f"more than {search.most} steps may be needed"))
     findings += bead_checks.held_out_findings(*held_out)
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)

@@ -21,7 +21,7 @@ from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_checks import negated
-from lommel.estimation.field_search import Found, Search
+from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
@@ -327,7 +327,7 @@ def fit_field(
     sensor: tuple[int, int],
     pixel: float,
     noise: Noise,
-    degree: int | None = 3,
+    degree: int = 3,
     terms: int | Sequence[tuple[int, int] | str] = 11,
     defocus: ArrayLike = 0.0,
     wavelengths: ArrayLike | None = None,
@@ -367,9 +367,9 @@ def fit_field(
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     noise : Noise
         Gain, offset and read noise; numbers, not maps.
-    degree : int or None, default 3
+    degree : int, default 3
         Total degree of the polynomials in x and y, 0 to 6, lower where there are fewer than two stars for each
-        coefficient. None chooses the degree with the lowest chi2 of held-out stars.
+        coefficient.
     terms : int or sequence, default 11
         Terms to estimate, as of :func:`lommel.retrieve`: 11 are Noll's 4 to 14.
     defocus : float or array_like, shape (e,), default 0
@@ -415,8 +415,7 @@ def fit_field(
     threads : int, optional
         As of :func:`lommel.psf`.
     progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step. Of a KeyboardInterrupt the best fit so far is returned,
-        if there is one; other exceptions stop the search.
+        Called as ``progress(share, chi2)`` before each step; exceptions stop the search.
 
     Returns
     -------
@@ -498,7 +497,7 @@ def fit_field(
         )
     known = np.broadcast_to(known, exposures)
     colours = None if wavelengths is None else _wavelengths(wavelengths, given, exposures)
-    most = _MOST_DEGREE if degree is None else validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
+    most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
     far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
     holes = None if ideal is None else checked_ideal(ideal, pose, at)
@@ -534,25 +533,15 @@ def fit_field(
     )  # fmt: skip
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
-    best = highest_degree(most, count)
     if count < 4 and most > 0:
         raise ValueError(f"windows must be of at least 4 stars, or degree 0, got {count}")
     share = progress or (lambda *_: None)
     u, v = chip.relative(x, y)
-    degrees = [best] if degree is not None else list(range(best + 1))
     part = np.array([2.0 / columns, 2.0 / rows])
-    search = Search(stars, np.stack([u, v], axis=1), part, degrees[-1], draw, share)
-    interrupted = False
-    try:
-        _run(search, degrees, start is not None)
-    except KeyboardInterrupt:
-        if search.best is None:
-            raise
-        interrupted = True
+    search = Search(stars, np.stack([u, v], axis=1), part, highest_degree(most, count), draw, share)
+    outcome = _run(search, start is not None)
     blurred = behind if isinstance(behind, tuple) else ()
-    return _answer(
-        search, interrupted, given, start, chip, at, counts, (noise, lit), (holes, pose, far), blurred
-    )  # fmt: skip
+    return _answer(search, outcome, given, start, chip, at, counts, (noise, lit), (holes, pose, far), blurred)
 
 
 def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
@@ -593,33 +582,20 @@ def _shape(
     return known
 
 
-def _run(search: Search, degrees: list[int], begun: bool) -> None:
-    """Search up to three times for the best outcome; the first that holds is the last."""
-    places = search.places
+def _run(search: Search, begun: bool) -> Outcome:
+    """Return the best outcome of some searches, the first that holds ending them."""
+    places, best = search.places, None
     for attempt in range(_SEARCHES):
-        search.places, search.degree, search.stars = places, degrees[-1], search.first
+        search.places, search.stars = places, search.first
         # A known defocus is a good start, for what is unknown beside it is usually less.
         first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
-        if first is None:
-            first = search.from_singles()
-        first = search.cleaned(first, (0.65, 0.05))
-        if len(degrees) > 1:
-            tried = []
-            for degree in degrees:
-                search.degree = degree
-                found = search.refined(first.model.chosen, first.polynomials(), first.squares(), 10, (0.7, 0.05))
-                if found is not None:
-                    tried.append((search.held_out(found)[0], degree, found))
-            # A degree that is not better by a hundredth of the excess is not worth its coefficients.
-            lowest = min(each[0] for each in tried)
-            most = lowest + 0.05 * abs(lowest - 1.0) + 1e-3
-            _, search.degree, first = next(each for each in tried if each[0] <= most)
-        outcome, best = search.outcome(first), search.finished
-        holds = outcome.findings.converged
-        if holds or best is None or outcome.cost < best.cost:
-            search.finished = outcome
-        if holds:
-            break
+        outcome = search.outcome(search.cleaned(first or search.from_singles(), (0.65, 0.05)))
+        if outcome.findings.converged:
+            return outcome
+        if best is None or outcome.cost < best.cost:
+            best = outcome
+    assert best is not None
+    return best
 
 
 def in_words(several: tuple[Blur, ...]) -> str:
@@ -686,7 +662,7 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
 
 def _answer(
     search: Search,
-    interrupted: bool,
+    outcome: Outcome,
     pupil: Pupil,
     start: FieldMap | None,
     chip: Sensor,
@@ -697,11 +673,9 @@ def _answer(
     known: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the answer of a search."""
-    outcome = search.best
-    assert outcome is not None
     found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
     # The best search need not be the last, which may have ended with another shape of blur.
-    search.places, search.degree, stars = outcome.places, outcome.degree, found.model.of
+    search.places, stars = outcome.places, found.model.of
     search.stars, one = stars, stars.one
     polynomials, degree = found.polynomials(), search.degree
     distortion = _distortion(found, chip, places, grid)
@@ -769,9 +743,7 @@ def _answer(
     if distortion is not None:
         work += f"; {distortion.summary}"
         told += distortion.findings
-    if interrupted:
-        told.append(Finding("interrupted", "error", "the search was interrupted: this is the best so far"))
-    elif not found.settled and Findings(told).converged:
+    if not found.settled and Findings(told).converged:
         told.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(told).converged:
         told += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)

@@ -100,19 +100,15 @@ class Outcome:
     held_out: tuple[float, float]  # chi2 and its standard deviation, also below
     bright: tuple[float, float]
     places: Array
-    degree: int
     shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
     slopes: list[Finding]  # of backgrounds
     tests: tuple[ScoreTest, ...]  # of what the model lacks
     marginal: Marginal
     rival: Rival | None = None
-    tested: bool = True  # whether a search came to its end
 
     @property
     def findings(self) -> Findings:
         """What the stars say of the fit."""
-        if not self.tested:
-            return Findings()
         chi2, spread = float(self.found.scores.chi2[0]), float(self.found.scores.spread[0])
         found = chi2_findings(chi2, spread, _CAUSES)
         bright, off = self.bright
@@ -165,8 +161,6 @@ class Search:
         self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
         self.squares = np.full((stars.exposures, stars.widths), _BLUR**2 / max(stars.widths, 1))
         self.widest = (_WIDEST * min(stars.shape)) ** 2
-        self.latest: WholeField | None = None
-        self.finished: Outcome | None = None
         directions = stars.one.directions
         self.metric = (directions * stars.one.mean_squares) @ directions.T
 
@@ -345,7 +339,6 @@ class Search:
         model = self.model(chosen)
         try:
             x = model.row(start, squares, self.placed(chosen, start, squares) if own is None else own)
-            self.latest = model
 
             def report(step: int, value: float) -> None:
                 self.report(share[0] + share[1] * step / (most + 1), value)
@@ -621,19 +614,7 @@ class Search:
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
         bright, held_out = self.stars.bright(chosen, psf, own, float(unknown)), self.held_out(found)
         tested = self.shapes, slopes, tests, marginal, self.rival
-        return Outcome(found, lost, held_out, bright, self.places, self.degree, *tested)
-
-    @property
-    def best(self) -> Outcome | None:
-        """The best outcome so far, or the best fit of a first search that was interrupted; None before."""
-        if self.finished is not None or self.latest is None or self.latest.best is None:
-            return self.finished
-        model, (x, scores) = self.latest, self.latest.best
-        lost = np.setdiff1d(np.arange(self.stars.count), model.chosen)
-        unknown, count = (math.nan, math.nan), model.polynomials(x).size
-        marginal = Marginal(np.zeros(count), model.covariance(scores)[:count, :count])
-        found, place = Found(model, x, scores, settled=False), (self.places, self.degree)
-        return Outcome(found, lost, unknown, unknown, *place, {}, [], (), marginal, tested=False)
+        return Outcome(found, lost, held_out, bright, self.places, *tested)
 
     def _on_slopes(self, found: Found) -> Found:
         """Return a fit with the slope of each background unknown."""

@@ -621,7 +621,6 @@ class WholeField(_StarModel):
         self.pixels = int(stars.star[3][chosen].sum())
         self.tested = max(self.pixels - unknown, 1)
         self._each = unknown / len(chosen)
-        self.best: tuple[Array, Scores] | None = None  # so far, for whoever is interrupted
 
     def polynomials(self, x: Array) -> Array:
         """Return a view of the coefficients (k, m)."""
@@ -653,10 +652,7 @@ class WholeField(_StarModel):
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
         quality = reduced_chi2(square.sum(), total.sum(), spread.sum(), self.tested / self.pixels)
-        made = Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
-        if self.best is None or made.deviance[0] < self.best[1].deviance[0]:
-            self.best = x.copy(), made
-        return made
+        return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, p), the parameters of stars eliminated, and what it promises."""

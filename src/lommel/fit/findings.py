@@ -20,7 +20,7 @@ CODES: Mapping[str, str] = {
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
     "held_out": "what was left out of the fit does not follow it",
     "hot_pixels": "pixels of the camera are hot: brighter than their neighbours, whatever is in focus",
-    "interrupted": "the search was interrupted: the answer is the best so far",
+    "interrupted": "the search was interrupted: steps that were done are kept",
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the lenses state",
     "many_rejected": "many sources do not follow the fit",

@@ -106,14 +106,12 @@ class Policy:
     """How a search goes on.
 
     `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
-    damping above `most`. A search of infinite `patience` goes on in a minimum that does not fit. `interruptible` ones
-    end at an interrupt with the best so far.
+    damping above `most`. A search of infinite `patience` goes on in a minimum that does not fit.
     """
 
     settled: float = _SETTLED
     most: float = _MOST
     patience: float = _PATIENCE
-    interruptible: bool = False
 
 
 class Ascent(NamedTuple):
@@ -123,7 +121,6 @@ class Ascent(NamedTuple):
     now: Scores
     settled: NDArray[np.bool_]
     steps: int
-    interrupted: bool
 
 
 def fisher_scoring(
@@ -142,57 +139,52 @@ def fisher_scoring(
     count = len(now.chi2)
     damping, stretch = np.full(count, _FIRST), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    taken, stalled, interrupted = 0, np.zeros(count, dtype=int), False
-    try:
-        for turn in range(most + 1):
-            report(turn, float(now.chi2.min()))
-            at = np.flatnonzero(moving)
-            step, promised = problem.step(x, now, at, damping[at])
-            done = (promised < policy.settled) & (damping[at] <= 1.0)
-            settled[at] = done
-            moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < policy.patience)
-            fits = done & (now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE))
-            if turn == most or not moving.any() or (problem.alternatives and fits.any()):
-                if last is not None and done.any():
-                    last(x, step, at, done)
-                break
-            go = moving[at]
-            at, promised, step = at[go], promised[go], step[go]
-            factor = np.ones(at.size)
-            if problem.rms is not None:
-                factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
-            tried, new = problem.attempt(x, now, at, step, factor)
-            taken += at.size
-            gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
-            promised = promised * factor
-            better, stretched = gain > 0.0, stretch[at] > 1.0
-            damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
-            if problem.rms is not None:
-                # Steps grow where the last one gained nearly all that its slope promised: far from the answer the
-                # information overstates the curvature of the likelihood.
-                straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
-                longer = np.minimum(2.0 * np.maximum(factor, 1.0), _STRETCH)
-                stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
-                # Near the end, steps that gain little of what they promise go to and fro beside the answer.
-                swings = better & (promised < 1.0) & (gain < 0.25 * promised)
-                damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
-            np.maximum(damping, _LEAST, out=damping)
-            excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
-            slow = better & (gain < _STALLED * problem.tested * excess)
-            stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
-            if new is None or not better.any():
-                continue
-            if better.all() and at.size == count:
-                x, now = tried, new
-                continue
-            x[at[better]] = tried[better]
-            for mine, theirs in zip(now, new, strict=True):
-                mine[at[better]] = theirs[better]
-    except KeyboardInterrupt:
-        if not policy.interruptible:
-            raise
-        interrupted = True
-    return Ascent(x, now, settled, taken, interrupted)
+    taken, stalled = 0, np.zeros(count, dtype=int)
+    for turn in range(most + 1):
+        report(turn, float(now.chi2.min()))
+        at = np.flatnonzero(moving)
+        step, promised = problem.step(x, now, at, damping[at])
+        done = (promised < policy.settled) & (damping[at] <= 1.0)
+        settled[at] = done
+        moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < policy.patience)
+        fits = done & (now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE))
+        if turn == most or not moving.any() or (problem.alternatives and fits.any()):
+            if last is not None and done.any():
+                last(x, step, at, done)
+            break
+        go = moving[at]
+        at, promised, step = at[go], promised[go], step[go]
+        factor = np.ones(at.size)
+        if problem.rms is not None:
+            factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
+        tried, new = problem.attempt(x, now, at, step, factor)
+        taken += at.size
+        gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
+        promised = promised * factor
+        better, stretched = gain > 0.0, stretch[at] > 1.0
+        damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+        if problem.rms is not None:
+            # Steps grow where the last one gained nearly all that its slope promised: far from the answer the
+            # information overstates the curvature of the likelihood.
+            straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
+            longer = np.minimum(2.0 * np.maximum(factor, 1.0), _STRETCH)
+            stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
+            # Near the end, steps that gain little of what they promise go to and fro beside the answer.
+            swings = better & (promised < 1.0) & (gain < 0.25 * promised)
+            damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
+        np.maximum(damping, _LEAST, out=damping)
+        excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
+        slow = better & (gain < _STALLED * problem.tested * excess)
+        stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
+        if new is None or not better.any():
+            continue
+        if better.all() and at.size == count:
+            x, now = tried, new
+            continue
+        x[at[better]] = tried[better]
+        for mine, theirs in zip(now, new, strict=True):
+            mine[at[better]] = theirs[better]
+    return Ascent(x, now, settled, taken)
 
 
 class _RowProblem:
@@ -234,7 +226,7 @@ def search_rows(
         x = model.with_light(x, values)
     policy = policy or Policy(settled=_NEARLY if fast else _SETTLED)
     now = model.scores_of(x, values, slopes)
-    return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)[:4]
+    return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)
 
 
 def reduced_chi2(square: Any, total: Any, spread: Any, share: Any, least: float = 1.0) -> tuple[Any, Any]:

@@ -96,7 +96,8 @@ class Molecules:
         """Return some of the molecules, indexed as an array of them by a slice, a mask or an array of indices."""
         if np.ndim(np.empty(len(self))[which]) != 1:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
-        return _of_each(lambda values: values[which], self)
+        some: Molecules = _of_each(lambda values: values[which], self)
+        return some
 
     def replaced(self, which: NDArray[np.intp], others: Molecules) -> Molecules:
         """Return the same with other estimates of some molecules.
@@ -118,7 +119,8 @@ class Molecules:
             made[which] = by
             return made
 
-        return _of_each(changed, self, others)
+        found: Molecules = _of_each(changed, self, others)
+        return found
 
     def __repr__(self) -> str:
         count = ", ".join(

@@ -18,7 +18,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
-from lommel.fit.scoring import Scores, covariance, damped_steps, flux_background, reduced_chi2
+from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
@@ -174,7 +174,7 @@ def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
     return alike and (pupil.mask is None or np.allclose(pupil.mask.values, pupil.mask.values[::-1, ::-1], atol=1e-6))
 
 
-class StarImages:
+class StarImages(RowModel):
     """Star images as functions of a row of parameters: terms, numbers of the pupil, tilts, flux, background.
 
     Of `electrons` (n, height, width), with `variance` from reading and known `defocus` (C_d, radians) of each image.
@@ -332,10 +332,6 @@ class StarImages:
         """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
-    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit for parameters (s, p), of the same images in all `rows`."""
-        return self.scores_of(x, *self.images(x, fast=fast))
-
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
         """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
         numbers, found = self.products(x, values, slopes)
@@ -367,10 +363,6 @@ class StarImages:
             at = np.arange(q)
             chain[..., self.size + at, chain.shape[-1] - 3 - q + at] = 1.0
         return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
-
-    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps (s, p) and the gain in deviance that their slopes promise."""
-        return damped_steps(scores, damping)
 
     def with_light(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares, given the PSFs of images."""

@@ -85,6 +85,16 @@ def test_exposures_of_one_wavelength_are_as_those_of_the_lens(night, call_lommel
     assert one["waves"] == other["waves"]
 
 
+def test_the_noise_may_be_that_of_a_camera(night, call_lommel):
+    (night / "camera.toml").write_text('name = "One"\n[camera]\npixel = "2.2 um"\nread = 2\n', encoding="utf-8")
+    options = ("--defocus", -2.5, 2.5, "--window", 25, "--degree", 0, "--terms", 1, "--known-blur", 0, "--json")
+    one, other = (
+        call_lommel("fit-field", "stars.npy", "lens.toml", *options, *noise, folder=night).stdout
+        for noise in (("--read", 2), ("--camera", "camera.toml"))
+    )
+    assert one == other
+
+
 def test_what_the_command_cannot_do_is_told(night, call_lommel):
     def told(*options):
         result = call_lommel("fit-field", "stars.npy", "lens.toml", "--read", 2, *options, folder=night)

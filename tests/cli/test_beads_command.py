@@ -153,6 +153,6 @@ def test_another_step_in_the_file_is_said_and_so_is_the_verdict_in_what_is_writt
     found = run("bead.ome.tif", *ASKED, "--wavelength", "610nm", "--fixed", "-o", "fitted.toml")
     assert found.exit_code == 0, found.output
     said = " ".join(found.stdout.split())
-    assert "bead.ome.tif states planes 100 nm apart; --step 200 nm was taken." in said
+    assert "The images state planes 100 nm apart; 200 nm was taken." in said
     assert "Emission at 610 nm." in said
     assert "Fitted to beads: " in lm.load_microscope("fitted.toml").source

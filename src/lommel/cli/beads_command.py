@@ -109,7 +109,7 @@ def beads(
         cut: list[_Bead] = []
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
-            notes += [*stack.notes, *differing(stack.said, microscope, step)]
+            notes += [*stack.notes, *(each for each in differing(stack.said, microscope, step) if each not in notes)]
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))

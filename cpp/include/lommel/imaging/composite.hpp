@@ -131,6 +131,36 @@ class Compositor {
         std::size_t top, left, height, width;
     };
 
+    // Rows and columns of the scene, or beyond it, from the first to one past the last; empty unless they rise.
+    struct Box {
+        std::ptrdiff_t top, left, bottom, right;
+
+        void include(const Box& other) {
+            top = std::min(top, other.top), left = std::min(left, other.left);
+            bottom = std::max(bottom, other.bottom), right = std::max(right, other.right);
+        }
+        Box within(const Box& other) const {
+            return {std::max(top, other.top), std::max(left, other.left), std::min(bottom, other.bottom),
+                    std::min(right, other.right)};
+        }
+        static constexpr Box empty() {
+            constexpr std::ptrdiff_t far = std::numeric_limits<std::ptrdiff_t>::max();
+            return {far, far, -far, -far};
+        }
+    };
+
+    // Rows and columns of a part that the points of one layer are in.
+    struct Extent {
+        std::uint8_t top, left, bottom, right;
+
+        void include(std::size_t y, std::size_t x) {
+            const auto row = static_cast<std::uint8_t>(y), column = static_cast<std::uint8_t>(x);
+            top = std::min(top, row), bottom = std::max(bottom, static_cast<std::uint8_t>(row + 1));
+            left = std::min(left, column), right = std::max(right, static_cast<std::uint8_t>(column + 1));
+        }
+    };
+    static_assert(most_rows < 256 && part_width < 256, "extents are bytes");
+
     template <class F>
     LOMMEL_INLINE void each_part(std::size_t row, std::size_t column, const F& f) const {
         const std::size_t bottom = std::min(scene_.height, (row + 1) * tall_);
@@ -149,17 +179,22 @@ class Compositor {
         return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
     }
 
-    // Which layers there are in each part.
+    // Which layers there are in each part, and where.
     void mark() {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             each_part(tile / columns_, tile % columns_, [&](std::size_t at, const Part& part) {
                 std::uint64_t mask = 0;
-                for (std::size_t y = part.top; y < part.top + part.height; ++y) {
-                    for (std::size_t x = part.left; x < part.left + part.width; ++x) {
-                        const std::size_t p = point(y, x);
+                Extent* const extents = extents_.data() + at * layered_.count;
+                std::fill_n(extents, layered_.count, Extent{255, 255, 0, 0});
+                for (std::size_t y = 0; y < part.height; ++y) {
+                    for (std::size_t x = 0; x < part.width; ++x) {
+                        const std::size_t p = point(part.top + y, part.left + x);
                         mask |= std::uint64_t{1} << layered_.layers[p];
+                        extents[layered_.layers[p]].include(y, x);
                         if (layered_.behind && layered_.behind[p] >= 0) {
-                            mask |= std::uint64_t{1} << layered_.layers[layered_.behind[p]];
+                            const std::uint8_t layer = layered_.layers[layered_.behind[p]];
+                            mask |= std::uint64_t{1} << layer;
+                            extents[layer].include(y, x);
                         }
                     }
                 }
@@ -168,26 +203,33 @@ class Compositor {
         });
     }
 
-    // Calls f(row, column) for the pixels of the image in a tile: a row, and where it begins and ends.
-    template <class F>
-    void each_row(std::size_t row, std::size_t column, const F& f) const {
+    // The pixels of the image in a tile.
+    Box inside(std::size_t row, std::size_t column) const {
         const std::size_t pad = layered_.pad;
-        const std::size_t top = std::max(row * tall_, pad), bottom = std::min((row + 1) * tall_, pad + image_height());
-        const std::size_t left = std::max(column * broad_, pad), right = std::min((column + 1) * broad_, pad + image_width());
-        for (std::size_t y = top; y < bottom && left < right; ++y) {
-            f(y, left, right);
+        const auto at = [](std::size_t place) { return static_cast<std::ptrdiff_t>(place); };
+        return Box{at(row * tall_), at(column * broad_), at((row + 1) * tall_), at((column + 1) * broad_)}.within(
+            {at(pad), at(pad), at(pad + image_height()), at(pad + image_width())});
+    }
+
+    // Calls f(row, from, to) for the rows of pixels in a box: a row, and where it begins and ends.
+    template <class F>
+    static void each_row(const Box& box, const F& f) {
+        for (std::ptrdiff_t y = box.top; y < box.bottom && box.left < box.right; ++y) {
+            f(static_cast<std::size_t>(y), static_cast<std::size_t>(box.left), static_cast<std::size_t>(box.right));
         }
     }
 
-    // The last layer that some pixel of each tile sees.
+    // The last layer that some pixel of each tile sees, and of how many it is not found yet.
     void look_at(const Composite<T>& made) {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             T most = level(0) - T(1);
-            each_row(tile / columns_, tile % columns_, [&](std::size_t y, std::size_t left, std::size_t right) {
+            std::size_t open = 0;
+            each_row(inside(tile / columns_, tile % columns_), [&](std::size_t y, std::size_t left, std::size_t right) {
                 const T* const seen = made.seen + (y - layered_.pad) * image_width() - layered_.pad;
                 most = std::max(most, *std::max_element(seen + left, seen + right));
+                open += static_cast<std::size_t>(std::count(seen + left, seen + right, beyond()));
             });
-            most_[tile] = most;
+            most_[tile] = most, open_[tile] = open;
         });
     }
 
@@ -203,10 +245,10 @@ class Compositor {
         return false;
     }
 
-    // Chooses the tiles with points of a layer that some pixel sees, those that these reach, and the box around them.
+    // Chooses the tiles with points of a layer that some pixel sees; returns whether there are any.
     bool choose(std::size_t layer) {
-        chosen_.assign(rows_ * columns_, 0), touched_.assign(rows_ * columns_, 0);
-        box_top_ = rows_, box_left_ = columns_, box_bottom_ = box_right_ = 0;
+        chosen_.assign(rows_ * columns_, 0);
+        bool any = false;
         const std::size_t parts = parts_ * part_columns();
         for (std::size_t row = 0; row < rows_; ++row) {
             for (std::size_t column = 0; column < columns_; ++column) {
@@ -214,15 +256,11 @@ class Compositor {
                 const bool here = std::any_of(mask, mask + parts, [&](std::uint64_t each) { return each >> layer & 1; });
                 if (here && any_around(row, column, [&](std::size_t tile) { return most_[tile] > level(layer); })) {
                     chosen_[row * columns_ + column] = 1;
-                    box_top_ = std::min(box_top_, row), box_bottom_ = std::max(box_bottom_, row + 1);
-                    box_left_ = std::min(box_left_, column), box_right_ = std::max(box_right_, column + 1);
+                    any = true;
                 }
             }
         }
-        for (std::size_t tile = 0; tile < touched_.size(); ++tile) {
-            touched_[tile] = any_around(tile / columns_, tile % columns_, [&](std::size_t at) { return chosen_[at] != 0; });
-        }
-        return box_bottom_ > 0;
+        return any;
     }
 
     // The points of one layer in a part.
@@ -233,7 +271,9 @@ class Compositor {
         std::size_t first[part_width], last[part_width];
     };
 
-    void spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
+    // Spreads the points of a layer in a tile; returns where they reach.
+    Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
+        Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
             const std::size_t tall = std::min(most_rows, tall_);
@@ -243,11 +283,13 @@ class Compositor {
             each_part(row, column, [&](std::size_t at, const Part& part) LOMMEL_INLINE_LAMBDA {
                 if (masks_[at] >> layer & 1) {
                     look();
-                    place(part, tall, static_cast<std::uint8_t>(layer), points);
-                    for (std::size_t x = 0; x < part.width; ++x) {
+                    const Extent extent = extents_[at * layered_.count + layer];
+                    place(part, extent, tall, static_cast<std::uint8_t>(layer), points);
+                    std::size_t half = 0;
+                    for (std::size_t x = extent.left; x < extent.right; ++x) {
                         const T* const values = points.values.data() + x * (tall + 1);
                         const auto spread_by = [&](const auto& side) LOMMEL_INLINE_LAMBDA {
-                            one_column(isa, part, x, points, mixtures.data(), sheets, side);
+                            half = std::max(half, one_column(isa, part, x, points, mixtures.data(), sheets, side));
                         };
                         if (points.first[x] >= points.last[x]) {
                             continue;
@@ -260,17 +302,23 @@ class Compositor {
                             spread_by(Giving<I, T>{white, nullptr});
                         }
                     }
+                    const auto top = static_cast<std::ptrdiff_t>(part.top), left = static_cast<std::ptrdiff_t>(part.left);
+                    const auto away = static_cast<std::ptrdiff_t>(half);
+                    reached.include({top + extent.top - away, left + extent.left - away, top + extent.bottom + away,
+                                     left + extent.right + away});
                 }
             });
         });
+        return reached;
     }
 
     // Where the points of a layer are in the bank, which rows of each column have some, and their light.
-    void place(const Part& part, std::size_t tall, std::uint8_t layer, Points& points) const {
+    void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
-        std::fill(points.places.begin(), points.places.end(), BankPlace<T>{-1, T(0)});
-        for (std::size_t i = 0; i < part.height; ++i) {
-            for (std::size_t j = 0; j < part.width; ++j) {
+        for (std::size_t i = extent.top; i < extent.bottom; ++i) {
+            std::fill(&points.places[i * part_width + extent.left], &points.places[i * part_width + extent.right],
+                      BankPlace<T>{-1, T(0)});
+            for (std::size_t j = extent.left; j < extent.right; ++j) {
                 const std::size_t y = part.top + i, x = part.left + j, at = point(y, x);
                 std::size_t from = at;
                 if (layered_.layers[at] != layer) {
@@ -304,9 +352,9 @@ class Compositor {
         return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }
 
-    // As in Spreader: two points below each other are taken at once.
+    // As in Spreader: two points below each other are taken at once. Returns how far the widest window goes.
     template <class I, class Side>
-    LOMMEL_INLINE void one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
+    LOMMEL_INLINE std::size_t one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
                                   Sheets<I, T>& sheets, const Side& side) const {
         Column column{static_cast<std::ptrdiff_t>((part.top + bank_.widest) * across() + margin_ + part.left + x),
                       0,
@@ -346,17 +394,14 @@ class Compositor {
             add(one, std::true_type{}, pairs[2][k]);
         }
         side.close(sheets, column);
+        return column.half;
     }
 
     // Brings back what left the image, as from mirrors half a pixel beyond its first and its last pixel.
-    void fold(T* room) const {
+    void fold(T* room, const Box& reached) const {
         const auto height = static_cast<std::ptrdiff_t>(scene_.height), width = static_cast<std::ptrdiff_t>(scene_.width);
         const auto wide = static_cast<std::ptrdiff_t>(bank_.widest), row = static_cast<std::ptrdiff_t>(across());
         T* const image = room + wide * row + static_cast<std::ptrdiff_t>(margin_);
-        const std::ptrdiff_t top = static_cast<std::ptrdiff_t>(box_top_ * tall_) - wide;
-        const std::ptrdiff_t bottom = std::min(static_cast<std::ptrdiff_t>(box_bottom_ * tall_), height) + wide;
-        const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(box_left_ * broad_) - wide;
-        const std::ptrdiff_t right = std::min(static_cast<std::ptrdiff_t>(box_right_ * broad_), width) + wide;
         const auto mirrored = [](std::ptrdiff_t at, std::ptrdiff_t count) {
             const std::ptrdiff_t turn = ((at % (2 * count)) + 2 * count) % (2 * count);
             return turn < count ? turn : 2 * count - 1 - turn;
@@ -369,15 +414,15 @@ class Compositor {
                 f(at);
             }
         };
-        outside(top, bottom, height, [&](std::ptrdiff_t y) {
+        outside(reached.top, reached.bottom, height, [&](std::ptrdiff_t y) {
             T *const from = image + y * row, *const onto = image + mirrored(y, height) * row;
-            for (std::ptrdiff_t x = left; x < right; ++x) {
+            for (std::ptrdiff_t x = reached.left; x < reached.right; ++x) {
                 onto[x] += from[x];
                 from[x] = T(0);
             }
         });
-        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(top, 0); y < std::min(bottom, height); ++y) {
-            outside(left, right, width, [&](std::ptrdiff_t x) {
+        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(reached.top, 0); y < std::min(reached.bottom, height); ++y) {
+            outside(reached.left, reached.right, width, [&](std::ptrdiff_t x) {
                 image[y * row + mirrored(x, width)] += image[y * row + x];
                 image[y * row + x] = T(0);
             });
@@ -388,8 +433,16 @@ class Compositor {
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
         constexpr T rounding = T(16) * std::numeric_limits<T>::epsilon(), tiny = std::numeric_limits<T>::min();
         const T none = beyond();
-        T most = level(0) - T(1);
-        each_row(row, column, [&](std::size_t y, std::size_t left, std::size_t right) {
+        const std::size_t tile = row * columns_ + column;
+        std::size_t filled = 0;
+        Box reached = Box::empty();
+        any_around(row, column, [&](std::size_t other) {
+            if (chosen_[other]) {
+                reached.include(reached_[other]);
+            }
+            return false;
+        });
+        each_row(inside(row, column).within(reached), [&](std::size_t y, std::size_t left, std::size_t right) {
             const std::size_t at = (y - layered_.pad) * image_width() + left - layered_.pad;
             const std::size_t from = (y + bank_.widest) * across() + margin_ + left, count = right - left;
             T* const seen = made.seen + at;
@@ -402,7 +455,7 @@ class Compositor {
                     const T part = full && covered > open + rounding ? ratio : T(1);
                     total[x] = wanted ? total[x] + part * covered : total[x];
                     seen[x] = full ? layer + part : seen[x];
-                    most = std::max(most, seen[x]);
+                    filled += full ? 1 : 0;
                     cover[x] = T(0);
                 }
             }
@@ -414,8 +467,9 @@ class Compositor {
                 }
             }
         });
-        if (!known) {
-            most_[row * columns_ + column] = most;
+        open_[tile] -= filled;
+        if (!known && open_[tile] == 0) {
+            most_[tile] = level(0) - T(1);
         }
     }
 
@@ -429,9 +483,11 @@ class Compositor {
     Mixer<T> mixture_;
     std::size_t tall_, broad_, rows_, columns_, parts_;
     std::vector<std::uint64_t> masks_;  // [tile][part]
+    std::vector<Extent> extents_;  // [tile][part][layer]
     std::vector<T> most_;  // [tile]
-    std::vector<unsigned char> chosen_, touched_;
-    std::size_t box_top_ = 0, box_left_ = 0, box_bottom_ = 0, box_right_ = 0;  // tiles around the chosen ones
+    std::vector<std::size_t> open_;  // [tile]
+    std::vector<unsigned char> chosen_;
+    std::vector<Box> reached_;  // by the points of a layer in each chosen tile
 };
 
 // Not in the class: members that are written there are inline, and compiled by every unit that calls them.
@@ -442,7 +498,8 @@ Compositor<T>::Compositor(const WindowBank<T>& bank, const LayeredScene& layered
       margin_(Spreader<T>::margin(bank.widest)), mixture_(bank), tall_(std::max(least_rows, 2 * bank.widest)),
       broad_(std::max(least_columns, 2 * margin_)), rows_((scene_.height + tall_ - 1) / tall_),
       columns_((scene_.width + broad_ - 1) / broad_), parts_((tall_ + most_rows - 1) / most_rows),
-      masks_(rows_ * columns_ * parts_ * part_columns()), most_(rows_ * columns_) {
+      masks_(rows_ * columns_ * parts_ * part_columns()), extents_(masks_.size() * layered.count), most_(rows_ * columns_),
+      open_(rows_ * columns_), reached_(rows_ * columns_) {
     mark();
 }
 
@@ -458,20 +515,24 @@ void Compositor<T>::operator()(std::size_t from, std::size_t to, bool known, con
         }
         tiles.each(threads_, [&](std::size_t row, std::size_t column) {
             if (chosen_[row * columns_ + column]) {
-                spread(row, column, layer, known, white.data(), light.data());
+                reached_[row * columns_ + column] = spread(row, column, layer, known, white.data(), light.data());
             }
         });
         if (layered_.mirrored) {
+            Box reached = Box::empty();
+            for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
+                if (chosen_[tile]) {
+                    reached.include(reached_[tile]);
+                }
+            }
             for (Aligned<T>* const room : {&white, &light}) {
                 if (!room->empty()) {
-                    fold(room->data());
+                    fold(room->data(), reached);
                 }
             }
         }
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
-            if (touched_[tile]) {
-                compose(tile / columns_, tile % columns_, level(layer), known, white.data(), light.data(), made);
-            }
+            compose(tile / columns_, tile % columns_, level(layer), known, white.data(), light.data(), made);
         });
     }
 }

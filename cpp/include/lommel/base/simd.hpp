@@ -118,6 +118,11 @@ LOMMEL_INLINE V power_of_two(V shifted) {
     std::memcpy(&shifted, &bits, sizeof shifted);
     return shifted;
 }
+// x in the lanes where a is larger than b, else y.
+template <class V>
+LOMMEL_INLINE V where_larger(V a, V b, V x, V y) {
+    return a > b ? x : y;
+}
 // a where the bit of the integer in `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
@@ -410,6 +415,13 @@ LOMMEL_INLINE V from_bits(V x) {
     for (float& lane : x.v) {
         const std::int32_t whole = static_cast<std::int32_t>(lane);
         std::memcpy(&lane, &whole, sizeof lane);
+    }
+    return x;
+}
+template <class V>
+LOMMEL_INLINE V where_larger(V a, V b, V x, V y) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(a[0]); ++i) {
+        x.v[i] = a.v[i] > b.v[i] ? x.v[i] : y.v[i];
     }
     return x;
 }

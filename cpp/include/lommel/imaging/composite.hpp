@@ -211,6 +211,9 @@ class Compositor {
             {at(pad), at(pad), at(pad + image_height()), at(pad + image_width())});
     }
 
+    // Vectors that every processor of an architecture has: results do not depend on which it is.
+    using Short = Packed<Portable, T>;
+
     // Calls f(row, from, to) for the rows of pixels in a box: a row, and where it begins and ends.
     template <class F>
     static void each_row(const Box& box, const F& f) {
@@ -355,7 +358,7 @@ class Compositor {
     // As in Spreader: two points below each other are taken at once. Returns how far the widest window goes.
     template <class I, class Side>
     LOMMEL_INLINE std::size_t one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
-                                  Sheets<I, T>& sheets, const Side& side) const {
+                                         Sheets<I, T>& sheets, const Side& side) const {
         Column column{static_cast<std::ptrdiff_t>((part.top + bank_.widest) * across() + margin_ + part.left + x),
                       0,
                       points.first[x],
@@ -429,12 +432,26 @@ class Compositor {
         }
     }
 
+    // What some pixels see of a layer that covers so much of them; leaves zeros for the next. Returns 1 for those that see no
+    // more behind it, 0 for others.
+    Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
+        constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
+        const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());
+        const Short covered = load<Short>(cover), before = load<Short>(total), last = load<Short>(seen), open = one - before;
+        const Short none = splat<Short>(beyond());
+        const Short part = where_larger(covered, open + rounding, open / larger(covered, splat<Short>(tiny)), one);
+        const Short least = where_larger(none, last, splat<Short>(never), open - rounding);
+        store(total, where_larger(none, last, before, before + part * covered));
+        store(seen, where_larger(covered, least, splat<Short>(layer) + part, last));
+        store(cover, Short{});
+        return where_larger(covered, least, one, Short{});
+    }
+
     // Adds what pixels of a tile see of a layer, and leaves zeros for the next.
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
-        constexpr T rounding = T(16) * std::numeric_limits<T>::epsilon(), tiny = std::numeric_limits<T>::min();
-        const T none = beyond();
+        constexpr std::size_t lanes = sizeof(Short) / sizeof(T);
         const std::size_t tile = row * columns_ + column;
-        std::size_t filled = 0;
+        Short filled{};
         Box reached = Box::empty();
         any_around(row, column, [&](std::size_t other) {
             if (chosen_[other]) {
@@ -448,15 +465,20 @@ class Compositor {
             T* const seen = made.seen + at;
             if (!known) {
                 T *const total = made.total + at, *const cover = white + from;
-                for (std::size_t x = 0; x < count; ++x) {
-                    const T covered = cover[x], open = T(1) - total[x];
-                    const bool wanted = seen[x] == none, full = wanted && covered > open - rounding;
-                    const T ratio = open / std::max(covered, tiny);
-                    const T part = full && covered > open + rounding ? ratio : T(1);
-                    total[x] = wanted ? total[x] + part * covered : total[x];
-                    seen[x] = full ? layer + part : seen[x];
-                    filled += full ? 1 : 0;
-                    cover[x] = T(0);
+                for (std::size_t x = 0; x < count; x += lanes) {
+                    if (count - x >= lanes) {
+                        filled = filled + cover_pixels(total + x, seen + x, cover + x, layer);
+                        continue;
+                    }
+                    T last[3][lanes] = {};  // of which those that are no pixels see all
+                    T* const rest[] = {total + x, seen + x, cover + x};
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        std::copy_n(rest[k], count - x, last[k]);
+                    }
+                    filled = filled + cover_pixels(last[0], last[1], last[2], layer);
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        std::copy_n(last[k], count - x, rest[k]);
+                    }
                 }
             }
             if (image_) {
@@ -467,7 +489,9 @@ class Compositor {
                 }
             }
         });
-        open_[tile] -= filled;
+        for (std::size_t k = 0; k < lanes; ++k) {
+            open_[tile] -= static_cast<std::size_t>(filled[k]);
+        }
         if (!known && open_[tile] == 0) {
             most_[tile] = level(0) - T(1);
         }

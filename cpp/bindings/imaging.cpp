@@ -13,6 +13,7 @@
 #include "lommel/imaging/levels.hpp"
 #include "lommel/imaging/plane_filter.hpp"
 #include "lommel/base/product.hpp"
+#include "lommel/imaging/remainder.hpp"
 #include "lommel/imaging/spread.hpp"
 
 #include "python.hpp"
@@ -179,6 +180,20 @@ void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energ
     });
 }
 
+// Writes the factors of the products of a remainder at each position in a bank.
+template <class T>
+void remainder_factors(In<T, 3> cubics, In<double, 1> positions, int threads, Out<T, 2> out) {
+    const std::size_t stride = cubics.shape(2);
+    require(cubics.shape(0) >= 1 && cubics.shape(1) == 4 && stride % 16 == 0 && threads >= 0,
+            "cubics must have four powers, padded to multiples of 16 products");
+    require(lommel::all_finite(positions.data(), positions.size()), "positions must be finite");
+    require(out.shape(0) <= stride && out.shape(1) == positions.size(), "out must have a value for each product and position");
+    released([&] {
+        lommel::remainder_factors<T>({cubics.data(), cubics.shape(0), out.shape(0), stride}, positions.data(), positions.size(),
+                                     threads, out.data());
+    });
+}
+
 // Splines, and the pixels that spread windows mixed of them: see field_spread.hpp.
 template <class T>
 lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t side, const In<T, 2>& down, const In<T, 2>& places,
@@ -291,6 +306,8 @@ void bindings::define_imaging(nb::module_& m) {
         m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
               "seen"_a.noconvert() = nb::none(), "slopes"_a = false, "The transpose of spread().");
+        m.def("remainder_factors", &remainder_factors<T>, "cubics"_a.noconvert(), "positions"_a, "threads"_a,
+              "out"_a.noconvert(), "Writes the factors of the products of a remainder at each position in a bank.");
         m.def("field_spread", &field_spread<T>, "windows"_a.noconvert(), "side"_a, "down"_a.noconvert(), "places"_a.noconvert(),
               "shares"_a.noconvert(), "tiles"_a, "defocus"_a, "breaks"_a, "powers"_a.noconvert(), "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,

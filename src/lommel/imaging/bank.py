@@ -12,12 +12,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.core import engine
 from lommel.imaging.sensor_light import (
     DefocusNodes,
     SensorLight,
@@ -251,7 +251,6 @@ class Remainder:
     """The light beyond the windows of one channel."""
 
     knots: Array  # (count, rank): the a_r at the windows of the bank, interpolated by the same cubics as these
-    spacing: float  # of the windows in defocus, radians
     table: Array  # (rank, reach + 1, reach + 1): the g_r less their smooth part, from the middle row and column on
     smooth: Array  # (rank, 3): factors of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
     scale: float  # s, pixels
@@ -281,18 +280,25 @@ class Remainder:
         some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
         return near + self.rings * (some - others) / all_ + self.held
 
-    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64, *, order: int = 0) -> Values:
-        """Return the a_r, or their derivatives of an `order` by defocus (radians), at positions: (rank, ...)."""
-        at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(self.knots) - 1.0)
-        first = np.clip(at.astype(np.int32) - 1, 0, len(self.knots) - 4)
-        at = at - first
-        weights = [weight.deriv(order)(at).astype(dtype) for weight in _lagrange()]
-        rows = np.ascontiguousarray((self.knots / self.spacing**order).T, dtype=dtype)
-        out = np.zeros((len(rows), *at.shape), dtype=dtype)
-        for r, row in enumerate(rows):
-            for j, weight in enumerate(weights):
-                out[r, ...] += weight * row[j:][first]
-        return out
+    def factors(
+        self, positions: ArrayLike, dtype: DTypeLike = np.float64, *, slopes: bool = False, threads: int = 1
+    ) -> Values:
+        """Return the a_r at positions in the bank, shape (rank, ...), or their derivatives by these."""
+        cubics, rank = self._cubics, self.knots.shape[1]
+        if slopes:
+            cubics = np.concatenate([cubics[:, 1:] * np.arange(1.0, 4.0)[:, None], 0.0 * cubics[:, :1]], axis=1)
+        padded = np.pad(cubics.astype(dtype), ((0, 0), (0, 0), (0, -rank % 16)))
+        at = np.asarray(positions, dtype=np.float64)
+        out = np.empty((rank, at.size), dtype=dtype)
+        engine.remainder_factors(padded, np.ascontiguousarray(at).reshape(-1), threads, out)
+        return out.reshape(rank, *at.shape)
+
+    @cached_property
+    def _cubics(self) -> Array:
+        """Coefficients of the cubics through four knots, in the distance from the second, shape (gaps, 4, rank)."""
+        powers = np.linalg.inv(np.vander(np.arange(-1.0, 3.0), increasing=True))
+        four = np.lib.stride_tricks.sliding_window_view(self.knots, 4, axis=0)  # (gaps, rank, 4)
+        return np.ascontiguousarray(np.moveaxis(four @ powers.T, 2, 1))
 
     def values(self, half: int) -> Array:
         """Return the g_r from the middle row and column on, up to `half` pixels, which may exceed the reach."""
@@ -357,17 +363,21 @@ def fit(
     # Points so far away are of many defocus, whose rings differ: no one of them is the worst everywhere.
     rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
     lacking = float(np.abs(knots[some] @ held - beyond).max())
-    return Remainder(knots, spacing, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
+    return Remainder(knots, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
     """Return the g_r on the octant, shape (rank, cells), and the a_r of these samples, shape (samples, rank)."""
-    seen = left.max(axis=0) > 0.0
-    values, parts, many = shown[:, seen], left[:, seen], alike[seen]
-    weights = parts**2 * scales[seen]
-    common = values[:, parts.min(axis=0) == 1.0] * np.sqrt(scales[seen][parts.min(axis=0) == 1.0])
+    seen, far = left.max(axis=0) > 0.0, left.min(axis=0) == 1.0
+    near = seen & ~far
+    values, parts, scale = shown[:, near], left[:, near], scales[near]
+    weights = parts**2 * scale
+    # Pixels that no window holds count for all samples alike: sums over them are those of their products.
+    beyond = shown[:, far]
+    common = beyond * np.sqrt(scales[far])
+    gram = common @ common.T
     # Those of greatest weight come last.
-    sizes, basis = np.linalg.eigh(common @ common.T)
+    sizes, basis = np.linalg.eigh(gram)
     basis = basis[:, ::-1]
     most, factors = min(_MOST, len(shown)), basis[:, :0]
     for rank in range(1, most + 1):
@@ -379,22 +389,30 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
         for _ in range(_TURNS):
             # Turn by turn the one is linear in the other.
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
-            factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
-            wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ many)
+            onto = np.linalg.solve(_normal(np.ones((1, len(shown))), factors.T, 1e-10)[0], factors.T)
+            factors = _solved(
+                _normal(weights, found, 1e-14, onto @ gram @ onto.T),
+                (weights * values) @ found.T + gram @ onto.T,
+            )
+            wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ alike[near])
+            wrong += float(np.abs((factors @ onto) @ beyond - beyond).max(axis=0) @ alike[far])
             if wrong <= tol:
                 break
             factors = np.linalg.qr(factors)[0]
         if wrong <= tol:
             break
     kernels = np.zeros((rank, shown.shape[1]))
-    kernels[:, seen] = found
+    kernels[:, near], kernels[:, far] = found, onto @ beyond
     return kernels, factors
 
 
-def _normal(weights: Array, basis: Array, ridge: float = 0.0) -> Array:
-    """Return the normal matrix of each row of weights for a basis of shape (rank, n): shape (rows, rank, rank)."""
+def _normal(weights: Array, basis: Array, ridge: float = 0.0, more: Array | float = 0.0) -> Array:
+    """Return the normal matrix of each row of weights for a basis of shape (rank, n), plus `more` for all.
+
+    Shape (rows, rank, rank).
+    """
     rank = len(basis)
-    normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank)
+    normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank) + more
     normal += (ridge / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     return np.asarray(normal)
 
@@ -448,18 +466,6 @@ def smooth_transforms(frequency: Array, scale: float) -> Array:
 
 def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
-
-
-@lru_cache(maxsize=1)
-def _lagrange() -> list[Any]:
-    """Return the cubics that are 1 at one of 0, 1, 2, 3 and 0 at the others."""
-    from numpy.polynomial import Polynomial
-
-    made = []
-    for j in range(4):
-        others = [k for k in range(4) if k != j]
-        made.append(Polynomial.fromroots(others) / math.prod(j - k for k in others))
-    return made
 
 
 _COPIES = 9.04  # sum of 1 over the cubed distances from one point of a square lattice to the others: 9.0336

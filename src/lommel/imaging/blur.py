@@ -423,10 +423,13 @@ class Beyond:
         """Return the a_r of all points, kept for the depth of the last call, or their derivatives, which are not."""
         remainder, positions = self._remainders[channel], blur.positions(channel)
         if slopes:
-            return np.asarray(remainder.factors(positions, blur.dtype, order=1) * blur.dtype.type(remainder.spacing))
+            return remainder.factors(positions, blur.dtype, slopes=True, threads=blur.threads)
         last = self._factors.get(remainder)
         if last is None or last[0] is not positions:
-            last = self._factors[remainder] = positions, remainder.factors(positions, blur.dtype)
+            last = self._factors[remainder] = (
+                positions,
+                remainder.factors(positions, blur.dtype, threads=blur.threads),
+            )
         return last[1]
 
 

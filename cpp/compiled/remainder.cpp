@@ -1,0 +1,5 @@
+// Compiles factors of the light beyond windows.
+#include "lommel/imaging/remainder.hpp"
+
+template void lommel::remainder_factors<float>(const RemainderCubics<float>&, const double*, std::size_t, int, float*);
+template void lommel::remainder_factors<double>(const RemainderCubics<double>&, const double*, std::size_t, int, double*);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -186,17 +187,26 @@ class Compositor {
                 std::uint64_t mask = 0;
                 Extent* const extents = extents_.data() + at * layered_.count;
                 std::fill_n(extents, layered_.count, Extent{255, 255, 0, 0});
+                const auto note = [&](std::uint8_t layer, std::size_t y, std::size_t x) {
+                    mask |= std::uint64_t{1} << layer;
+                    extents[layer].include(y, x);
+                };
                 for (std::size_t y = 0; y < part.height; ++y) {
+                    // The ends of runs of one layer.
+                    std::uint8_t last = layered_.layers[point(part.top + y, part.left)];
+                    note(last, y, 0);
                     for (std::size_t x = 0; x < part.width; ++x) {
                         const std::size_t p = point(part.top + y, part.left + x);
-                        mask |= std::uint64_t{1} << layered_.layers[p];
-                        extents[layered_.layers[p]].include(y, x);
+                        if (layered_.layers[p] != last) {
+                            note(last, y, x - 1);
+                            last = layered_.layers[p];
+                            note(last, y, x);
+                        }
                         if (layered_.behind && layered_.behind[p] >= 0) {
-                            const std::uint8_t layer = layered_.layers[layered_.behind[p]];
-                            mask |= std::uint64_t{1} << layer;
-                            extents[layer].include(y, x);
+                            note(layered_.layers[layered_.behind[p]], y, x);
                         }
                     }
+                    note(last, y, part.width - 1);
                 }
                 masks_[at] = mask;
             });
@@ -268,9 +278,10 @@ class Compositor {
 
     // The points of one layer in a part.
     struct Points {
-        explicit Points(std::size_t tall) : places((tall + 1) * part_width), values((tall + 1) * part_width, T(0)) {}
-        std::vector<BankPlace<T>> places;  // [row and one more][column]
-        std::vector<T> values;  // [column][row and one more]
+        explicit Points(std::size_t tall)
+            : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
+        std::unique_ptr<BankPlace<T>[]> places;  // [row and one more][column], set where the layer is
+        std::unique_ptr<T[]> values;  // [column][row and one more], set where a point of it is
         std::size_t first[part_width], last[part_width];
     };
 
@@ -290,7 +301,7 @@ class Compositor {
                     place(part, extent, tall, static_cast<std::uint8_t>(layer), points);
                     std::size_t half = 0;
                     for (std::size_t x = extent.left; x < extent.right; ++x) {
-                        const T* const values = points.values.data() + x * (tall + 1);
+                        const T* const values = points.values.get() + x * (tall + 1);
                         const auto spread_by = [&](const auto& side) LOMMEL_INLINE_LAMBDA {
                             half = std::max(half, one_column(isa, part, x, points, mixtures.data(), sheets, side));
                         };
@@ -319,8 +330,7 @@ class Compositor {
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {
-            std::fill(&points.places[i * part_width + extent.left], &points.places[i * part_width + extent.right],
-                      BankPlace<T>{-1, T(0)});
+            std::fill_n(points.places.get() + i * part_width + extent.left, extent.right - extent.left, BankPlace<T>{-1, T(0)});
             for (std::size_t j = extent.left; j < extent.right; ++j) {
                 const std::size_t y = part.top + i, x = part.left + j, at = point(y, x);
                 std::size_t from = at;

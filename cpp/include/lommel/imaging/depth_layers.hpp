@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 
 namespace lommel {
@@ -22,8 +23,11 @@ struct BlurRadii {
 };
 
 // The layer and the radius of each point.
-inline void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
-                             float* radius) {
+void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
+                      float* radius);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads,
+                                  std::uint8_t* layers, float* radius) {
     const double largest = *std::max_element(known.radii, known.radii + known.count);
     const double last = static_cast<double>(known.count - 1), most = static_cast<double>(known.layers - 1);
     const double scale = known.high > known.low ? last / (known.high - known.low) : 0.0;
@@ -31,14 +35,16 @@ inline void sort_into_layers(const double* defocus, std::size_t size, const Blur
     parallel_for((size + part - 1) / part, threads, [&](std::size_t, std::size_t task) {
         for (std::size_t i = task * part; i < std::min(size, (task + 1) * part); ++i) {
             const double at = std::min(std::max((defocus[i] - known.low) * scale, 0.0), last);
-            const double before = std::min(std::floor(at), std::max(last - 1.0, 0.0)), within = at - before;
-            const double* const pair = known.radii + static_cast<std::size_t>(before);
+            const std::size_t before = std::min(static_cast<std::size_t>(at), std::max<std::size_t>(known.count, 2) - 2);
+            const double within = at - static_cast<double>(before);
+            const double* const pair = known.radii + before;
             const double here = within > 0.0 ? pair[0] + within * (pair[1] - pair[0]) : pair[0];
             layers[i] = static_cast<std::uint8_t>(std::min(std::max((largest - here) / known.thickness, 0.0), most));
             radius[i] = static_cast<float>(here);
         }
     });
 }
+#endif
 
 // Numbers the layers that there are, and returns how many.
 inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
@@ -70,38 +76,10 @@ class HiddenPoints {
         : layers_(layers), radius_(radius), height_(height), width_(width), threads_(threads) {}
 
     // Writes the index of the point that stands for what is hidden, or -1; returns how many there are.
-    std::size_t find(std::int32_t* behind) const {
-        std::fill_n(behind, height_ * width_, -1);
-        const auto [least, most] = std::minmax_element(radius_, radius_ + height_ * width_);
-        const float range = *most - *least;
-        std::vector<float> reached = lowest();
-        if (reached.empty()) {
-            return 0;
-        }
-        const std::size_t reach = std::min(static_cast<std::size_t>(std::ceil(range)), std::max(height_, width_));
-        const std::vector<Step> steps = by_distance(reach);
-        const std::size_t across = (width_ + block - 1) / block;
-        const std::vector<float> around = least_around(reach);
-        std::vector<std::size_t> found(height_, 0);
-        parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
-            for (std::size_t x = 0; x < width_; ++x) {
-                const std::size_t at = y * width_ + x;
-                if (reached[at] < radius_[at]) {
-                    const float far = radius_[at] - around[y / block * across + x / block];
-                    behind[at] = inner(y, x, reach) ? visit<true>(y, x, steps, far) : visit<false>(y, x, steps, far);
-                    found[y] += behind[at] >= 0 ? 1 : 0;
-                }
-            }
-        });
-        std::size_t total = 0;
-        for (const std::size_t each : found) {
-            total += each;
-        }
-        return total;
-    }
+    std::size_t find(std::int32_t* behind) const;
 
    private:
-    static constexpr std::size_t block = 32;
+    static constexpr std::size_t block = 32, most_rings = 255;
 
     struct Step {
         float distance;
@@ -198,17 +176,51 @@ class HiddenPoints {
         return steps;
     }
 
+    // How far away from each point, at least, the nearest one of a farther layer is, up to `most` pixels: octagons, squares and
+    // diamonds in turn, hold the circles of these radii.
+    std::vector<std::uint8_t> alone(std::size_t most) const {
+        const std::size_t height = height_, width = width_;
+        std::vector<std::uint8_t> farthest(layers_, layers_ + height * width), wide(farthest), result(farthest.size(), 0);
+        for (std::size_t ring = 1; ring <= most; ++ring) {
+            look();
+            for (std::size_t y = 0; y < height; ++y) {
+                const std::uint8_t* const here = farthest.data() + y * width;
+                std::uint8_t* const row = wide.data() + y * width;
+                row[0] = std::max(here[0], here[std::min<std::size_t>(1, width - 1)]);
+                for (std::size_t x = 1; x + 1 < width; ++x) {
+                    row[x] = std::max(std::max(here[x - 1], here[x]), here[x + 1]);
+                }
+                row[width - 1] = std::max(here[width - 1], here[width - std::min<std::size_t>(2, width)]);
+            }
+            // Squares take the neighbours of the rows above and below, diamonds these rows alone.
+            const std::vector<std::uint8_t> beside = ring % 2 == 1 ? wide : farthest;
+            for (std::size_t y = 0; y < height; ++y) {
+                const std::uint8_t *const row = wide.data() + y * width, *const own = layers_ + y * width;
+                const std::uint8_t* const above = beside.data() + (y > 0 ? y - 1 : y) * width;
+                const std::uint8_t* const below = beside.data() + (y + 1 < height ? y + 1 : y) * width;
+                std::uint8_t *const to = farthest.data() + y * width, *const count = result.data() + y * width;
+                for (std::size_t x = 0; x < width; ++x) {
+                    to[x] = std::max(std::max(above[x], below[x]), row[x]);
+                    count[x] = static_cast<std::uint8_t>(count[x] + (to[x] <= own[x] ? 1 : 0));
+                }
+            }
+        }
+        return result;
+    }
+
     bool holds(std::ptrdiff_t y, std::ptrdiff_t x) const {
         return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
     }
 
-    // The index of what stands for the light behind a point, or -1; nothing `far` away or farther does.
+    // The index of what stands for the light behind a point, or -1; no step before `from` leads to a farther layer, and nothing
+    // `far` away or farther stands for it.
     template <bool Inner>
-    std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, float far) const {
+    std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {
         const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
         const std::ptrdiff_t at = row * static_cast<std::ptrdiff_t>(width_) + column;
         std::uint8_t passed = layers_[at];
-        for (const Step& step : steps) {
+        for (std::size_t k = from; k < steps.size(); ++k) {
+            const Step& step = steps[k];
             if (step.distance >= far) {
                 break;
             }
@@ -233,5 +245,53 @@ class HiddenPoints {
     std::size_t height_, width_;
     int threads_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
+    const std::size_t size = height_ * width_;
+    std::fill_n(behind, size, -1);
+    const auto [least, most] = std::minmax_element(radius_, radius_ + size);
+    const float range = *most - *least;
+    std::vector<float> reached = lowest();
+    if (reached.empty()) {
+        return 0;
+    }
+    const std::size_t reach = std::min(static_cast<std::size_t>(std::ceil(range)), std::max(height_, width_));
+    const std::vector<Step> steps = by_distance(reach);
+    const std::size_t across = (width_ + block - 1) / block;
+    const std::vector<float> around = least_around(reach);
+    // Where many points may hide something, it is worth knowing how far away from each nothing is.
+    std::size_t candidates = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        candidates += reached[i] < radius_[i] ? 1 : 0;
+    }
+    const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
+    const std::vector<std::uint8_t> apart = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
+    std::vector<std::size_t> begin(rings + 1, 0);  // the first step that is longer than so many pixels
+    for (std::size_t ring = 1; ring <= rings; ++ring) {
+        begin[ring] = begin[ring - 1];
+        while (begin[ring] < steps.size() && steps[begin[ring]].distance <= static_cast<float>(ring)) {
+            ++begin[ring];
+        }
+    }
+    std::vector<std::size_t> found(height_, 0);
+    parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
+        for (std::size_t x = 0; x < width_; ++x) {
+            const std::size_t at = y * width_ + x;
+            if (reached[at] < radius_[at]) {
+                const float far = radius_[at] - around[y / block * across + x / block];
+                const std::size_t from = begin[apart.empty() ? 0 : apart[at]];
+                behind[at] = inner(y, x, reach) ? visit<true>(y, x, steps, from, far) : visit<false>(y, x, steps, from, far);
+                found[y] += behind[at] >= 0 ? 1 : 0;
+            }
+        }
+    });
+    std::size_t total = 0;
+    for (const std::size_t each : found) {
+        total += each;
+    }
+    return total;
+}
+#endif
 
 }  // namespace lommel

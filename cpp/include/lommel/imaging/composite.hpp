@@ -38,8 +38,9 @@ struct Composite {
     T* out;  // or none
 };
 
-// Points add what they spread of light, and with `Cover` of a white scene, to images of their own. Light is multiplied last, so
-// that it is the same to the last bit in either case.
+// Points add what they spread of light, and with `Cover` of a white scene, to images of their own. Light is multiplied last, and
+// rounded before it is added, so that it is the same to the last bit in either case: of two instances of a template, compilers
+// may fuse products and sums in one and not in the other.
 template <class I, class T, bool Cover>
 struct GivingLight {
     T *white, *light;
@@ -61,18 +62,18 @@ struct GivingLight {
         };
         rows.mix(0, above);
         if constexpr (R::points == 1) {
-            to(0, above[0], above[0] * value[0]);
+            to(0, above[0], loaded(above[0] * value[0]));
             for (std::size_t row = 1; row <= rows.half; ++row) {
                 rows.mix(row, above);
-                const W lit = above[0] * value[0];
+                const W lit = loaded(above[0] * value[0]);
                 to(static_cast<std::ptrdiff_t>(row), above[0], lit), to(-static_cast<std::ptrdiff_t>(row), above[0], lit);
             }
         } else {
             // Row r of the first is r - 1 below the second, r + 1 above it.
-            W first = above[0] * value[0], second = above[1] * value[1];
+            W first = loaded(above[0] * value[0]), second = loaded(above[1] * value[1]);
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
-                const W next = below[0] * value[0], other = below[1] * value[1];
+                const W next = loaded(below[0] * value[0]), other = loaded(below[1] * value[1]);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1], next + second);
                 to(-static_cast<std::ptrdiff_t>(row), above[0] + below[1], first + other);
                 above[0] = below[0], above[1] = below[1], first = next, second = other;

@@ -11,7 +11,6 @@ from typing import Any, Self
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import product
 from lommel.core import engine
 from lommel.methods.bounds import growth, quadrature_nodes
 from lommel.methods.choice import of_large_phases, of_profiles
@@ -125,7 +124,9 @@ def _profiles(pupil: Pupil, v: Array) -> Array:
         squares: Any = 0.0
         for part in (field.real, field.imag):
             each = np.ascontiguousarray(part).reshape(-1, _TAPS)
-            left, right = (product(each, taps).reshape(len(terms), blocks + 1, wide) for taps in (before, after))
+            left, right = (
+                engine.product(each, taps, 1).reshape(len(terms), blocks + 1, wide) for taps in (before, after)
+            )
             here = left[:, :-1]
             here += right[:, 1:]
             here *= here

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lommel.base.arrays import Array
+from lommel.core import engine
 from lommel.core.answers import Declined, FieldValues
 from lommel.methods.bounds import growth, quadrature_error, quadrature_nodes, rounding_error
 from lommel.methods.method import FieldMethod
@@ -63,12 +64,14 @@ class Hankel(FieldMethod[Pupil]):
             )
         t, weights = gauss_legendre(n, low, 1.0)
         integrand = weights * pupil.illumination.at(t) * np.exp(1j * pupil.radial_phase(t))
+        # The threads of OpenBLAS would wait for one another, busily, where several channels are computed at once.
+        parts = [np.ascontiguousarray(part) for part in (integrand.real, integrand.imag)]
         values = np.empty((len(terms), v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]
         rows = max(1, _BLOCK // n)
         for start in range(0, v.size, rows):
             block = slice(start, start + rows)
             kernel = j0(root * v[block])
-            values[:, block] = integrand.real @ kernel + 1j * (integrand.imag @ kernel)
+            values[:, block].real, values[:, block].imag = (engine.product(part, kernel, 1) for part in parts)
         error = quadrature_error(g, n, low) + rounding_error(terms, low, n)
         return FieldValues(values, error)

@@ -118,11 +118,6 @@ LOMMEL_INLINE V power_of_two(V shifted) {
     std::memcpy(&shifted, &bits, sizeof shifted);
     return shifted;
 }
-// x in the lanes where a is larger than b, else y.
-template <class V>
-LOMMEL_INLINE V where_larger(V a, V b, V x, V y) {
-    return a > b ? x : y;
-}
 // a where the bit of the integer in `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
@@ -419,19 +414,12 @@ LOMMEL_INLINE V from_bits(V x) {
     return x;
 }
 template <class V>
-LOMMEL_INLINE V where_larger(V a, V b, V x, V y) {
-    for (std::size_t i = 0; i < sizeof(V) / sizeof(a[0]); ++i) {
-        x.v[i] = a.v[i] > b.v[i] ? x.v[i] : y.v[i];
-    }
-    return x;
-}
-template <class V>
 LOMMEL_INLINE V smaller(V a, V b) {
     return V::each(a, b, [](double x, double y) { return x < y ? x : y; });
 }
 template <class V>
 LOMMEL_INLINE V below(V x, V limit, V a, V b) {
-    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(x[0]); ++i) {
         a.v[i] = x.v[i] < limit.v[i] ? a.v[i] : b.v[i];
     }
     return a;

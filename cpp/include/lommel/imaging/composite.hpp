@@ -450,12 +450,12 @@ class Compositor {
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());
         const Short covered = load<Short>(cover), before = load<Short>(total), last = load<Short>(seen), open = one - before;
         const Short none = splat<Short>(beyond());
-        const Short part = where_larger(covered, open + rounding, open / larger(covered, splat<Short>(tiny)), one);
-        const Short least = where_larger(none, last, splat<Short>(never), open - rounding);
-        store(total, where_larger(none, last, before, before + part * covered));
-        store(seen, where_larger(covered, least, splat<Short>(layer) + part, last));
+        const Short part = below(open + rounding, covered, open / larger(covered, splat<Short>(tiny)), one);
+        const Short least = below(last, none, splat<Short>(never), open - rounding);
+        store(total, below(last, none, before, before + part * covered));
+        store(seen, below(least, covered, splat<Short>(layer) + part, last));
         store(cover, Short{});
-        return where_larger(covered, least, one, Short{});
+        return below(least, covered, one, Short{});
     }
 
     // Adds what pixels of a tile see of a layer, and leaves zeros for the next.

@@ -73,7 +73,7 @@ def localize_movie(frames: Any) -> np.ndarray:
 def restore_stack(images: Any) -> np.ndarray:
     return microscopy.restore(
         images, OIL, depth=2e-6, wavelength=600e-9, pixel=6.3e-6, step=250e-9, noise=NOISES["deconvolve"],
-        direction="up", slabs=1, background=0.0, method=FEW,
+        direction="up", slabs=1, background=0.0, method=FEW, diagnosis=False,
     ).values  # fmt: skip
 
 

@@ -17,62 +17,34 @@ using namespace bindings;
 
 namespace {
 
-// Where averages are computed before they are stored, of images and of their derivatives.
 template <class T>
-class Room {
-   public:
-    Room(double tol, int threads, double scale, double step, const Out<T, 3>& images, const Out<double, 2>& numbers,
-         const In<std::int32_t, 2>& factors, const Out<T, 4>& slopes, const Out<double, 2>& bounds)
-        : asked{images.shape(1),
-                images.shape(2),
-                step,
-                tol,
-                scale,
-                lommel::storing<T>(false),
-                threads,
-                factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>()},
-          images_(disk_answer_of(images.shape(0), scale, images, numbers)), slopes_(slopes.data()), bounds_(bounds.data()),
-          pupils_(images.shape(0)), values_(new double[images.size()]), slope_values_(new double[slopes.size()]),
-          slope_errors_(bounds.size()) {
-        require(asked.factors.empty() || scale > 0.0,
-                "derivatives of values that are divided by their largest one are not available");
-        require(slopes.shape(0) == asked.factors.size() && bounds.shape(0) == asked.factors.size(), "one derivative a term");
-        require(asked.factors.empty() || (slopes.shape(1) == pupils_ && slopes.shape(2) == asked.height &&
-                                          slopes.shape(3) == asked.width && bounds.shape(1) == pupils_),
-                "derivatives must match the images");
-        require_request(step, tol, threads);
-    }
-
-    lommel::AverageAnswer answer() {
-        return {values_.get(), slope_values_.get(), images_.bounds, images_.peaks, slope_errors_.data()};
-    }
-    void store() { lommel::store_averages(asked, pupils_, answer(), images_, slopes_, bounds_); }
-
-    const lommel::AverageRequest asked;
-
-   private:
-    lommel::DiskAnswer<T> images_;
-    T* slopes_;
-    double* bounds_;
-    std::size_t pupils_;
-    std::unique_ptr<double[]> values_, slope_values_;
-    std::vector<double> slope_errors_;
-};
+lommel::AverageRequest request_of(double step, double tol, int threads, double scale, const Out<T, 3>& images,
+                                  const In<std::int32_t, 2>& factors, const Out<T, 4>& slopes, const Out<double, 2>& bounds) {
+    const std::size_t terms = factors.shape(0);
+    require_request(step, tol, threads);
+    require(terms == 0 || scale > 0.0, "derivatives of values that are divided by their largest one are not available");
+    require_derivatives(terms, images.shape(0), images, slopes, bounds);
+    return {images.shape(1),
+            images.shape(2),
+            step,
+            tol,
+            scale,
+            lommel::storing<T>(false),
+            threads,
+            terms > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>()};
+}
 
 template <class T, class... Center>
 bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
                    double step, double tol, int threads, double scale, bool if_cheaper, Out<T, 3> images,
                    Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
-    require(images.shape(0) == pupils_of(edge), "one image a pupil");
-    Room<T> room(tol, threads, scale, step, images, numbers, factors, slopes, bounds);
-    const lommel::DiskPupils pupils =
-        disks_of(terms, edge, obscuration, amplitude, room.asked.height, room.asked.width, step, center...);
+    const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
+    const lommel::AverageRequest asked = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
+    const lommel::DiskPupils pupils = disks_of(terms, edge, obscuration, amplitude, asked.height, asked.width, step, center...);
     return released([&] {
-        const bool made = lommel::DiskAverages(pupils, room.asked, if_cheaper).run(room.answer());
-        if (made) {
-            room.store();
-        }
-        return made;
+        return lommel::averaged_images(
+            asked, pupils.count, into, slopes.data(), bounds.data(),
+            [&](const lommel::AverageAnswer& answer) { return lommel::DiskAverages(pupils, asked, if_cheaper).run(answer); });
     });
 }
 
@@ -84,13 +56,13 @@ template <class T>
 bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step, double tol,
                        int threads, double scale, double strehl, double transmission, nb::object rule, Out<T, 3> images,
                        Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
-    require(images.shape(0) == pupils_of(edge), "one image a pupil");
     require(strehl > 0.0 && strehl <= 1.0 && transmission > 0.0, "strehl and transmission must be positive");
-    Room<T> room(tol, threads, scale, step, images, numbers, factors, slopes, bounds);
+    const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
+    const lommel::AverageRequest asked = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     require_center(center_y, center_x);
-    const lommel::DiskWindow window{room.asked.height, room.asked.width, center_y, center_x, step};
+    const lommel::DiskWindow window{asked.height, asked.width, center_y, center_x, step};
     const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
     const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
                             lommel::NodeNumbers& of_pupils) {
@@ -104,8 +76,8 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
             const double middle = apart * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));
         };
-        const double down = reach(question.rows.places, room.asked.height, center_y, step),
-                     across = reach(question.columns.places, room.asked.width, center_x, step);
+        const double down = reach(question.rows.places, asked.height, center_y, step),
+                     across = reach(question.columns.places, asked.width, center_x, step);
         const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
                                                  question.rows.places.size(), question.columns.places.size()));
         if (!made) {
@@ -119,18 +91,17 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
         const lommel::ApertureRule of_aperture{size, weights.data()};
         const auto ask = [&](auto real) {
             using Real = decltype(real);
-            const lommel::ChordalDerivatives<Real> more{room.asked.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
+            const lommel::ChordalDerivatives<Real> more{asked.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
                                                         of_pupils.steepest.data()};
             lommel::ApertureAverages<Real>(stack, of_aperture, nodes, of_pupils.brightest.data(), more, off).run(threads);
         };
         const bool in_single = single;
         released([&] { in_single ? ask(float()) : ask(double()); });
     };
-    const bool made = lommel::average_at_nodes(room.asked, {strehl, transmission}, edge.shape(0), room.answer(), sample);
-    if (made) {
-        room.store();
-    }
-    return made;
+    return lommel::averaged_images(
+        asked, pupils.count, into, slopes.data(), bounds.data(), [&](const lommel::AverageAnswer& answer) {
+            return lommel::average_at_nodes(asked, {strehl, transmission}, pupils.count, answer, sample);
+        });
 }
 
 std::pair<Out<double, 1>, Out<double, 1>> transfer_rule(std::size_t degree) {

@@ -136,20 +136,15 @@ class Disks {
                                            plan.threads, {}};
         const lommel::DiskPupils pupils{terms_, asked_.coefficients + begin * asked_.terms,          count,  plan.obscuration,
                                         {},     {w.height, w.width, w.center_y, w.center_x, w.step}, nullptr};
-        sums_.resize(count * plan.pixels());
-        const lommel::AverageAnswer answer{sums_.data(), nullptr, numbers_.bounds.data() + begin, numbers_.peaks.data() + begin,
-                                           nullptr};
+        const lommel::DiskAnswer<T> images{asked_.images + begin * plan.pixels(), numbers_.scales.data() + begin,
+                                           numbers_.bounds.data() + begin, numbers_.peaks.data() + begin};
         try {
-            if (!lommel::DiskAverages(pupils, asked, false).run(answer)) {
-                return false;
-            }
+            return lommel::averaged_images<T>(asked, count, images, nullptr, nullptr, [&](const lommel::AverageAnswer& answer) {
+                return lommel::DiskAverages(pupils, asked, false).run(answer);
+            });
         } catch (const lommel::LimitExceeded&) {
             return false;
         }
-        const lommel::DiskAnswer<T> images{asked_.images + begin * plan.pixels(), numbers_.scales.data() + begin, answer.errors,
-                                           answer.peaks};
-        lommel::store_averages<T>(asked, count, answer, images, nullptr, nullptr);
-        return true;
     }
 
     // Samples of pupils around the axis of the plan, or each around its own.

@@ -13,7 +13,7 @@ from lommel.estimation.field_signs import monomials
 from lommel.lensfiles.tables import read_csv
 
 NOISE = lm.Noise(read=2.0)
-CHIP = Sensor((3000, 4000), 0.5, (1499.5, 1999.5))
+CHIP = Sensor((3000, 4000), 0.5)
 
 
 def barrel(u, v):

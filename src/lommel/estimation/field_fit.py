@@ -506,7 +506,7 @@ def fit_field(
     validation.function("progress", progress, required=False)
     draw = random_numbers(seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
-    chip = Sensor((rows, columns), pitch, ((rows - 1) / 2.0, (columns - 1) / 2.0))
+    chip = Sensor((rows, columns), pitch)
     alike = noise.poisson
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)

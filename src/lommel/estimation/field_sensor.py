@@ -11,11 +11,16 @@ from lommel.base.arrays import Array
 
 @dataclass(frozen=True)
 class Sensor:
-    """Rows and columns of a sensor, its pixel pitch, and the row and column of the axis."""
+    """Rows and columns of a sensor, in whose middle the axis is, and its pixel pitch."""
 
     shape: tuple[int, int]
     pixel: float
-    axis: tuple[float, float]
+
+    @property
+    def axis(self) -> tuple[float, float]:
+        """Row and column of the middle."""
+        rows, columns = self.shape
+        return (rows - 1) / 2.0, (columns - 1) / 2.0
 
     def positions(self, places: Array) -> tuple[Array, Array]:
         """Return x and y of rows and columns (n, 2)."""

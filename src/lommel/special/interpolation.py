@@ -142,17 +142,17 @@ def _kernel(count: int, band: float) -> Taps:
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
-    powers[:, :count] = (_powers() @ series)[::-1]
+    powers[:, :count] = (chebyshev_powers(_DEGREE + 1) @ series)[::-1]
     made = Taps(powers, count, 0.0, 0.0)
     gains = (_BETWEEN * float(np.abs(of(_places())).sum(axis=1).max()) for of in (made.at, made.slopes))
     return Taps(powers, count, *gains)
 
 
-@lru_cache(maxsize=1)
-def _powers() -> Array:
-    """Return the powers of each Chebyshev polynomial, shape ``(powers, polynomials)``."""
-    each = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(_DEGREE + 1))]
-    return np.stack([np.pad(row, (0, _DEGREE - k)) for k, row in enumerate(each)], axis=1)
+@lru_cache(maxsize=4)
+def chebyshev_powers(count: int) -> Array:
+    """Return the powers of so many Chebyshev polynomials, shape ``(powers, polynomials)``."""
+    each = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(count))]
+    return np.stack([np.pad(row, (0, count - 1 - k)) for k, row in enumerate(each)], axis=1)
 
 
 def _transform(taps: Taps, w: Array) -> Array:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "lommel/averages/window_nodes.hpp"
@@ -81,23 +82,29 @@ using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, Nod
 bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
                       const NodeSample& sample);
 
-// Averages as images, and their derivatives, with what storing adds to bounds.
-template <class T>
-void store_averages(const AverageRequest& asked, std::size_t pupils, const AverageAnswer& made, const DiskAnswer<T>& images,
-                    T* slopes, double* slope_bounds) {
+// Stores averages as images, and their derivatives [term][pupil][pixel] with bounds, which compute(answer) writes in double precision;
+// nothing, and false, where it returns false.
+template <class T, class Compute>
+bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
+                     double* slope_bounds, const Compute& compute) {
+    const std::size_t pixels = asked.pixels(), derivatives = asked.factors.size() * pupils;
+    const std::unique_ptr<double[]> values(new double[pupils * pixels]), slope_values(new double[derivatives * pixels]);
+    std::vector<double> slope_errors(derivatives);
+    if (!compute(AverageAnswer{values.get(), slope_values.get(), images.bounds, images.peaks, slope_errors.data()})) {
+        return false;
+    }
     for (std::size_t p = 0; p < pupils; ++p) {
-        images.scales[p] = asked.divides() ? 1.0 / made.peaks[p] : asked.scale;
-        images.bounds[p] = made.errors[p];
-        images.peaks[p] = made.peaks[p];
-        store_scaled(made.values + p * asked.pixels(), images.scales[p], asked.pixels(), images.images + p * asked.pixels());
+        images.scales[p] = asked.divides() ? 1.0 / images.peaks[p] : asked.scale;
+        store_scaled(values.get() + p * pixels, images.scales[p], pixels, images.images + p * pixels);
     }
-    for (std::size_t i = 0; i < asked.factors.size() * pupils; ++i) {
-        const double* const from = made.slopes + i * asked.pixels();
-        const auto [least, most] = std::minmax_element(from, from + asked.pixels());
-        const double size = std::max(-*least, *most) / made.peaks[i % pupils], off = made.slope_errors[i];
+    for (std::size_t i = 0; i < derivatives; ++i) {
+        const double* const from = slope_values.get() + i * pixels;
+        const auto [least, most] = std::minmax_element(from, from + pixels);
+        const double size = std::max(-*least, *most) / images.peaks[i % pupils], off = slope_errors[i];
         slope_bounds[i] = off + (size + off) * asked.storing;
-        store_scaled(from, images.scales[i % pupils], asked.pixels(), slopes + i * asked.pixels());
+        store_scaled(from, images.scales[i % pupils], pixels, slopes + i * pixels);
     }
+    return true;
 }
 
 #if defined(LOMMEL_DEFINES)

@@ -46,14 +46,17 @@ class DiskAverages {
     static constexpr double farthest = 16.0;  // times the tolerance, from where on larger boxes are no surer
 
     bool from_rims(const AverageAnswer& answer);
-    // Averages of pupils around whose axes a box of the same side has nodes, all other pixels being averaged from rims; `moved` has
-    // their axes in the middle of pixels. Errors stay infinite where the box fails.
-    void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& moved,
+    // Averages of pupils around whose axes a box of the same side has nodes, all other pixels being averaged from rims; `stack` has
+    // all axes in the middle of pixels. Errors stay infinite where the box fails.
+    void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
     // Whether all of some pupils have averages, in the window or in a box of it, at nodes. Alone, they may be left to a series.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;
+    // With the axis of the window at that of all of them, or tilted to axes of their own; and with axes in the middle of pixels.
+    DiskStack placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const;
+    DiskStack moved(const Pupils& which) const;
     std::vector<double> centers_of(const Pupils& which) const;
     static std::int64_t larger(std::int64_t side, double times, std::int64_t most);
 
@@ -89,8 +92,8 @@ LOMMEL_ONCE std::vector<double> DiskAverages::centers_of(const Pupils& which) co
     return centers;
 }
 
-// Sets the axis of a window to that of all pupils, or tilts them to axes of their own.
-inline void place_axes(const std::vector<double>& centers, DiskStack& stack, DiskWindow& window) {
+LOMMEL_ONCE DiskStack DiskAverages::placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const {
+    DiskStack stack = stack_of(which);
     bool same = true;
     for (std::size_t i = 2; i < centers.size(); ++i) {
         same = same && centers[i] == centers[i % 2];
@@ -101,14 +104,22 @@ inline void place_axes(const std::vector<double>& centers, DiskStack& stack, Dis
     } else {
         stack.tilt_to(centers.data(), window);
     }
+    return stack;
+}
+
+LOMMEL_ONCE DiskStack DiskAverages::moved(const Pupils& which) const {
+    DiskWindow window = pupils_.window;
+    DiskStack stack = placed(which, centers_of(which), window);
+    stack.move_axes(window);
+    stack.shrink();
+    return stack;
 }
 
 LOMMEL_ONCE bool DiskAverages::at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers,
                                         bool alone, const AverageAnswer& answer) const {
     DiskWindow window{asked.height, asked.width, static_cast<double>(asked.height / 2), static_cast<double>(asked.width / 2),
                       asked.step};
-    DiskStack given = stack_of(which);
-    place_axes(centers, given, window);
+    DiskStack given = placed(which, centers, window);
     given.shrink();
     std::vector<double> scales(which.size());
     const auto sample = [&](const NodeQuestion& question, const AverageAnswer& to, NodeNumbers& numbers) {
@@ -135,12 +146,8 @@ LOMMEL_ONCE bool DiskAverages::at_nodes(const Pupils& which, const AverageReques
 }
 
 LOMMEL_ONCE void DiskAverages::outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const {
-    DiskWindow window = pupils_.window;
-    DiskStack stack = stack_of(which);
-    place_axes(centers_of(which), stack, window);
-    stack.move_axes(window);
-    stack.shrink();
-    RimAverages(stack, window, box, error, answer).run(asked_.threads);
+    const DiskStack stack = moved(which);
+    RimAverages(stack, pupils_.window, box, error, answer).run(asked_.threads);
 }
 
 LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, std::int64_t most) {
@@ -152,7 +159,7 @@ LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, s
     return side > 0 && next <= most ? next : 0;
 }
 
-LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& moved,
+LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                                         const AverageAnswer& answer) const {
     const std::size_t count = which.size();
     AverageRequest of_box = asked_;
@@ -163,8 +170,8 @@ LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, 
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t p = which[i];
-        centers[2 * i] -= static_cast<double>(moved.rows[p] - side / 2);
-        centers[2 * i + 1] -= static_cast<double>(moved.columns[p] - side / 2);
+        centers[2 * i] -= static_cast<double>(stack.rows[p] - side / 2);
+        centers[2 * i + 1] -= static_cast<double>(stack.columns[p] - side / 2);
         places.push_back(static_cast<std::int64_t>(p));
         remainders.push_back(boxes.remainders[p]);
         least = std::min(least, boxes.tolerances[p]);
@@ -184,12 +191,8 @@ LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, 
 
 LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
     const double room = asked_.before_storing();
-    DiskWindow window = pupils_.window;
-    DiskStack moved = stack_of(all_);
-    place_axes(centers_of(all_), moved, window);
-    moved.move_axes(window);
-    moved.shrink();
-    RimBoxes boxes(moved, window, room, least_average(asked_.step));
+    const DiskStack stack = moved(all_);
+    RimBoxes boxes(stack, pupils_.window, room, least_average(asked_.step));
     if (!(room > 0.0) || !boxes.choose(asked_.threads)) {
         return false;
     }
@@ -202,7 +205,7 @@ LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
         }
         of_side.erase(0);
         for (const auto& [side, which] : of_side) {
-            with_box(which, side, boxes, moved, answer);
+            with_box(which, side, boxes, stack, answer);
         }
         rest.erase(std::remove_if(rest.begin(), rest.end(), [&](std::size_t p) { return answer.errors[p] <= asked_.tol; }),
                    rest.end());
@@ -228,12 +231,11 @@ LOMMEL_ONCE bool DiskAverages::from_rims(const AverageAnswer& answer) {
 }
 
 LOMMEL_ONCE bool DiskAverages::run(const AverageAnswer& answer) {
-    const DiskStack stack = stack_of(all_);
     double variance = 0.0;
-    for (std::size_t p = 0; p < stack.count; ++p) {
-        variance = std::max(variance, stack.variance(p));
+    for (std::size_t p = 0; p < pupils_.count; ++p) {
+        variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
     }
-    light_ = {1.0 / (1.0 + variance), stack.amplitude.raised(2.0).integral(stack.obscuration)};
+    light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
     return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
 }
 #endif

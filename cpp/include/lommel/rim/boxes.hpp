@@ -81,7 +81,8 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    const double variance = stack_.variance(pupil);  // tells the likely largest average
+    // Which tells the likely largest average.
+    const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
 

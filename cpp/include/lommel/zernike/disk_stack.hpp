@@ -29,6 +29,16 @@ struct DiskAnswer {
     double *scales, *bounds, *peaks;
 };
 
+// The variance of a phase over the full disk, but for piston and tilt.
+inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double* edge) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+        const double c = std::clamp(edge[t], -1e6, 1e6);
+        sum += terms[t].n > 1 ? c * c / static_cast<double>((terms[t].n + 1) * (terms[t].m == 0 ? 1 : 2)) : 0.0;
+    }
+    return sum;
+}
+
 struct DiskStack {
     std::vector<ZernikeTerm> terms;  // those that are not zero throughout, and what the inner disk makes of them
     std::vector<double> outer, inner;  // [pupil][term], radians at the edge; no `inner` without an obscuration
@@ -102,16 +112,6 @@ struct DiskStack {
             }
         }
         trim();
-    }
-
-    // Of the phase of a pupil over the full disk, without piston and tilt.
-    double variance(std::size_t pupil) const {
-        double sum = 0.0;
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-            const double c = std::clamp(outer[pupil * terms.size() + t], -1e6, 1e6);
-            sum += terms[t].n > 1 ? c * c / static_cast<double>((terms[t].n + 1) * (terms[t].m == 0 ? 1 : 2)) : 0.0;
-        }
-        return sum;
     }
 
     // Fills `inner`: the same phase over the radius of the obscuration, its constant among the terms.

@@ -22,6 +22,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.special.bessel import tangent_line
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, unit_moments
+from lommel.special.interpolation import chebyshev_powers
 from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fitted
 
 _WIDTH, _POINTS = 8.0, 24  # of pieces of U, which is then off by less than 1e-15
@@ -295,10 +296,7 @@ def _points() -> tuple[Array, Array, Array]:
     angles = np.pi * (np.arange(_POINTS)[::-1] + 0.5) / _POINTS
     to_series = 2.0 / _POINTS * np.cos(angles[:, None] * np.arange(_POINTS))
     to_series[:, 0] *= 0.5
-    to_powers = np.zeros((_POINTS, _POINTS))
-    for k, one in enumerate(np.eye(_POINTS)):
-        to_powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(one[: k + 1])
-    return 0.5 * (1.0 + np.cos(angles)), to_series, to_powers
+    return 0.5 * (1.0 + np.cos(angles)), to_series, chebyshev_powers(_POINTS).T
 
 
 @dataclass(frozen=True)

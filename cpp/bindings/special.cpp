@@ -62,5 +62,5 @@ void bindings::define_special(nb::module_& m) {
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
     m.def(
         "least_squares", &least_squares, "matrix"_a, "wanted"_a,
-        "The x that make |A x - b| least for each column b, in directions in which A is not below about 1e-13 of the largest.");
+        "The x that make |A x - b| least for each column b, in directions in which A is not below about 1e-14 of the largest.");
 }

@@ -23,7 +23,7 @@ def gauss_legendre(n: int) -> tuple[Annotated[NDArray[numpy.float64], dict(shape
 
 def least_squares(matrix: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], wanted: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]:
     """
-    The x that make |A x - b| least for each column b, in directions in which A is not below about 1e-13 of the largest.
+    The x that make |A x - b| least for each column b, in directions in which A is not below about 1e-14 of the largest.
     """
 
 def distinct_radii(rows: int, cols: int) -> tuple[Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu')], Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu')]]:

@@ -41,3 +41,14 @@ def test_columns_of_zeros_have_no_share():
 def test_matrices_of_other_heights_are_refused():
     with pytest.raises(ValueError, match="as many rows"):
         least_squares(np.ones((3, 2)), np.ones((4, 1)))
+
+
+@pytest.mark.parametrize("half", [20, 26])
+def test_columns_that_nearly_depend_on_others_leave_as_little_as_they_can(half):
+    # Cosines along a band of which samples are close together, as of filters of averages.
+    frequencies = 2.0 * np.cos(np.pi * (np.arange(200) + 0.5) / 400)
+    matrix = np.cos(np.outer(frequencies, np.pi / 4 * np.arange(half + 1)))
+    wanted = np.sinc(frequencies / 4)[:, None]
+    found = least_squares(matrix, wanted)
+    assert np.abs(matrix @ found - wanted).max() <= 1e-14
+    assert np.abs(found).sum() < 3.0

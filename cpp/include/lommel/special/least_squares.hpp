@@ -95,7 +95,7 @@ class LeastSquares {
 };
 
 // The x[unknown][side] that make |A x - b| least for A[row][unknown] and each column of b[row][side], in directions in which A is not
-// below about 1e-13 of the largest: each unknown has a term of so much of the largest column, times the root of their number.
+// below about 1e-14 of the largest: each unknown has a term of so much of the largest column, times the root of their number.
 void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
                    double* found);
 
@@ -118,7 +118,7 @@ LOMMEL_ONCE void least_squares(std::size_t rows, std::size_t unknowns, std::size
         std::fill_n(found, unknowns * sides, 0.0);
         return;
     }
-    LeastSquares fit(columns(wanted, sides), unknowns, 1e-13 * std::sqrt(largest * static_cast<double>(unknowns)));
+    LeastSquares fit(columns(wanted, sides), unknowns, 1e-14 * std::sqrt(largest * static_cast<double>(unknowns)));
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         for (const std::vector<double>& column : given) {
             fit.add<decltype(isa)>(column);

@@ -49,7 +49,7 @@ _DEMANDS = ("must", "aim", "verdict")
 
 
 # Tables that show what a second machine measured, and the heading of it.
-WITH_SECOND = ["targets", "changes", "threads"]
+WITH_SECOND = ["targets", "camera", "changes", "threads"]
 _SECOND = "on an older machine"
 
 _FIGURES = {
@@ -101,8 +101,11 @@ def write(results: dict[str, Any], second: dict[str, Any]) -> str:
         f"The column *{_SECOND}* of some tables: {second['description']}; the medians of {second['date']}.\n",
     ]
     theirs = {table["key"]: table for table in second["tables"]}
-    for plain in results["tables"]:
-        plain = _with_second(plain, theirs.get(plain["key"]))
+    known = {table["key"] for table in results["tables"]}
+    alone = [table | {"about": f"Measured {_SECOND} only. {table['about']}"} for table in second["tables"]]
+    first, *others = results["tables"]
+    for plain in [first, *(table for table in alone if table["key"] not in known), *others]:
+        plain = _with_second(plain, theirs.get(plain["key"]) if plain["key"] in known else None)
         columns = {name: kind for name, kind in plain["columns"].items() if name not in _DEMANDS}
         rows = [] if plain["key"] in _LEFT_OUT else plain["rows"]
         parts.append(markdown(Table(**plain | {"columns": columns, "rows": rows})))

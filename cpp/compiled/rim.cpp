@@ -1,5 +1,6 @@
 // Compiles averages far from the axis from the rims of apertures. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/chordal/kernels.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 

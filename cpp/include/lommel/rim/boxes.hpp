@@ -29,8 +29,9 @@ class RimBoxes {
 
    private:
     static constexpr std::size_t probed = 16;  // pupils that stand for a stack
-    static constexpr double reach = 48.0;  // pixels from corner to corner, per root of the pupils that share tables,
-    static constexpr double further = 4.0;  // of so many at least, for few are likely to be followed by others
+    // Pixels from corner to corner, per root of the pupils that share tables, of v = 1: larger pixels have more points each.
+    static constexpr double reach = 200.0;
+    static constexpr double further = 4.0;  // pupils at least, for few are likely to be followed by others
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;  // pairs of nodes that take as long
     static constexpr std::int64_t together = 8;  // pupils of one box at the least, where others have a larger one
     static constexpr double widest = 0.7;  // of a window, what a box may take
@@ -72,7 +73,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
                        last_column = width_ - 1 - column;
     // Tables grow with the way to the farthest pixel.
     const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
-    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > reach * std::sqrt(std::max(further, count()))) {
+    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > reach * std::sqrt(std::max(further, count()) / step_)) {
         return 0;
     }
     const std::int64_t beside = std::min({row, last_row, column, last_column}),

@@ -12,10 +12,12 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/rim/slopes.hpp"
 #include "lommel/special/chebyshev.hpp"
 #include "lommel/special/legendre.hpp"
+#include "lommel/special/sincos.hpp"
 
 namespace lommel {
 
@@ -65,48 +67,69 @@ struct RimPixels {
 // Weights of angles `apart` for a place between the middle two, by least squares over all orders up to one.
 class AngleWeights {
    public:
-    std::vector<double> shares;
+    static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
+    double shares[most_taps] = {};
+    // Sines and cosines of half an angle from the first of them, and of (order + 1/2) times it.
+    struct Turn {
+        double sine, cosine, fast_sine, fast_cosine;
+    };
 
     AngleWeights(std::size_t taps, double most, double apart);
-    // Finds them for such a part of the way between the two; the sum of the squares of the misfits of all orders.
-    LOMMEL_INLINE double at(double part) {
-        const std::size_t taps = shares.size();
-        const double t = (part + static_cast<double>(taps / 2 - 1)) * apart_, sine = std::sin(0.5 * t),
-                     cosine = std::cos(0.5 * t), fast = std::sin((order_ + 0.5) * t), other = std::cos((order_ + 0.5) * t);
-        double wanted[most_taps], misfits[most_taps] = {}, own[most_taps] = {};
-        for (std::size_t j = 0; j < taps; ++j) {
-            const double* const turn = turns_.data() + 4 * j;
-            const double below = sine * turn[2] - cosine * turn[3];
-            wanted[j] = std::abs(below) < 1e-9 ? 2.0 * order_ + 1.0 : (fast * turn[0] - other * turn[1]) / below;
+    // The angle, such a part of the way between the middle two.
+    double angle(double part) const { return (part + static_cast<double>(taps_ / 2 - 1)) * apart_; }
+    // Finds weights; the sum of the squares of the misfits of all orders.
+    template <class I>
+    LOMMEL_INLINE double find(I isa, const Turn& at) {
+        using V = typename I::pack;
+        const V sine = splat<V>(at.sine), cosine = splat<V>(at.cosine), fast = splat<V>(at.fast_sine),
+                other = splat<V>(at.fast_cosine), all = splat<V>(2.0 * order_ + 1.0), zero = splat<V>(0.0);
+        double wanted[most_taps], misfits[most_taps];
+        for (std::size_t j = 0; j < taps_; j += I::lanes) {
+            const V gap = sine * load<V>(turns_[2] + j) - cosine * load<V>(turns_[3] + j);
+            const V value = (fast * load<V>(turns_[0] + j) - other * load<V>(turns_[1] + j)) / gap;
+            store(wanted + j, below(larger(gap, zero - gap), splat<V>(1e-9), all, value));
         }
         // Both matrices are symmetric.
-        multiply(inverse_, wanted, taps, own);
-        multiply(common_, own, taps, misfits);
+        multiply(isa, inverse_, wanted, shares);
+        multiply(isa, common_, shares, misfits);
         double misfit = 2.0 * order_ + 1.0;
-        for (std::size_t i = 0; i < taps; ++i) {
-            shares[i] = own[i];
-            misfit += own[i] * (misfits[i] - 2.0 * wanted[i]);
+        for (std::size_t j = 0; j < taps_; ++j) {
+            misfit += shares[j] * (misfits[j] - 2.0 * wanted[j]);
         }
         return std::max(misfit, 0.0) + 1e-13 * order_;
     }
-    static constexpr std::size_t most_taps = 12;
+    double find(double part) {
+        const double t = angle(part), fast = (order_ + 0.5) * t;
+        return find(Portable{}, {std::sin(0.5 * t), std::cos(0.5 * t), std::sin(fast), std::cos(fast)});
+    }
 
    private:
     static constexpr double ridge = 1e-8;
-    LOMMEL_INLINE static void multiply(const std::vector<double>& matrix, const double* by, std::size_t taps, double* to) {
-        for (std::size_t j = 0; j < taps; ++j) {
-            for (std::size_t i = 0; i < taps; ++i) {
-                to[i] += matrix[j * taps + i] * by[j];
+    template <class I>
+    LOMMEL_INLINE void multiply(I, const double* matrix, const double* by, double* to) const {
+        using V = typename I::pack;
+        constexpr std::size_t vectors = most_taps / I::lanes;  // all at once, for each sum waits for itself
+        V sums[vectors];
+        std::fill_n(sums, vectors, splat<V>(0.0));
+        for (std::size_t j = 0; j < taps_; ++j) {
+            const V factor = splat<V>(by[j]);
+            for (std::size_t i = 0; i < vectors; ++i) {
+                sums[i] = sums[i] + factor * load<V>(matrix + j * most_taps + i * I::lanes);
             }
+        }
+        for (std::size_t i = 0; i < vectors; ++i) {
+            store(to + i * I::lanes, sums[i]);
         }
     }
     double dirichlet(double t) const {
         return std::abs(t) < 1e-9 ? 2.0 * order_ + 1.0 : std::sin((order_ + 0.5) * t) / std::sin(0.5 * t);
     }
 
+    std::size_t taps_;
     double order_, apart_;
-    std::vector<double> common_, inverse_;  // what angles have in common, and the inverse of nearly that
-    std::vector<double> turns_;    // cosine and sine of (order + 1/2) times angles, and of half of them
+    double common_[most_taps * most_taps] = {},
+                               inverse_[most_taps * most_taps] = {};  // what angles have in common; the inverse of nearly that
+    double turns_[4][most_taps] = {};  // cosine and sine of (order + 1/2) times angles, and of half of them
 };
 
 // Interpolation between Chebyshev's points of [low, 1], of functions that are analytic within an ellipse around it which leaves 0
@@ -114,7 +137,7 @@ class AngleWeights {
 class RadiusRule {
    public:
     std::vector<double> places, shares;  // and the weights that were found for one x
-    std::vector<double> barycentric;     // of the places
+    std::vector<double> barycentric;  // of the places
     double low;
 
     RadiusRule(double from, std::size_t points);
@@ -149,16 +172,16 @@ class RadiusRule {
 struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
-    RadiusRule rule;             // of R / v
+    RadiusRule rule;  // of R / v
     std::size_t around = 0, taps = 0, margin = 0;  // angles, those of a point, and copies of rings on either side
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // of each radius
-    double off_angles = 0.0;     // of averages, of the root of the mean square of the smooth channel around the axis
-    double gain = 0.0;           // of the largest number of that channel, in sums of moduli
+    double off_angles = 0.0;  // of averages, of the root of the mean square of the smooth channel around the axis
+    double gain = 0.0;  // of the largest number of that channel, in sums of moduli
     std::array<double, 2> off_radii{};  // of the square of the sizes of waves in an ellipse
-    double off_pixels = 0.0;     // of averages by samples
-    double off_field = 1.0;      // of averages of |U_K|^2, over the mean of the disk
-    double dropped = 0.0;        // of averages, of the largest number of the smooth channel, where rings are left out
+    double off_pixels = 0.0;  // of averages by samples
+    double off_field = 1.0;  // of averages of |U_K|^2, over the mean of the disk
+    double dropped = 0.0;  // of averages, of the largest number of the smooth channel, where rings are left out
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }
@@ -198,32 +221,33 @@ struct RimTable {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apart)
-    : shares(taps), order_(most), apart_(apart), common_(taps * taps), inverse_(taps * taps, 0.0) {
+LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apart) : taps_(taps), order_(most), apart_(apart) {
     for (std::size_t i = 0; i < taps; ++i) {
         const double angle = static_cast<double>(i) * apart;
-        turns_.insert(turns_.end(), {std::cos((most + 0.5) * angle), std::sin((most + 0.5) * angle), std::cos(0.5 * angle),
-                                     std::sin(0.5 * angle)});
+        turns_[0][i] = std::cos((most + 0.5) * angle);
+        turns_[1][i] = std::sin((most + 0.5) * angle);
+        turns_[2][i] = std::cos(0.5 * angle);
+        turns_[3][i] = std::sin(0.5 * angle);
         for (std::size_t j = 0; j < taps; ++j) {
-            common_[i * taps + j] = dirichlet((static_cast<double>(i) - static_cast<double>(j)) * apart);
+            common_[i * most_taps + j] = dirichlet((static_cast<double>(i) - static_cast<double>(j)) * apart);
         }
-        inverse_[i * taps + i] = 1.0;
+        inverse_[i * most_taps + i] = 1.0;
     }
-    std::vector<double> left = common_;
+    std::vector<double> left(common_, common_ + most_taps * most_taps);
     for (std::size_t i = 0; i < taps; ++i) {
-        left[i * taps + i] += ridge;
+        left[i * most_taps + i] += ridge;
     }
     for (std::size_t i = 0; i < taps; ++i) {  // Gauss and Jordan's way, of a positive matrix
-        const double by = 1.0 / left[i * taps + i];
+        const double by = 1.0 / left[i * most_taps + i];
         for (std::size_t j = 0; j < taps; ++j) {
-            left[i * taps + j] *= by;
-            inverse_[i * taps + j] *= by;
+            left[i * most_taps + j] *= by;
+            inverse_[i * most_taps + j] *= by;
         }
         for (std::size_t r = 0; r < taps; ++r) {
-            const double times = left[r * taps + i];
+            const double times = left[r * most_taps + i];
             for (std::size_t j = 0; r != i && j < taps; ++j) {
-                left[r * taps + j] -= times * left[i * taps + j];
-                inverse_[r * taps + j] -= times * inverse_[i * taps + j];
+                left[r * most_taps + j] -= times * left[i * most_taps + j];
+                inverse_[r * most_taps + j] -= times * inverse_[i * most_taps + j];
             }
         }
     }
@@ -402,7 +426,7 @@ LOMMEL_ONCE void RimTable::choose_angles() {
     for (double many = 3.4; many < 8.0; many *= 1.25) {
         around = 8 * static_cast<std::size_t>(std::ceil(many * (order() + 1.0) / 8.0));
         for (taps = 4; taps <= AngleWeights::most_taps; taps += 2) {
-            const double off = std::sqrt(AngleWeights(taps, order(), apart()).at(0.5));
+            const double off = std::sqrt(AngleWeights(taps, order(), apart()).find(0.5));
             if (4.0 * together() * off <= 0.15 * window.error * std::pow(window.nearest(), 3)) {
                 return;
             }
@@ -414,8 +438,9 @@ LOMMEL_ONCE void RimTable::choose_angles() {
 LOMMEL_ONCE void RimTable::make_pixels() {
     const double nearest = window.nearest();
     AngleWeights angles(taps, order(), apart());
+    constexpr std::size_t most_points = 64, padded = most_points + row_lanes;
     std::size_t points = 4;
-    while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < 64) {
+    while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < most_points) {
         ++points;
     }
     const double response = pixel_error(window.step, points);
@@ -429,7 +454,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
         frequencies = {2.0 * eps, 1.0 - eps, 1.0 + eps, 2.0};
     }
     const std::size_t half = window.box / 2;
-    Doubles sums;
+    Doubles lights, shares, sums;
     weights.resize(radii());
     for (std::size_t p = half + 1; p <= window.reach; ++p) {
         for (std::size_t q = 0; q <= p; ++q) {
@@ -442,7 +467,10 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
             const std::size_t count =
                 static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
-            sums.assign(radii() * count * channels(), 0.0);
+            // Of points, [radius][channel][point] and [point][angle].
+            lights.resize(radii() * channels() * points * points);
+            shares.assign(points * points * count, 0.0);
+            sums.resize(radii() * channels() * count);
             // Errors between radii are largest at one of the ends.
             const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
                          last = window.step * std::hypot(down + 0.5, right + 0.5);
@@ -451,40 +479,57 @@ LOMMEL_ONCE void RimTable::make_pixels() {
                     std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
                 off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
             }
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using I = decltype(isa);
+                using V = typename I::pack;
+                double v[padded], angle[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
+                std::array<std::array<double, padded>, 8> waves;  // cosine and sine of each frequency
                 for (std::size_t i = 0; i < points; ++i) {
+                    // Of a row of points, in vectors what there are vectors for.
+                    const double y = down + 0.5 * x[i];
+                    for (std::size_t j = 0; j < points + I::lanes; ++j) {
+                        const double z = right + 0.5 * x[std::min(j, points - 1)];
+                        v[j] = window.step * std::sqrt(y * y + z * z);
+                        angle[j] = j < points ? std::atan2(y, z) / apart() - 0.5 : 0.0;
+                        before[j] = std::floor(angle[j]);
+                        turn[j] = angles.angle(angle[j] - before[j]);
+                    }
+                    const auto turned = [&](const double* of, double times, double* sine, double* cosine) LOMMEL_INLINE_LAMBDA {
+                        for (std::size_t j = 0; j < points; j += I::lanes) {
+                            V s, c;
+                            sincos(isa, splat<V>(times) * load<V>(of + j), s, c);
+                            store(sine + j, s);
+                            store(cosine + j, c);
+                        }
+                    };
+                    turned(turn, 0.5, half[0], half[1]);
+                    turned(turn, order() + 0.5, fast[0], fast[1]);
+                    for (std::size_t f = 0; f < frequencies.size(); ++f) {
+                        turned(v, frequencies[f], waves[2 * f + 1].data(), waves[2 * f].data());
+                    }
                     for (std::size_t j = 0; j < points; ++j) {
-                        const double y = down + 0.5 * x[i], z = right + 0.5 * x[j];
-                        const double v = window.step * std::hypot(y, z), place = nearest / v;
-                        const double angle = std::atan2(y, z) / apart() - 0.5, before = std::floor(angle);
-                        const double misfit = std::sqrt(angles.at(angle - before)), along = rule.at(place),
-                                     size = 1.0 / (v * v * v);
+                        const double misfit = std::sqrt(angles.find(isa, {half[0][j], half[1][j], fast[0][j], fast[1][j]})),
+                                     along = rule.at(nearest / v[j]), size = 1.0 / (v[j] * v[j] * v[j]);
                         double moduli = 0.0;
-                        for (const double share : angles.shares) {
-                            moduli += std::abs(share);
+                        for (std::size_t t = 0; t < taps; ++t) {
+                            moduli += std::abs(angles.shares[t]);
                         }
                         off_angles = std::max(off_angles, together() * size * along * misfit);
                         gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
                         const double by = 0.25 * w[i] * w[j] * size;
-                        std::array<double, 9> waves{by};
-                        for (std::size_t f = 0; f < frequencies.size(); ++f) {
-                            waves[1 + 2 * f] = by * std::cos(frequencies[f] * v);
-                            waves[2 + 2 * f] = by * std::sin(frequencies[f] * v);
-                        }
-                        const std::size_t at = static_cast<std::size_t>(before - static_cast<double>(taps / 2 - 1) - begin);
-                        const double* const shares = angles.shares.data();
+                        const std::size_t at = static_cast<std::size_t>(before[j] - static_cast<double>(taps / 2 - 1) - begin);
+                        const std::size_t point = i * points + j;
+                        std::copy_n(angles.shares, taps, shares.data() + point * count + at);
                         for (std::size_t r = 0; r < radii(); ++r) {
                             for (std::size_t k = 0; k < channels(); ++k) {
-                                const double weight = rule.shares[r] * waves[k];
-                                double* const to = sums.data() + (r * channels() + k) * count + at;
-                                for (std::size_t t = 0; t < taps; ++t) {
-                                    to[t] += weight * shares[t];
-                                }
+                                lights[(r * channels() + k) * points * points + point] =
+                                    by * rule.shares[r] * (k == 0 ? 1.0 : waves[k - 1][j]);
                             }
                         }
                     }
                 }
             });
+            product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
             // Rings, of which pixels average the fast ones, are no more than the smooth channel.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {

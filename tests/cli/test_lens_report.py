@@ -12,7 +12,7 @@ import pytest
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.lens_report import IN_FOCUS, describe_lens, introduce_lens
+from lommel.cli.lens_report import IN_FOCUS, describe_lens, summarize_lens
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
@@ -89,7 +89,7 @@ def test_the_tables_show_what_the_json_says(call_lommel, lenses, tmp_path):
 @pytest.mark.parametrize("focus", [0.5, 3.0, math.inf])
 def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focus):
     lens = phone.lens.focused(focus)
-    found = introduce_lens(dataclasses.replace(phone, lens=lens)).facts
+    found = summarize_lens(dataclasses.replace(phone, lens=lens)).facts
     ends = [found["in_focus"]["near"], math.inf if found["in_focus"]["far"] is None else found["in_focus"]["far"]]
     assert found["in_focus"]["blur"] == IN_FOCUS * phone.pixel
     for end in ends:

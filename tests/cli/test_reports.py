@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli import lens_report, reports
+from lommel.cli import lens_report
+from lommel.lensfiles.comparison import compare_methods
 from lommel.lensfiles.instrument import wide_enough
 from lommel.show.drawing import HOW
 
@@ -161,5 +162,5 @@ def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
     instrument = dataclasses.replace(lm.load_instrument(lenses["phone"]), shape=(5, 5))
     for integrate, sampling in ((None, "pixel"), (True, "pixel"), (False, "center")):
         one = dataclasses.replace(instrument, integrate=integrate)
-        _, answers = reports.compare(one, [lm.NijboerZernike()])
+        _, answers = compare_methods(one, [lm.NijboerZernike()])
         assert {answer.sampling for answer in answers.values()} == {sampling}

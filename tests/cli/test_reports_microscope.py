@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli.reports import DEPTHS, describe_microscope, describe_stack
+from lommel.cli.reports import describe_stack
 from lommel.lensfiles.microscope_files import Microscope
+from lommel.lensfiles.microscope_quality import DEPTHS, microscope_quality
 
 OIL = lm.Objective(
     NA=1.4,
@@ -30,7 +31,7 @@ def microscope(**changes) -> Microscope:
 
 @pytest.fixture(scope="module")
 def facts():
-    return describe_microscope(microscope(planes=3, step=0.3e-6)).facts
+    return microscope_quality(microscope(planes=3, step=0.3e-6))
 
 
 def test_the_foci_are_those_of_the_objective_and_of_its_published_table(facts):
@@ -68,12 +69,12 @@ def test_all_of_it_is_plain_data(facts):
     ],
 )
 def test_what_is_sampled_too_coarsely_is_named(changes, coarse):
-    assert describe_microscope(microscope(**changes)).facts["too_coarse"] == coarse
+    assert microscope_quality(microscope(**changes))["too_coarse"] == coarse
 
 
 def test_depths_out_of_reach_are_left_out_with_the_reason():
     near = dataclasses.replace(OIL, working_distance=10e-6)
-    found = describe_microscope(microscope(objective=near)).facts
+    found = microscope_quality(microscope(objective=near))
     assert [row["depth"] for row in found["focus"]] == [0.0, 1e-6, 5e-6]
     assert len(found["refused"]) == 2
     assert found["refused"][0].startswith(
@@ -83,10 +84,10 @@ def test_depths_out_of_reach_are_left_out_with_the_reason():
 
 def test_what_differs_from_the_design_is_told():
     thick = dataclasses.replace(OIL, coverslip=lm.Layer(1.52, 180e-6))
-    found = describe_microscope(microscope(objective=thick)).facts
+    found = microscope_quality(microscope(objective=thick))
     assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
     assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}
-    assert describe_microscope(microscope()).facts["design"] is None
+    assert microscope_quality(microscope())["design"] is None
 
 
 @pytest.mark.parametrize(
@@ -100,7 +101,7 @@ def test_what_differs_from_the_design_is_told():
     ],
 )
 def test_emitters_have_words(emitter, words):
-    assert describe_microscope(microscope(emitter=emitter)).facts["emitter"] == words
+    assert microscope_quality(microscope(emitter=emitter))["emitter"] == words
 
 
 def test_a_stack_is_described_plane_by_plane():

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -141,20 +140,18 @@ class Restoring(Group, heading="Restoration"):
         help="Number of threads; by default all processors.")
     # fmt: on
 
-    def chosen(self) -> RichardsonLucy | TotalVariation | None:
-        """Return the method."""
+    def arguments(self) -> Facts:
+        """Return the arguments of :func:`lommel.microscopy.restore`."""
+        given = vars(self) | {"memory": 1e9 * self.memory}
+        steps, strength = given.pop("steps"), given.pop("strength")
+        given["method"] = None if steps is None else RichardsonLucy(steps=steps, target=0.0)
         if self.method == METHODS[1]:
-            return TotalVariation(strength=self.strength, steps=self.steps or TotalVariation.steps, target=1.0)
-        if self.strength is not None:
+            given["method"] = TotalVariation(strength=strength, steps=steps or TotalVariation.steps, target=1.0)
+        elif strength is not None:
             raise ValueError(f"--strength needs --method {METHODS[1]}")
-        return None if self.steps is None else RichardsonLucy(steps=self.steps, target=0.0)
-
-    def light(self) -> float | str:
-        """Return the background, a number or how it is estimated."""
-        try:
-            return float(self.background)
-        except ValueError:
-            return self.background
+        with suppress(ValueError):  # a word says how it is estimated
+            given["background"] = float(self.background)
+        return given
 
 
 @command(JSON)
@@ -195,47 +192,34 @@ def deconvolve(
     if camera.masked is not None:
         with recordings.open_recording(stack, time=restoring.time, axes=restoring.axes) as opened:
             mask = camera.mask(np.broadcast_to(False, opened.shape[1:]))
-    method, background = restoring.chosen(), restoring.light()
-    others = ("slabs", "refine", "diagnosis", "per_plane", "channel", "time", "axes", "tile", "threads")
-    given = vars(recorded) | {name: getattr(restoring, name) for name in others}
-    if recorded.wavelength is not None:
-        given["wavelength"] = list(recorded.wavelength)
+    given = vars(recorded) | restoring.arguments()
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()
-    with _kept(whole), progress("reading") as step:
-        found = restore(
-            stack,
-            microscope,
-            noise=noise,
-            mask=mask,
-            saturation=camera.saturation,
-            method=method,
-            background=background,
-            memory=1e9 * restoring.memory,
-            out=whole,
-            progress=lambda share, words: step(words, share),
-            **given,
-        )
-        if whole is None:
-            step("writing")
-            found.save(*outputs)
-        if figure is not None:
-            step("drawing")
-            save_figure(found.plot(), figure)
+    try:
+        with progress("reading") as step:
+            found = restore(
+                stack,
+                microscope,
+                noise=noise,
+                mask=mask,
+                saturation=camera.saturation,
+                out=whole,
+                progress=lambda share, words: step(words, share),
+                **given,
+            )
+            if whole is None:
+                step("writing")
+                found.save(*outputs)
+            if figure is not None:
+                step("drawing")
+                save_figure(found.plot(), figure)
+    except KeyboardInterrupt:
+        if whole is not None:
+            click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
+        raise
     facts = {"stack": str(stack), "name": microscope.name} | found.to_dict()
     facts |= {"notes": [with_options(note) for note in found.notes], "seconds": time.perf_counter() - begun}
     return Report(facts, _parts(facts), converged=found.converged) + written([*outputs, figure])
-
-
-@contextmanager
-def _kept(place: Path | None) -> Iterator[None]:
-    """Say after Ctrl-C that the chunks of a folder are kept."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        if place is not None:
-            click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
-        raise
 
 
 _STOPPED = {

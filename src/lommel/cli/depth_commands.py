@@ -11,6 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.encoding import to_light
+from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
@@ -174,12 +175,24 @@ def depth(
             _write_sharp(sharp, found)
         if figure is not None:
             save_figure(found.plot(), figure)
-    files = written([*outputs, sharp, figure])
-    encoded = read_as(pictures[0], seen.encoding)
-    rest = {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoded}
-    near, far = map(format_length, between)
-    searched = f"{len(found.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms"
-    return _report(found, lenses, searched, rest) + Report({}, files.parts)
+    facts, (of_lenses, focus) = found.to_dict(), lens_facts(lenses)
+    text = "no depth found: the photos have no texture, or all of it is out of range"
+    if facts["depth"] is not None:
+        low, middle, high = map(format_length, facts["depth"].values())
+        text = (
+            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
+            f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
+        )
+    files, encoded = written([*outputs, sharp, figure]), read_as(pictures[0], seen.encoding)
+    (height, width), (near, far) = found.depth.shape, map(format_length, between)
+    facts |= of_lenses | {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoded}
+    lines = [
+        encoded,
+        f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
+        f"{len(found.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
+        text,
+    ]
+    return Report(facts, lines) + verdict_report(found.verdict) + files
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -200,50 +213,32 @@ def each_lens(
             raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(given)}")
     if count < 2:
         raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
-    lenses = [lens] * count
-    if f_numbers:
-        lenses = [one.stopped(stop) for one, stop in zip(lenses, f_numbers * (count // len(f_numbers)), strict=True)]
+    lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
+    lenses *= count // len(lenses)
     if foci:
         lenses = [one.focused(focus) for one, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
     return lenses
 
 
-def verdict_report(verdict: DefocusVerdict) -> Report:
-    """Return what was tested of the lenses and the noise, and what could not be."""
-    facts = verdict.to_dict()
-    del facts["misfit"]  # commands have their own
-    untested = verdict.findings.get("untested")
-    facts |= {
-        "agrees": verdict.agrees,
-        "untested": None if untested is None else untested.numbers["what"],
-    }
-    lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
-    return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
-
-
-def _report(found: DefocusDepth, lenses: list[Lens], searched: str, rest: Facts) -> Report:
-    """Return the report of a depth map and its photos, with the rest of the facts."""
-    facts = found.to_dict() | {
+def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
+    """Return focus distances and f-numbers of frames, and the same in words."""
+    facts = {
         "focus_distances": [finite(one.focus_distance) for one in lenses],
         "f_numbers": [one.f_number for one in lenses],
         "focal_length": lenses[0].focal_length,
     }
-    text = "no depth found: the photos have no texture, or all of it is out of range"
-    if facts["depth"] is not None:
-        low, middle, high = map(format_length, facts["depth"].values())
-        text = (
-            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
-            f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
-        )
-    height, width = found.depth.shape
-    each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
-    lines = [
-        rest["read"],
-        f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
-        searched,
-        text,
-    ]
-    return Report(facts | rest, lines) + verdict_report(found.verdict)
+    each = (f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
+    return facts, f"focus {', '.join(each)}"
+
+
+def verdict_report(verdict: DefocusVerdict) -> Report:
+    """Return what was tested of the lenses and the noise, and what could not be."""
+    untested = verdict.findings.get("untested")
+    facts = verdict.to_dict()
+    del facts["misfit"]  # commands have their own
+    facts |= {"agrees": verdict.agrees, "untested": untested and untested.numbers["what"]}
+    lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
+    return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
 
 
 @command(JSON)
@@ -287,13 +282,12 @@ def precision(
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
-    texture: Facts = {"photons": photons, "contrast": contrast, "window": window}
-    noise: Facts = {"noise": Noise(read=read), **texture}
+    texture: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
     if (pair is not None) + best + (len(foci) > 1) != 1 or not foci:
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
     start = time.perf_counter()
     if best:
-        lenses = list(best_foci(one, foci[0], instrument.side, **noise).lenses)
+        lenses = list(best_foci(one, foci[0], instrument.side, **texture).lenses)
     elif pair is not None:
         lenses = _around(one, foci[0], pair)
     else:
@@ -304,34 +298,31 @@ def precision(
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
-    errors = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
+    errors = np.asarray(depth_precision(lenses, distance, instrument.side, **texture))
     seconds = time.perf_counter() - start
-    listed = ", ".join(format_length(each.focus_distance) for each in lenses)
+    foci_in_words = ", ".join(format_length(each.focus_distance) for each in lenses)
     if figure is not None:
         from lommel.show import estimates
 
-        title = f"{instrument.name}\nf/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
-        foci_of = [each.focus_distance for each in lenses]
-        drawn: Any = estimates.precision(distance, {"": errors}, title, foci_of)
+        title = f"{instrument.name}\nf/{one.f_number:.3g}, {photons:g} electrons a pixel"
+        drawn: Any = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
         save_figure(drawn.figure, figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
         "f_number": one.f_number,
         "distance": distance.tolist(),
-        "errors": [each if math.isfinite(each) else None for each in errors.tolist()],
+        "errors": plain(errors),
         "seconds": seconds,
     }
     rows = []
     for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int):
         at, error = float(distance[k]), float(errors[k])
-        known = math.isfinite(error)
-        share = f"{100.0 * error / at:.2g} %" if known else ""
-        rows.append((format_length(at), format_length(error, digits=3) if known else "inf", share))
+        cells = (format_length(error, digits=3), f"{100.0 * error / at:.2g} %") if error < math.inf else ("inf", "")
+        rows.append((format_length(at), *cells))
     parts: list[RenderableType] = [
-        f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {listed}",
-        "pixels of {}, {photons:g} electrons, contrast {contrast:g}, windows of {window:g} pixels rms".format(
-            format_length(instrument.side), **texture
-        ),
+        f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {foci_in_words}",
+        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
+        f"{window:g} pixels rms",
         table_of(("distance", "standard error", "relative"), rows),
     ]
     return Report(facts, parts) + written([figure])

@@ -394,12 +394,6 @@ class CameraMaps(CameraOptions, heading="Camera"):
         return maps | {"excess": self.excess}
 
 
-def camera_facts(camera: Camera | None) -> Facts | None:
-    """Return what is known of a camera besides its pixels, for reports."""
-    names = ("name", "source", "read", "full_well", "gain", "offset", "excess")
-    return None if camera is None else {name: getattr(camera, name) for name in names}
-
-
 def camera_in_words(facts: Facts) -> str | None:
     """Return the camera of a report and its noise in a line."""
     if (camera := facts["camera"]) is None:

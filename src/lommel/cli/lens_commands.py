@@ -86,7 +86,8 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
+    from lommel.cli import lens_report  # what these need takes longer to import than the list of commands
+    from lommel.lensfiles.comparison import compare_methods
     from lommel.lensfiles.image_quality import other_model
 
     instrument = instrument_of(lens, **given)
@@ -99,8 +100,8 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
             else kind()
             for kind in METHODS.values()
         ]
-        rows, answers = reports.compare(instrument, methods, started)
-        reference = reports.reference_name(pupil)
+        rows, answers = compare_methods(instrument, methods, started)
+        reference = next(iter(answers))
         sampling = answers[reference].sampling
         if figure is not None:
             from lommel.show import plot

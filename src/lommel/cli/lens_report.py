@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 
+from lommel.base.plain import plain
 from lommel.base.units import format_length
-from lommel.cli.instruments import camera_facts, camera_in_words
+from lommel.cli.instruments import camera_in_words
 from lommel.cli.output import (
     Facts,
     Report,
@@ -16,6 +17,7 @@ from lommel.cli.output import (
     known,
     list_of,
     number,
+    paragraphs,
     per_mm,
     pitch_in_words,
     refused,
@@ -34,61 +36,55 @@ if TYPE_CHECKING:
 _SPIKE = 4.0
 
 
-def introduce_lens(instrument: Instrument) -> Report:
-    """Return the description of a lens, its object and its sensor, without measures of its images."""
-    facts = ImageQuality(instrument).setup() | {"camera": camera_facts(instrument.camera)}
-    return Report(facts, [Text(instrument.name, "bold"), list_of(_setup(facts))])
-
-
 def summarize_lens(instrument: Instrument) -> Report:
-    """Return the same with one line for people."""
-    setup = introduce_lens(instrument)
-    focused, seen = distinct(setup.facts["focus_distance"], setup.facts["object_distance"])
+    """Return the description of a lens, its object and its sensor, without measures of its images, in one line."""
+    facts = ImageQuality(instrument).setup() | {"camera": plain(instrument.camera)}
+    focused, seen = distinct(facts["focus_distance"], facts["object_distance"])
     lens = instrument.lens
     line = (
         f"f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}, {format_length(lens.wavelength)}; "
         f"focus {focused}, object {seen}; `lommel info` has its image quality"
     )
-    return Report(setup.facts, [setup.parts[0], Wrapped(line)])
+    return Report(facts, [Text(instrument.name, "bold"), Wrapped(line)])
 
 
-def _setup(facts: Facts) -> list[tuple[str, str | None]]:
-    """Return the rows of lens, object and sensor."""
+def describe_lens(instrument: Instrument) -> Report:
+    """Return the report of a lens and its object; the facts are those of :class:`lommel.ImageQuality`."""
+    facts = ImageQuality(instrument).to_dict() | {"camera": plain(instrument.camera)}
+    first = Text(instrument.name, "bold"), _setup(facts)
+    return Report(facts, [*first, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
+
+
+def _setup(facts: Facts) -> Table:
+    """Return the table of lens, object and sensor."""
     focused, seen = distinct(facts["focus_distance"], facts["object_distance"])
     obscured = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
-    pixel, sharp = pitch_in_words(facts["pixel"]), facts["in_focus"]
+    pixel, sharp, hyperfocal = pitch_in_words(facts["pixel"]), facts["in_focus"], facts["hyperfocal_distance"]
     if facts["arcsec_per_pixel"]:
         pixel += f", {number(facts['arcsec_per_pixel'])} arcsec"
     if facts["pixel_in_object"]:
         pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
     if sharp is not None:
-        near, far = distinct(sharp["near"], sharp["far"])
-        sharp = f"{near} to {far} (circle of confusion up to {IN_FOCUS:g} pixels)"
-    hyperfocal = facts["hyperfocal_distance"]
-    return [
-        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
-         f" (working f/{facts['working_f_number']:.4g}){obscured}"),
+        ends = " to ".join(distinct(sharp["near"], sharp["far"]))
+        sharp = f"{ends} (circle of confusion up to {IN_FOCUS:g} pixels)"
+    lens = f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
+    rows = [
+        ("lens", f"{lens} (working f/{facts['working_f_number']:.4g}){obscured}"),
         *_aperture(facts),
         ("wavelength", format_length(facts["wavelength"])),
         ("focus distance", focused),
         ("object distance", seen),
         ("depth of field", sharp),
-        ("hyperfocal distance", None if hyperfocal is None else f"{format_length(hyperfocal)} (same circle)"),
+        ("hyperfocal distance", hyperfocal and f"{format_length(hyperfocal)} (same circle)"),
         ("pixel", pixel),
         ("camera", camera_in_words(facts)),
-    ]  # fmt: skip
-
-
-def describe_lens(instrument: Instrument) -> Report:
-    """Return the report of a lens and its object; the facts are those of :class:`lommel.ImageQuality`."""
-    facts = ImageQuality(instrument).to_dict() | {"camera": camera_facts(instrument.camera)}
-    first = Text(instrument.name, "bold"), list_of(_setup(facts))
-    return Report(facts, [*first, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
+    ]
+    return list_of(rows)
 
 
 def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableType]:
     """Return the tables of the image of a point."""
-    on_axis, top = facts["strehl"], facts["strehl_at_peak"]
+    on_axis, top, bound = facts["strehl"], facts["strehl_at_peak"], facts["encircled_energy_error"]
     strehl = strehl_ratio(on_axis)
     if top is not None and on_axis is not None and top > 1.005 * on_axis:
         strehl += f" on the axis, {strehl_ratio(top)} at the brightest point"
@@ -96,44 +92,40 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableTyp
         ("Strehl ratio", strehl),
         ("Marechal's estimate", strehl_ratio(facts["marechal"]) if (facts["marechal"] or 0.0) >= 0.3 else None),
         *_mtf_rows(facts),
-    ]  # fmt: skip
+    ]
     energies = [
-        (
-            row["within"],
-            format_length(row["radius"]),
-            *(known(row[name], ".1%") for name in ("fraction", "unaberrated")),
-        )
+        (row["within"], format_length(row["radius"]), known(row["fraction"], ".1%"), known(row["unaberrated"], ".1%"))
         for row in facts["encircled_energy"]
     ]
-    names = ("within", "radius", "this lens", "unaberrated")
+    names, title = ("within", "radius", "this lens", "unaberrated"), "Encircled energy about the axis, optics alone"
     parts: list[RenderableType] = ["", list_of(lines, title="Image of a point"), "", _diameters(facts, pitch[1])]
-    parts += ["", table_of(names, energies, title="Encircled energy about the axis, optics alone")]
-    if facts["encircled_energy_error"] is not None:
-        parts.append(Text(f"error of these fractions at most {facts['encircled_energy_error']:.1g}", "dim"))
+    parts += ["", table_of(names, energies, title=title)]
+    if bound is not None:
+        parts.append(Text(f"error of these fractions at most {bound:.1g}", "dim"))
     elif any(facts["aperture"].values()):
         parts.append(Text("no proven error bound for this aperture", "dim"))
-    if facts["field"] is not None:
-        parts += _field_parts(facts["field"])
-    return parts
+    return parts if facts["field"] is None else [*parts, *_field_parts(facts["field"])]
 
 
 def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
     """Return the rows of the MTF, for x and y where these differ."""
-    kinds = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50")
-    rows: dict[str, list[tuple[str, str | None]]] = {}
-    for end in ("", "_y"):
-        with_pixel, alone, half = (facts[kind + end] for kind in kinds)
-        nyquist = facts[f"nyquist{end}"]
-        resolved = alone is not None and nyquist < facts["cutoff"]
-        rows[end] = [
-            ("MTF at Nyquist", f"{with_pixel:.4f} with the pixel, {alone:.4f} without, at {per_mm(nyquist)}"
-             if resolved else None),
-            ("MTF50", f"{per_mm(half)}, optics alone (cutoff {per_mm(facts['cutoff'])})" if half else None),
-        ]  # fmt: skip
-    if rows[""] == rows["_y"]:
-        return rows[""]
-    pairs = zip(*rows.values(), strict=True)
-    return [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
+
+    def along(end: str) -> list[tuple[str, str | None]]:
+        kinds = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50", "nyquist")
+        with_pixel, alone, half, nyquist = (facts[kind + end] for kind in kinds)
+        mtf = None
+        if alone is not None and nyquist < facts["cutoff"]:
+            mtf = f"{with_pixel:.4f} with the pixel, {alone:.4f} without, at {per_mm(nyquist)}"
+        mtf50 = half and f"{per_mm(half)}, optics alone (cutoff {per_mm(facts['cutoff'])})"
+        return [("MTF at Nyquist", mtf), ("MTF50", mtf50)]
+
+    x, y = along(""), along("_y")
+    pairs = zip(x, y, strict=True)
+    return (
+        x
+        if x == y
+        else [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
+    )
 
 
 def _diameters(facts: Facts, pixel: float) -> RenderableType:
@@ -165,34 +157,33 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
 
 def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     """Return the tables of the wavefront and of the model."""
-    rms, level = facts["rms_waves"], facts["rms_waves_without_tilt"]
+    rms, level, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
     where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
     tilted = f" ({number(level)} without tilt)" if level is not None and rms - level > 5e-5 * rms else ""
-    best, higher, distances = facts["balancing_W020"], facts["higher"], facts["defocus_of_distances"]
-    shares = ""
+    higher, distances, shares = facts["higher"], facts["defocus_of_distances"], ""
     if not math.isclose(distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
         shares = f"; by distances alone {distances:.4g} rad (W020 = {distances / math.pi:.4g})"
     listed = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
-    rest = f", ... ({len(listed)} terms; see --json)" if len(listed) > 4 else ""
+    if len(listed) > 4:
+        listed[2:] = [f"... ({len(listed)} terms; see --json)"]
     lines = [
         ("rms wavefront error", None if rms is None else f"{number(rms)} waves {where}{tilted}"),
         ("defocus C_d", f"{facts['defocus']:.4g} rad{shares}"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
-        ("in waves at the edge", ", ".join(listed[: 2 if rest else 4]) + rest),
+        ("in waves at the edge", ", ".join(listed)),
         ("least rms would be at", None if best is None else f"W020 = {best:.4g}, which balances the other terms"),
     ]
-    parts: list[RenderableType] = ["", list_of(lines, title="Wavefront")]
+    tables = [list_of(lines, title="Wavefront")]
     if any(term["m"] for term in facts["zernike"]):
-        parts += ["", zernike_table(facts)]
-    unit = facts["wavelength"] * facts["working_f_number"]
+        tables.append(zernike_table(facts))
     models = [
         ("model", _model(facts)),
         ("amplitude", None if facts["apodization"] == 0.0 else _amplitude(facts)),
-        ("lambda*N", format_length(unit)),
+        ("lambda*N", format_length(facts["wavelength"] * facts["working_f_number"])),
         ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
     ]
-    return [*parts, "", list_of(models, title="Model"), *refused(facts)]
+    return ["", *paragraphs(*([table] for table in tables), [list_of(models, title="Model"), *refused(facts)])]
 
 
 def distinct(*distances: float | None) -> list[str]:
@@ -206,16 +197,14 @@ def distinct(*distances: float | None) -> list[str]:
 
 def _amplitude(facts: Facts) -> str:
     kind = facts["apodization"]
+    name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
     if isinstance(kind, float):
         name = f"Gaussian, exp(-{kind:.4g} rho^2)"
-    else:
-        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
     return f"{name}: {facts['rim_amplitude']:.4g} at the edge of the pupil"
 
 
 def _model(facts: Facts) -> str:
-    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
-    return f"{facts['model']}{side}"
+    return f"aplanatic, corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else "paraxial"
 
 
 def model_in_words(other: Facts) -> str:
@@ -224,8 +213,8 @@ def model_in_words(other: Facts) -> str:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
         return f"{_model(other)}: identical"
-    side = f" for the {other['corrected_for']}" if other["model"] == "aplanatic" else ""
-    return f"{other['model']}{side}: PSF differs by {other['peak_error']:.2g} of the peak"
+    model = _model(other).replace(", corrected", "")
+    return f"{model}: PSF differs by {other['peak_error']:.2g} of the peak"
 
 
 def _identical(other: Facts) -> bool:
@@ -239,19 +228,16 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
     rows = []
     if stop is not None:
         kinds = [f"{count} {kind[:-1] if count == 1 else kind}" for kind, count in stop["parts"].items() if count]
-        if segments := stop["segments"]:
-            phases = f", pistons {number(stop['piston_rms_waves'])} waves rms" if stop["piston_rms_waves"] else ""
-            rows.append(("segments", f"{segments}{phases}"))
-        if kinds:
-            rows.append(("aperture", f"within the rim, made of {', '.join(kinds)}"))
+        phases = f", pistons {number(stop['piston_rms_waves'])} waves rms" if stop["piston_rms_waves"] else ""
+        rows += [("segments", f"{stop['segments']}{phases}")] if stop["segments"] else []
+        rows += [("aperture", f"within the rim, made of {', '.join(kinds)}")] if kinds else []
     if spider is not None:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
         rows.append(("vanes", f"{width} wide, at {angles} degrees from x towards y"))
     if edge is not None and edge["name"] == "Ellipse":
-        rows.append(
-            ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
-        )
+        angle = math.degrees(edge["angle"])
+        rows.append(("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {angle:.4g} degrees"))
     elif edge is not None:
         x, y = edge["shift"]
         rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
@@ -269,16 +255,13 @@ def _field_parts(field: Facts) -> list[RenderableType]:
     for place in field["places"]:
         largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:2]
         terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
-        distance = format_length(place["distance"], like=field["reach"])
-        rows.append(
-            (distance, *(known(place[name], ".4g") for name in ("strehl_at_peak", "rms_waves_without_tilt")), terms)
-        )
+        quality = (known(place[name], ".4g") for name in ("strehl_at_peak", "rms_waves_without_tilt"))
+        rows.append((format_length(place["distance"], like=field["reach"]), *quality, terms))
     names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
-    text = (
+    note = (
         "along a diagonal of the sensor, without tilt, which only shifts the image; all other values are on the axis"
     )
-    note = Wrapped(text, "dim")
-    return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), note]
+    return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), Wrapped(note, "dim")]
 
 
 def zernike_table(facts: Facts) -> Table:

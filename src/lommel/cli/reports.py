@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import math
-import time
-from collections.abc import Callable, Iterable
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.text import Text
 
-from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
-from lommel.cli.instruments import camera_facts, camera_in_words
+from lommel.cli.instruments import camera_in_words
 from lommel.cli.lens_report import zernike_table
 from lommel.cli.output import (
     Facts,
@@ -29,25 +25,20 @@ from lommel.cli.output import (
     table_of,
 )
 from lommel.field.psf_grid import PSFGrid
-from lommel.lensfiles.image_quality import listed_terms, magnifies
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.measures import errors, transfer
+from lommel.lensfiles.microscope_quality import microscope_quality
+from lommel.measures import transfer
 from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
-from lommel.methods import HuygensFresnel, Method, Polychromatic
-from lommel.methods.choice import reference
-from lommel.optics.aperture.apodization import illumination
+from lommel.methods import Polychromatic
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
-from lommel.psf import PSF, psf
+from lommel.psf import PSF
 from lommel.show.drawing import HOW, MEANING
-from lommel.show.labels import of_emitter
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
-
-_OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:
@@ -177,7 +168,6 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
     """
     nyquist = tuple(0.5 / side for side in instrument.pitch[::-1])
     fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
-    at = {"nyquist": 1.0, "half_nyquist": 0.5}
     places: list[tuple[float | None, float | None, Pupil]] = [(None, None, instrument.pupil())]
     if grid is not None:
         field = instrument.field()
@@ -185,22 +175,21 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
     lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
     if channels is not None:
         lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
+
     sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
-    rows = [
-        {"x": x, "y": y, "channel": name}
-        | {
-            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()
-            for part, share in at.items()
-        }
-        for x, y, pupil in places
-        for name, light in lights
-    ]
-    heads = [*(("position x, y",) if grid is not None else ()), *(("channel",) if channels else ())]
+    rows: list[Facts] = []
+    for x, y, pupil in places:
+        for name, light in lights:
+            mtf = [
+                transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist() for share in (1.0, 0.5)
+            ]
+            rows.append({"x": x, "y": y, "channel": name} | dict(zip(("nyquist", "half_nyquist"), mtf, strict=True)))
+    heads = [name for name, of in (("position x, y", grid), ("channel", channels)) if of is not None]
     cells = []
     for row in rows:
-        where = [", ".join(format_length(row[axis], like=1e-3) for axis in ("x", "y"))] if grid is not None else []
-        where += [row["channel"]] if channels else []
-        cells.append([*where, *(f"{value:.4f}" for part in at for value in row[part])])
+        place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
+        first = [place if head != "channel" else row["channel"] for head in heads]
+        cells.append([*first, *(f"{value:.4f}" for value in (*row["nyquist"], *row["half_nyquist"]))])
     names = (*heads, "x, Nyquist", "y, Nyquist", "x, half", "y, half")
     table = table_of(names, cells, left=0 if heads else -1, title="MTF, pixel included")
     across, down = (per_mm(frequency) for frequency in nyquist)
@@ -227,118 +216,11 @@ def how_made(answer: PSFLike, seconds: float) -> Facts:
     }
 
 
-def compare(
-    instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
-) -> tuple[list[Facts], dict[str, PSF]]:
-    """Return the errors and times of several methods against the `reference`, and the PSFs of those that apply.
-
-    The PSF of the reference comes first. Those on other samples than it has are left out.
-    """
-    pupil = instrument.pupil()
-    judge = reference(pupil)
-
-    def answer(method: Method, integrate: bool | None) -> PSF:
-        window, pixel = instrument.window, instrument.pixel
-        fill = 1.0 if integrate is False else instrument.fill
-        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
-
-    started(reference_name(pupil))
-    truth, seconds = timed(partial(answer, judge, instrument.integrate))
-    answers = {reference_name(pupil): truth}
-    rows = []
-    for method in methods:
-        name = type(method).__name__
-        row: Facts = {"method": name, "options": method.to_dict(), "reason": None}
-        row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
-        rows.append(row)
-        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and magnifies(instrument.lens):
-            row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
-            continue
-        if method != judge:
-            started(name)
-        # Its sums over the area of every pixel would take minutes.
-        integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
-        try:
-            own = (truth, seconds) if method == judge else timed(partial(answer, method, integrate))
-        except (ValueError, ArithmeticError, ImportError) as error:
-            row["reason"] = str(error)
-            continue
-        found, row["seconds"] = own
-        row["sampling"], row["error_bound"] = found.sampling, found.error_bound
-        against = truth
-        if found.sampling == truth.sampling:
-            answers[name] = found
-        elif found.sampling == "center":
-            against = answer(judge, False)
-        row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
-    return rows, answers
-
-
-def reference_name(pupil: Pupil) -> str:
-    """Return "Hankel", or the name and tolerance of another reference."""
-    judge = reference(pupil)
-    return type(judge).__name__ if pupil.radial else repr(judge)
-
-
-def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
-    """Return the PSF and the seconds of the second of two runs, or of a first that takes more than a second."""
-    for _ in range(2):  # the first one loads libraries and fills caches
-        start = time.perf_counter()
-        answer = work()
-        seconds = time.perf_counter() - start
-        if seconds > 1.0:
-            break
-    return answer, seconds
-
-
-DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
-"""Depths that are listed besides that of the file, metres."""
-
-
 def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
-    """Return the report of a microscope; with `foci`, a row for each depth of a freely rotating dipole.
-
-    Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians.
-    """
-    objective, wavelength = microscope.objective, microscope.wavelength
-    light = illumination(objective.apodization)
-    nyquist, glass = objective.nyquist(wavelength=wavelength), objective.coverslip
-    rows, refused = _foci(microscope) if foci else ([], [])
-    step = abs(microscope.step) if microscope.planes > 1 else None
-    coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
-    design, measured = objective.design, microscope.aberrations
-    terms = [] if measured is None else listed_terms(measured.to_zernike(unit="waves"))
-    as_designed = design.immersion == objective.immersion and design.coverslip == glass
-    facts = {
-        "name": microscope.name,
-        "source": microscope.source,
-        **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
-        "apodization": list(light.powers),
-        "rim_amplitude": float(light.value(1.0)),
-        "coverslip": plain(glass),
-        "films": plain(objective.films),
-        "design": None if as_designed else plain(design),
-        "sample": objective.sample,
-        "critical_angle": objective.critical_angle,
-        "rim_angle": math.asin(objective.NA / objective.immersion),
-        "wavelength": wavelength,
-        "emitter": of_emitter(microscope.emitter),
-        "rms_waves": math.hypot(*(term["waves_rms"] for term in terms)),
-        "zernike": terms,
-        "depth": microscope.depth,
-        "planes": microscope.planes,
-        "step": step,
-        "origin": microscope.origin,
-        "pixel": microscope.pixel,
-        "camera": camera_facts(microscope.camera),
-        "pixel_in_sample": microscope.pixel / objective.magnification,
-        "nyquist": {"lateral": nyquist.lateral, "axial": nyquist.axial, "pixel": nyquist.pixel},
-        "too_coarse": [name for name, exceeds in coarse.items() if exceeds],
-        "focus": rows,
-        "refused": refused,
-    }
-    tables: list[RenderableType] = ["", zernike_table(facts)] if terms else []
-    return Report(facts, [*_microscope_parts(facts), *tables, *(_focus_parts(facts) if rows else ())])
+    """Return the report of a microscope; with `foci`, a row for each depth of a freely rotating dipole."""
+    facts = microscope_quality(microscope, foci=foci)
+    tables: list[RenderableType] = ["", zernike_table(facts)] if facts["zernike"] else []
+    return Report(facts, [*_microscope_parts(facts), *tables, *(_focus_parts(facts) if facts["focus"] else ())])
 
 
 def _microscope_parts(facts: Facts) -> list[RenderableType]:
@@ -392,27 +274,6 @@ _ORIGINS = {
 
 def _layer_in_words(layer: dict[str, float] | None) -> str:
     return "" if layer is None else f"{format_length(layer['thickness'])} of index {layer['index']:g}"
-
-
-def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[str]]:
-    """Return the foci at several depths, and the reasons why other depths have none."""
-    objective, wavelength = microscope.objective, microscope.wavelength
-    rows: list[dict[str, float | None]] = []
-    refused: dict[str, None] = {}
-    surface = float(objective.focus(0.0, wavelength=wavelength).peak)
-    for depth in sorted({*DEPTHS, microscope.depth}):
-        try:
-            found = objective.focus(depth, wavelength=wavelength)
-        except ValueError as reason:
-            refused[f"{1e6 * depth:.4g} um deep: {reason}"] = None
-            continue
-        row: dict[str, float | None] = {"depth": depth, "ratio": float(found.ratio) if depth > 0.0 else None}
-        names = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
-        row |= {name: float(getattr(found, name)) for name in names}
-        row["peak_of_surface"] = float(found.peak) / surface
-        row["collected"] = float(objective.collected(depth, wavelength=wavelength))
-        rows.append(row)
-    return rows, list(refused)
 
 
 def _focus_parts(facts: Facts) -> list[RenderableType]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from lommel.base.units import format_length
 from lommel.recorded.noise import Noise
@@ -47,6 +48,15 @@ class Camera:
         well = "" if self.full_well is None else f", full well {self.full_well:g} electrons"
         excess = "" if self.excess == 1.0 else f", excess noise {self.excess:g}"
         return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what is known of the camera besides its pixels as plain data.
+
+        Returns
+        -------
+        dict
+        """
+        return {name: value for name, value in vars(self).items() if name != "pixel"}
 
     @property
     def side(self) -> float:

@@ -23,7 +23,6 @@ from lommel.cli.options import (
     Option,
     Parsed,
     option,
-    under,
 )
 from lommel.cli.output import Facts
 from lommel.recorded.metadata import Found, Unusable
@@ -105,31 +104,47 @@ CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
     "`lommel examples --find camera` lists, or a file; overrides the file."
 )
-PIXEL = Option(
-    "--pixel",
-    type=SIDES,
-    help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.",
-)
 SQUARE_PIXEL: Any = Option(
     "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
 )
-SHAPE = Option(
+SHAPE: Any = Option(
     "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
 )
-INTEGRATE = Option(
-    "--integrate/--sample", default=None,
-    help="Pixel-integrated values, as a sensor records them, or values at the pixel centres; overrides the file.",
-)  # fmt: skip
-STACK = under(
-    "Microscopes",
-    Option("--stack", type=click.IntRange(1, 4096), metavar="PLANES",
-           help="Number of planes along the optical axis; by default that of the file."),
-    Option("--step", type=NANOMETRES, help="Stage step between planes, such as 100nm; by default that of the file."),
-    Option("--depth", type=MICROMETRES,
-           help="Depth of the emitter below the cover glass, such as 2um; by default that of the file."),
-)  # fmt: skip
-STEP: Any = STACK[1]
-DEPTH: Any = STACK[2]
+STEP: Any = Option(
+    "--step", type=NANOMETRES, help="Stage step between planes, such as 100nm; by default that of the file."
+)
+DEPTH: Any = Option(
+    "--depth",
+    type=MICROMETRES,
+    help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.",
+)
+
+
+class Seen(Group):
+    """The object and the sensor of a lens, which override the file."""
+
+    # fmt: off
+    object_distance: float | None = OBJECT_DISTANCE
+    camera: Camera | None = CAMERA
+    pixel: float | tuple[float, ...] | None = option("--pixel", type=SIDES,
+        help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.")
+    shape: int | tuple[int, int] | None = SHAPE
+    integrate: bool | None = option("--integrate/--sample", default=None,
+        help="Pixel-integrated values, as a sensor records them, or values at the pixel centres; overrides the file.")
+    # fmt: on
+
+
+class Planes(Group, heading="Microscopes"):
+    """The planes of a microscope, which override the file."""
+
+    stack: int | None = option(
+        "--stack",
+        type=click.IntRange(1, 4096),
+        metavar="PLANES",
+        help="Number of planes along the optical axis; by default that of the file.",
+    )
+    step: float | None = STEP
+    depth: float | None = DEPTH
 
 
 def instrument_of(lens: Path, **given: object) -> Instrument:

@@ -10,18 +10,8 @@ import click
 from rich.table import Column, Table
 from rich.text import Text
 
-from lommel.cli.instruments import (
-    CAMERA,
-    DEPTH,
-    INTEGRATE,
-    LENS,
-    OBJECT_DISTANCE,
-    PIXEL,
-    SHAPE,
-    instrument_of,
-    microscope_of,
-)
-from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
+from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
+from lommel.cli.options import JSON, PATH, WINDOW, command, option, plot_option, under
 from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
@@ -33,14 +23,20 @@ if TYPE_CHECKING:
 _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation", "Geometric": "no diffraction"}
 
 
-@command(
-    LENS, OBJECT_DISTANCE, CAMERA, PIXEL,
-    Option("--shape", type=WINDOW,
-           help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
-           "(height x width); overrides the file."),
-    JSON, DEPTH,
-)  # fmt: skip
-def info(lens: Path, depth: float | None, **given: object) -> Report:
+class Described(Seen):
+    """The same, with a window for the comparison of models alone."""
+
+    shape: int | tuple[int, int] | None = option(
+        "--shape",
+        type=WINDOW,
+        help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
+        "(height x width); overrides the file.",
+    )
+    integrate: bool | None = None
+
+
+@command(JSON, *under("Microscopes", DEPTH))
+def info(depth: float | None, lens: Path = LENS, seen: Described = Described()) -> Report:
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
@@ -58,17 +54,20 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
     """
     from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
 
-    microscope = microscope_of(lens, depth=depth, **given)
+    microscope = microscope_of(lens, depth=depth, **vars(seen))
     if microscope is not None:
         return reports.describe_microscope(microscope)
-    return lens_report.describe_lens(instrument_of(lens, **given))
+    return lens_report.describe_lens(instrument_of(lens, **vars(seen)))
 
 
-@command(
-    LENS, OBJECT_DISTANCE, CAMERA, PIXEL, SHAPE, INTEGRATE,
-    plot_option("Figure of the reference, maps of the errors of the others, and slices", "--figure"), JSON,
-)  # fmt: skip
-def compare(lens: Path, figure: Path | None, **given: object) -> Report:
+@command(JSON)
+def compare(
+    lens: Path = LENS,
+    seen: Seen = Seen(),
+    figure: Path | None = plot_option(
+        "Figure of the reference, maps of the errors of the others, and slices", "--figure"
+    ),
+) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
     The reference has a proven error bound: for circular and annular apertures Hankel (direct quadrature) if the
@@ -90,7 +89,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     from lommel.lensfiles.comparison import compare_methods
     from lommel.lensfiles.image_quality import other_model
 
-    instrument = instrument_of(lens, **given)
+    instrument = instrument_of(lens, **vars(seen))
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as started:
         methods = [
@@ -172,14 +171,13 @@ def _default(item: dataclasses.Field[Any]) -> str:
     return next((name for name, kind in ERFS.items() if isinstance(default, kind)), str(default).lower())
 
 
-@command(
-    click.Argument(["outdir"], type=click.Path(path_type=Path)),
-    Option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "eq17", "validity"]),
-           help="Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of "
-           "Eq. (17); validity: where the closed forms hold."),
-    JSON,
-)  # fmt: skip
-def paper(outdir: Path, figures: tuple[str, ...]) -> Report:
+@command(JSON)
+def paper(
+    outdir: Path = click.Argument(["outdir"], type=PATH),  # type: ignore[assignment]
+    figures: tuple[str, ...] = option("--figure", multiple=True, type=click.Choice([*"1234567", "eq17", "validity"]),
+        help="Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of "
+        "Eq. (17); validity: where the closed forms hold."),
+) -> Report:  # fmt: skip
     """Reproduce the figures and numbers of the paper.
 
     The paper is "Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical

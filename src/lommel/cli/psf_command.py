@@ -18,19 +18,9 @@ from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
-from lommel.cli.instruments import (
-    CAMERA,
-    INTEGRATE,
-    LENS,
-    OBJECT_DISTANCE,
-    PIXEL,
-    SHAPE,
-    STACK,
-    instrument_of,
-    microscope_of,
-)
+from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
 from lommel.cli.lens_report import distinct, summarize_lens
-from lommel.cli.options import JSON, LENGTH, OUTPUT, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.options import JSON, LENGTH, OUTPUT, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
@@ -66,71 +56,84 @@ class _Product(Generic[Made]):
     sections: bool = False  # of a stack, which a .png shows as its figure does
 
 
-@command(
-    LENS,
-    Option("-o", "--output", "outputs", multiple=True, type=OUTPUT,
-           help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
-           f"With --field: {suffixes('field')}. "
-           f"With --colour: {suffixes('colours')}."),
-    plot_option("Figure with axes and a colour bar"),
-    Option("--stretch", default="sqrt", type=click.Choice(list(STRETCHES)), show_default=True,
-           help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
-    OBJECT_DISTANCE,
-    CAMERA,
-    PIXEL,
-    SHAPE,
-    INTEGRATE,
-    Option("--field", type=WINDOW, metavar="ROWSxCOLUMNS",
-           help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
-    Option("--at", "place", type=LENGTH, nargs=2, metavar="X Y",
-           help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
-           "needs a section [field]. By default the axis."),
-    Option("--colour", is_flag=True, help="PSFs in the colour channels of the lens file, or in red, green and blue."),
-    Option("--mtf", is_flag=True,
-           help="Print the MTF at the Nyquist frequency and at half of it, pixel included, along x and y."),
-    JSON,
-    *STACK,
-    *under(
-        "Telescopes on the ground",
-        Option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-               help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds."),
-        Option("--outer-scale", type=LENGTH, help="Outer scale of the turbulence, such as 25m; by default infinite."),
-        Option("--jitter", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-               help="Image motion during the exposure, arcseconds rms along each axis."),
-    ),
-    *under(
-        "Computation",
-        Option("-m", "--method", "method_name", default="auto", metavar="METHOD",
-               type=click.Choice(("auto", *METHODS)),
-               help="How to evaluate the diffraction integral; `lommel methods` lists the methods."),
-        documented(compute, "tol", type=float,
-                   help="Tolerance, relative to the peak; by default that of the method (1e-6 for most)."),
-        Option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-               help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated."),
-        Option("--normalize", default="energy", type=click.Choice(psf_files.NORMALIZE),
-               help="energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would "
-               "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; "
-               "peak: 1 = largest value."),
-        Option("--dtype", type=click.Choice(["float32", "float64"]),
-               help="Type of the values; by default float64 for a --tol below 1e-6, else float32."),
-    ),
-)  # fmt: skip
+class Air(Group, heading="Telescopes on the ground"):
+    """The blur of images of telescopes on the ground."""
+
+    # fmt: off
+    seeing: float | None = option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+        help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds.")
+    outer_scale: float | None = option("--outer-scale", type=LENGTH,
+        help="Outer scale of the turbulence, such as 25m; by default infinite.")
+    jitter: float | None = option("--jitter", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+        help="Image motion during the exposure, arcseconds rms along each axis.")
+    # fmt: on
+
+    def blur(self, focal_length: float) -> tuple[Blur, ...]:
+        """Return the blur on the sensor."""
+        if self.seeing is None and self.outer_scale is not None:
+            raise ValueError("--outer-scale needs --seeing")
+        air: tuple[Blur, ...] = ()
+        if self.seeing is not None:
+            air = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length, outer_scale=self.outer_scale),)
+        return air if self.jitter is None else (*air, Jitter(self.jitter * _ARCSEC * focal_length))
+
+    def words(self) -> list[str]:
+        """Return a line on the blur, if there is any."""
+        outer = "" if self.outer_scale is None else f", outer scale {format_length(self.outer_scale)}"
+        air = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm{outer}"]
+        air += [] if self.jitter is None else [f"jitter of {self.jitter:g} arcsec rms"]
+        return [f"behind {' and '.join(air)}"] if air else []
+
+
+class Computation(Group, heading="Computation"):
+    """How the values are computed."""
+
+    # fmt: off
+    method: str = option("-m", "--method", default="auto", metavar="METHOD", type=click.Choice(("auto", *METHODS)),
+        help="How to evaluate the diffraction integral; `lommel methods` lists the methods.")
+    tol: float | None = documented(compute, "tol", type=float,
+        help="Tolerance, relative to the peak; by default that of the method (1e-6 for most).")
+    settings: tuple[str, ...] = option("--set", multiple=True, metavar="NAME=VALUE",
+        help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")
+    normalize: str = option("--normalize", default="energy", type=click.Choice(psf_files.NORMALIZE),
+        help="energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would "
+        "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; "
+        "peak: 1 = largest value.")
+    dtype: str | None = option("--dtype", type=click.Choice(["float32", "float64"]),
+        help="Type of the values; by default float64 for a --tol below 1e-6, else float32.")
+    # fmt: on
+
+    def arguments(self) -> Facts:
+        """Return the arguments of :func:`lommel.psf`."""
+        given = vars(self) | {"method": build_method(self.method, self.settings)}
+        if any(setting.startswith("tol=") for setting in given.pop("settings")) and self.tol is not None:
+            raise ValueError("tol is given twice, by --tol and by --set")
+        return given
+
+
+@command(JSON)
 def psf(
-    lens: Path,
-    outputs: tuple[Path, ...],
-    figure: Path | None,
-    stretch: str,
-    field: int | tuple[int, int] | None,
-    place: tuple[float, float] | None,
-    colour: bool,
-    mtf: bool,
-    method_name: str,
-    settings: tuple[str, ...],
-    seeing: float | None,
-    outer_scale: float | None,
-    jitter: float | None,
-    **given: object,
-) -> Report:
+    lens: Path = LENS,
+    outputs: tuple[Path, ...] = option("-o", "--output", multiple=True, type=OUTPUT,
+        help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
+        f"With --field: {suffixes('field')}. With --colour: {suffixes('colours')}."),
+    figure: Path | None = plot_option("Figure with axes and a colour bar"),
+    stretch: str = option("--stretch", default="sqrt", type=click.Choice(list(STRETCHES)),
+        help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
+    seen: Seen = Seen(),
+    field: int | tuple[int, int] | None = option("--field", type=WINDOW, metavar="ROWSxCOLUMNS",
+        help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
+    place: tuple[float, float] | None = option("--at", type=LENGTH, nargs=2, metavar="X Y",
+        help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
+        "needs a section [field]. By default the axis."),
+    colour: bool = option("--colour", is_flag=True,
+        help="PSFs in the colour channels of the lens file, or in red, green and blue."),
+    mtf: bool = option("--mtf", is_flag=True,
+        help="Print the MTF at the Nyquist frequency and at half of it, pixel included, along x and y."),
+    planes: Planes = Planes(),
+    air: Air = Air(),
+    computation: Computation = Computation(),
+) -> Report:  # fmt: skip
     """Compute the PSF of a lens or a microscope.
 
     A file with a section [objective] describes a microscope: its PSF is a stack of planes, and a .png shows sections
@@ -149,67 +152,41 @@ def psf(
       lommel psf phone.toml --colour -o phone.png -o phone.npz
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
-    options: Facts = {name: given.pop(name) for name in ("tol", "normalize", "dtype")}
-    options["method"] = build_method(method_name, settings)
-    if options["tol"] is not None and any(setting.startswith("tol=") for setting in settings):
-        raise ValueError("tol is given twice, by --tol and by --set")
-    air = {"seeing": seeing, "outer_scale": outer_scale, "jitter": jitter}
-    microscope = microscope_of(lens, field=field, at=place, colour=colour or None, mtf=mtf or None, **air, **given)
+    options = computation.arguments()
+    others: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
+    microscope = microscope_of(lens, **others, **vars(air), **vars(seen), **vars(planes))
     if microscope is not None:
         return _write(_of_microscope(microscope, options), outputs, figure, stretch)
-    lens_only = {name: value for name, value in given.items() if name not in ("stack", "step", "depth")}
-    instrument = instrument_of(lens, **lens_only)
+    instrument = instrument_of(lens, **vars(seen))
     options |= instrument.sensor_options
-    if blur := _blur(instrument, seeing, outer_scale, jitter):
+    if blur := air.blur(instrument.lens.focal_length):
         if field is not None or colour or mtf:
             raise ValueError("--seeing and --jitter are for one PSF: leave out --field, --colour and --mtf")
         options["blur"] = blur
         # Of the light that seeing spreads most is within three times its width.
-        wide = 3.0 * _ARCSEC * ((seeing or 0.0) + 2.4 * (jitter or 0.0)) * instrument.lens.focal_length
+        wide = 3.0 * _ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
         side = min(2 * math.ceil(wide / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
     if place is not None and (field is not None or colour or mtf):
         raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
     channels = (instrument.channels or Channels.rgb()) if colour else None
+    product: _Product[Any]
     if field is not None:
-        return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure, stretch)
-    if channels is not None:
-        return _write(_in_colour(instrument, channels, mtf, options), outputs, figure, stretch)
-    said = _said(seeing, outer_scale, jitter)
-    if place is None:
-        return _write(_of_lens(instrument, instrument.pupil, mtf, options, said), outputs, figure, stretch)
-    where = " and ".join(
-        f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True)
-    )
-    pupil = partial(instrument.field().pupil, *place)
-    return _write(
-        _of_lens(instrument, pupil, mtf, options, [f"{where} the middle of the sensor", *said]),
-        outputs,
-        figure,
-        stretch,
-    )
+        product = _of_field(instrument, field, channels, mtf, options)
+    elif channels is not None:
+        product = _in_colour(instrument, channels, mtf, options)
+    else:
+        pupil, said = instrument.pupil, air.words()
+        if place is not None:
+            pupil = partial(instrument.field().pupil, *place)
+            where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
+            said = [f"{' and '.join(where)} the middle of the sensor", *said]
+        product = _of_lens(instrument, pupil, mtf, options, said)
+    return _write(product, outputs, figure, stretch)
 
 
 _ARCSEC = math.pi / 648000.0
 _WAYS = ("right of", "left of"), ("below", "above")
-
-
-def _blur(
-    instrument: Instrument, seeing: float | None, outer_scale: float | None, jitter: float | None
-) -> tuple[Blur, ...]:
-    """Return the blur of the options in arcseconds; outer scale in metres."""
-    length = instrument.lens.focal_length
-    if seeing is None and outer_scale is not None:
-        raise ValueError("--outer-scale needs --seeing")
-    air = () if seeing is None else (Seeing.from_fwhm(seeing * _ARCSEC, length, outer_scale=outer_scale),)
-    return air if jitter is None else (*air, Jitter(jitter * _ARCSEC * length))
-
-
-def _said(seeing: float | None, outer_scale: float | None, jitter: float | None) -> list[str]:
-    outer = "" if outer_scale is None else f", outer scale {format_length(outer_scale)}"
-    air = "" if seeing is None else f"seeing of {seeing:g} arcsec at 500 nm{outer}"
-    motion = "" if jitter is None else f"jitter of {jitter:g} arcsec rms"
-    return [f"behind {' and '.join(filter(None, (air, motion)))}"] if air or motion else []
 
 
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}

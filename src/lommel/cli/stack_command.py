@@ -5,42 +5,38 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
 
 from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import JSON, LENGTH, OUTPUT_PATH, Option, command, documented
+from lommel.cli.options import JSON, LENGTH, OUTPUT_PATH, command, documented, option
 from lommel.cli.output import Report
 from lommel.cli.progress import progress
 from lommel.psf import psf
 from lommel.stacks.compute import psf_to
 
+if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
 
-@command(
-    LENS,
-    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
-           help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
-    Option("--count", type=click.IntRange(2, 10**9), required=True,
-           help="Number of distances, equally spaced in defocus."),
-    Option("-o", "--output", type=OUTPUT_PATH, required=True,
-           help="Store to write, a folder .zarr."),
-    CAMERA,
-    SQUARE_PIXEL,
-    SHAPE,
-    documented(psf, "tol", type=float, help="Tolerance, relative to the peak; by default 1e-6."),
-    Option("--chunk", type=int, help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
-    JSON,
-)  # fmt: skip
+
+@command(JSON)
 def stack(
-    lens: Path,
-    between: tuple[float, float],
-    count: int,
-    output: Path,
-    tol: float | None,
-    chunk: int | None,
-    **given: object,
-) -> Report:
+    lens: Path = LENS,
+    between: tuple[float, float] = option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
+        help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
+    count: int = option("--count", type=click.IntRange(2, 10**9), required=True,
+        help="Number of distances, equally spaced in defocus."),
+    output: Path = option("-o", "--output", type=OUTPUT_PATH, required=True, help="Store to write, a folder .zarr."),
+    camera: Camera | None = CAMERA,
+    pixel: float | None = SQUARE_PIXEL,
+    shape: int | tuple[int, int] | None = SHAPE,
+    tol: float | None = documented(psf, "tol", type=float,
+        help="Tolerance, relative to the peak; by default 1e-6."),
+    chunk: int | None = option("--chunk", type=int,
+        help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
+) -> Report:  # fmt: skip
     """Compute PSFs over a range of object distances, on disk.
 
     The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
@@ -52,7 +48,7 @@ def stack(
     near, far = between
     if not 0.0 < near < far:
         raise ValueError(f"--between must be two rising distances, got {near:g} and {far:g} metres")
-    instrument = instrument_of(lens, **given)
+    instrument = instrument_of(lens, camera=camera, pixel=pixel, shape=shape)
     with np.errstate(divide="ignore"):
         distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
     distances[0], distances[-1] = near, far

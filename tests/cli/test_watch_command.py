@@ -261,7 +261,7 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
 
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])
 def test_frames_are_made_even_in_brightness_row_by_row(kind):
-    given = {"white": 65535.0, "read": 3.0, "offset": 100 / 65535, "saturation": None}
+    given = video_input.VideoNoise(white=65535.0, read=3.0, offset=100 / 65535, saturation=None)
     coding = video_input.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
     scale = 1.0 if kind == np.uint16 else 65535.0
     draw = np.random.default_rng(0)

@@ -15,9 +15,9 @@ from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
-from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Group, Option, command, documented, option, plot_option
+from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
-from lommel.cli.photo_commands import NOISE, read_as, without
+from lommel.cli.photo_commands import PhotoNoise, read_as, without
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
-BETWEEN: Any = Option(
+BETWEEN: Any = option(
     "--between",
     type=LENGTH,
     nargs=2,
@@ -50,12 +50,9 @@ def lens_options(which: str) -> list[Any]:
     """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
     once = f"once for {which}, or repeated for each; overrides the lens file."
     return [
-        Option("--focus", "foci", type=LENGTH, multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
-        Option("--f-number", "f_numbers", type=float, multiple=True, help=f"F-number: {once}"),
+        option("--focus", type=LENGTH, multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
+        option("--f-number", type=float, multiple=True, help=f"F-number: {once}"),
     ]
-
-
-PHOTOS: Any = click.Argument(["photos"], type=FILE, nargs=-1, required=True)
 
 
 class PhotoLens(Group, heading="Camera"):
@@ -81,11 +78,10 @@ class PhotoLens(Group, heading="Camera"):
     # fmt: on
 
 
-class PhotoNoise(Group, heading="Noise"):
+class RecordedNoise(PhotoNoise, heading="Noise"):
     """The noise of photographs, and pixels that do not count."""
 
     # fmt: off
-    white, read, offset = NOISE
     saturation: float | None = option("--saturation", type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
         "saturated.")
@@ -107,7 +103,7 @@ class Estimation(Group, heading="Estimation"):
 
 @command(JSON)
 def depth(
-    photos: tuple[Path, ...] = PHOTOS,
+    photos: tuple[Path, ...] = argument("photos", type=FILE, nargs=-1, required=True),
     lens: Path = LENS,
     between: tuple[float, float] = BETWEEN,
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
@@ -115,7 +111,7 @@ def depth(
     sharp: Path | None = option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
     figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
     seen: PhotoLens = PhotoLens(),
-    noisy: PhotoNoise = PhotoNoise(),
+    noisy: RecordedNoise = RecordedNoise(),
     estimation: Estimation = Estimation(),
 ) -> Report:  # fmt: skip
     """Estimate a depth map from photos (depth from defocus).
@@ -139,7 +135,7 @@ def depth(
         raise ValueError(
             f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
         )
-    noise = noise_of({**vars(noisy)}, instrument.camera, photographs=True)
+    noise = noise_of(vars(noisy), instrument.camera, photographs=True)
     lenses = each_lens(instrument.lens, len(photos), seen.foci, seen.f_numbers)
     with progress("reading") as started:
         pictures = [read_photo(path, seen.encoding) for path in photos]

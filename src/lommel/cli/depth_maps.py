@@ -4,35 +4,31 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import cast
 
 import click
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli.options import LENGTH, Option, documented
+from lommel.cli.options import LENGTH, Group, documented, option
 from lommel.cli.output import Facts
-from lommel.io.depth_maps import RESAMPLE, DepthKeywords, DepthValues
-
-OPTIONS = [
-    documented(DepthValues, "scale", "--depth-scale", type=float),
-    documented(DepthValues, "inverse", "--inverse-depth", "inverse_depth", type=LENGTH, nargs=2, metavar="NEAR FAR"),
-    documented(DepthValues, "disparity", type=float, nargs=2, metavar="FB OFFSET"),
-    documented(DepthValues, "zero_is_unknown", "--zero-unknown", is_flag=True),
-    Option("--unknown", type=float, multiple=True,
-           help="Treat this stored value of the depth map, such as -1 or 255, as unknown."),
-    documented(DepthValues, "resample", type=click.Choice(RESAMPLE)),
-]  # fmt: skip
-_ARGUMENTS = {
-    "depth_scale": "scale", "inverse_depth": "inverse", "disparity": "disparity",
-    "zero_unknown": "zero_is_unknown", "unknown": "unknown", "resample": "resample",
-}  # fmt: skip
+from lommel.io.depth_maps import RESAMPLE, DepthValues
 
 
-def depth_values(given: Facts) -> DepthKeywords:
-    """Return what the options say of the values of a depth map, and take them out of what was given."""
-    return cast("DepthKeywords", {name: given.pop(option) for option, name in _ARGUMENTS.items()})
+class DepthMap(Group):
+    """What the values of a depth map mean, as :class:`lommel.io.depth_maps.DepthKeywords`."""
+
+    # fmt: off
+    scale: float | None = documented(DepthValues, "scale", "--depth-scale", type=float)
+    inverse: tuple[float, float] | None = documented(DepthValues, "inverse", "--inverse-depth", type=LENGTH, nargs=2,
+        metavar="NEAR FAR")
+    disparity: tuple[float, float] | None = documented(DepthValues, "disparity", type=float, nargs=2,
+        metavar="FB OFFSET")
+    zero_is_unknown: bool = documented(DepthValues, "zero_is_unknown", "--zero-unknown", is_flag=True)
+    unknown: tuple[float, ...] = option("--unknown", type=float, multiple=True,
+        help="Treat this stored value of the depth map, such as -1 or 255, as unknown.")
+    resample: str | None = documented(DepthValues, "resample", type=click.Choice(RESAMPLE))
+    # fmt: on
 
 
 def finite(distance: float) -> float | str:

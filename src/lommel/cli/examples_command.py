@@ -14,7 +14,7 @@ from rich.text import Text
 from lommel.base import atomic
 from lommel.base.options import near
 from lommel.base.validation import shown
-from lommel.cli.options import JSON, Option, command
+from lommel.cli.options import JSON, argument, command, option
 from lommel.cli.output import Report, written
 from lommel.lensfiles import toml_files
 
@@ -23,16 +23,15 @@ if TYPE_CHECKING:
 from lommel.lensfiles.example_files import KINDS, example_files
 
 
-@command(
-    click.Argument(["names"], nargs=-1),
-    Option("-o", "--output", "folder", default=".", type=click.Path(file_okay=False, path_type=Path),
-           show_default="current folder", help="Folder to copy to, created if needed."),
-    Option("--all", "everything", is_flag=True, help="Copy all examples."),
-    Option("--find", "text", metavar="TEXT",
-           help='List only examples with these words in kind, name or description: "nikon water", "camera".'),
-    JSON,
-)  # fmt: skip
-def examples(names: tuple[str, ...], folder: Path, everything: bool, text: str | None) -> Report:
+@command(JSON)
+def examples(
+    names: tuple[str, ...] = argument("names", nargs=-1),
+    folder: Path = option("-o", "--output", default=".", type=click.Path(file_okay=False, path_type=Path),
+        show_default="current folder", help="Folder to copy to, created if needed."),
+    everything: bool = option("--all", is_flag=True, help="Copy all examples."),
+    text: str | None = option("--find", metavar="TEXT",
+        help='List only examples with these words in kind, name or description: "nikon water", "camera".'),
+) -> Report:  # fmt: skip
     """List or copy example files of lenses, objectives, cameras.
 
     NAMES are the names of the files to copy. Notebooks are for Jupyter; the other files describe real instruments and

@@ -234,7 +234,7 @@ _MISSING = {
 
 
 def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
-    """Return the noise of the options of a command, which are taken out; what they leave out is the camera's.
+    """Return the noise of the options of a command; what they leave out is the camera's.
 
     Images are in counts, or `photographs` that end at white and have no offset.
     """
@@ -244,7 +244,7 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
         known |= {"excess": camera.excess} | ({} if photographs else {"offset": camera.offset})
     found = {}
     for name in ("white", "read", "offset", "excess"):
-        value = given.pop(name, None)
+        value = given.get(name)
         found[name] = known.get(name) if value is None else value
         if found[name] is None and (name == "read" or (photographs and name == "white")):
             why = (
@@ -361,8 +361,7 @@ class CameraOptions(Group, heading="Camera and noise"):
         """Return noise, saturation and notes; an option counts more than the camera, and that than the header."""
         given = self.values() | {"saturation": self.saturation}
         notes = take_header(given, said, camera)
-        saturation = given.pop("saturation")
-        return noise_of(given, camera), saturation, notes
+        return noise_of(given, camera), given["saturation"], notes
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""

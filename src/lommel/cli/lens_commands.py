@@ -11,7 +11,7 @@ from rich.table import Column, Table
 from rich.text import Text
 
 from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, PATH, WINDOW, command, option, plot_option, under
+from lommel.cli.options import JSON, PATH, WINDOW, argument, command, option, plot_option, under
 from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
@@ -173,7 +173,7 @@ def _default(item: dataclasses.Field[Any]) -> str:
 
 @command(JSON)
 def paper(
-    outdir: Path = click.Argument(["outdir"], type=PATH),  # type: ignore[assignment]
+    outdir: Path = argument("outdir", type=PATH),
     figures: tuple[str, ...] = option("--figure", multiple=True, type=click.Choice([*"1234567", "eq17", "validity"]),
         help="Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of "
         "Eq. (17); validity: where the closed forms hold."),

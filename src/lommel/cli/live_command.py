@@ -8,20 +8,22 @@ from pathlib import Path
 import click
 
 from lommel.base import atomic
-from lommel.cli.options import FILE, OUTPUT, Option, command
+from lommel.cli.options import FILE, OUTPUT, argument, command, option
 from lommel.lensfiles.lens_files import load_instrument
 from lommel.page import module
 from lommel.page.server import PageServer
 from lommel.page.state import state_of
 
 
-@command(
-    click.Argument(["lens"], type=FILE, required=False),
-    Option("--port", type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
-    Option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
-    Option("--save", "saved", type=OUTPUT, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
-)
-def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | None) -> None:
+@command()
+def live(
+    lens: Path | None = argument("lens", type=FILE, required=False),
+    port: int | None = option("--port", type=click.IntRange(0, 65535),
+        help="Port of the page; by default any free port."),
+    no_browser: bool = option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
+    saved: Path | None = option("--save", type=OUTPUT, metavar="FILE",
+        help="Write the page to a stand-alone HTML file instead."),
+) -> None:  # fmt: skip
     """Open an interactive page of the PSF in the browser.
 
     The page shows the PSF, its curves and a test image, with sliders for every parameter. It starts with the lens

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar, TypeAlias, TypeVar
+from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -141,10 +141,16 @@ def option(*flags: str, **more: Any) -> Any:
     return Option(*flags, **more)
 
 
+def argument(name: str, **more: Any) -> Any:
+    """Return an argument of the command line, as the default of one of a command."""
+    return click.Argument([name], **more)
+
+
 class Group:
     """Options that commands share, under a heading of ``--help``: ``name: type = option("--name", ...)`` for each.
 
-    They come after those of the bases, which a subclass may replace. An instance has the values of a call.
+    They come after those of the bases, which a subclass may replace; a group may hold others. An instance has the
+    values of a call.
     """
 
     heading: ClassVar[str] = Option.heading
@@ -156,10 +162,23 @@ class Group:
         vars(self).update(values)
 
     @classmethod
+    def _members(cls) -> dict[str, Option | Group]:
+        found = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
+        return {name: one for name, one in found.items() if isinstance(one, Option | Group)}
+
+    @classmethod
     def options(cls) -> list[Option]:
         """Return the options in their order."""
-        found = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
-        return [_named(name, one, cls.heading) for name, one in found.items() if isinstance(one, Option)]
+        found: list[Option] = []
+        for name, one in cls._members().items():
+            found += one.options() if isinstance(one, Group) else [_named(name, one, cls.heading)]
+        return found
+
+    @classmethod
+    def of(cls, given: dict[str, Any]) -> Self:
+        """Return the group of the values of a call, which are taken out."""
+        members = cls._members().items()
+        return cls(**{name: one.of(given) if isinstance(one, Group) else given.pop(name) for name, one in members})
 
 
 def _named(name: str, one: click.Parameter, heading: str | None = None) -> Any:
@@ -250,7 +269,7 @@ def command(
                     figure_format(given["figure"])
                 _keep_what_is_read(every, given)
                 for name, group in groups.items():
-                    given[name] = group(**{one.name: given.pop(one.name) for one in group.options() if one.name})
+                    given[name] = group.of(given)
                 with _noted(said):
                     report = function(**given)
                 if report is not None:
@@ -370,10 +389,6 @@ def _hint(error: OSError) -> str:
     return ""
 
 
-# Arguments whose options have other names.
-_CALLED = {
-    "scale": "--depth-scale", "inverse": "--inverse-depth", "zero_is_unknown": "--zero-unknown", "time": "--time"
-}  # fmt: skip
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
 # "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
@@ -385,7 +400,6 @@ def with_options(message: str) -> str:
     params = context.command.params if context else ()
     flags = {part.name: max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
     own = {flag: name for name, flag in flags.items()}
-    flags |= {word: flag for word, flag in _CALLED.items() if flag in own}
     names = {kind.__name__: name for name, kind in METHODS.items()}
     of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 

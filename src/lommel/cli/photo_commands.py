@@ -7,10 +7,11 @@ import signal
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 import numpy as np
@@ -18,8 +19,8 @@ from click.core import ParameterSource
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli import dataset, depth_maps
-from lommel.cli.depth_maps import depth_facts, finite
+from lommel.cli.dataset import DataSet, render
+from lommel.cli.depth_maps import DepthMap, depth_facts, finite
 from lommel.cli.instruments import CAMERA, mask_of, noise_of
 from lommel.cli.options import (
     FILE,
@@ -31,10 +32,12 @@ from lommel.cli.options import (
     OUTPUT,
     OUTPUT_PATH,
     PATH,
+    Group,
     Option,
+    argument,
     command,
     documented,
-    under,
+    option,
 )
 from lommel.cli.output import Facts, Report, written
 from lommel.cli.progress import progress
@@ -70,103 +73,129 @@ _TYPES: dict[str, np.dtype[np.generic]] = {
 
 _FRAMES, _FPS = 24, 12.0
 
-_ARGUMENTS = [
-    click.Argument(["photo"], type=FILE),
-    click.Argument(["depth"], type=FILE),
-    click.Argument(["lens"], type=FILE, required=False),
-]
-_FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
-NOISE: list[Any] = [
-    Option(
-        "--white",
-        type=float,
+FOCUS: Any = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+
+
+class PhotoNoise(Group, heading="Noise"):
+    """The noise of photographs."""
+
+    # fmt: off
+    white: float | None = option("--white", type=float,
         help="Number of electrons at white, such as 5000; by default the full well of the camera. White is the "
-        "largest integer, or 1.0 in floats.",
-    ),
-    documented(
-        Noise,
-        "read",
-        type=float,
-        default=None,
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.",
-    ),
-    Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
-]
-_COMMON = [
-    JSON,
-    *under(
-        "Camera",
-        Option("--f-number", type=float, help="F-number; by default from the lens file or the EXIF."),
-        Option("--focal-length", type=MILLIMETRES,
-               help="Focal length, where there is no lens file; by default from the EXIF."),
-        CAMERA,
-        Option("--pixel", type=MICROMETRES, help="Pixel pitch; overrides the lens file and the camera."),
-        Option("--pixel-from-exif", is_flag=True,
-               help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate "
-               "to a few %."),
-        Option("--no-exif", is_flag=True, help="Ignore the lens data of the EXIF."),
-        Option("--wavelengths", type=LENGTHS,
-               help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo that of the lens "
-               "file, or 550nm."),
-    ),
-    *under(
-        "Photo and depth map",
-        Option("--encoding", type=click.Choice(["srgb", "linear"]),
-               help="Encoding of the photo's values; by default integers are sRGB and floats are linear."),
-        *depth_maps.OPTIONS,
-        documented(Settings, "missing", type=click.Choice(MISSING)),
-    ),
-    *under(
-        "Blur",
-        documented(Settings, "border", type=click.Choice(BORDERS)),
-        documented(Settings, "occlusion", "--occlusion/--no-occlusion", sentences=2),
-        documented(Settings, "energy", type=float, sentences=3),
-        documented(Settings, "tol", type=float),
-        documented(Settings, "largest", type=int),
-    ),
-    *under(
-        "Output file",
-        Option("--bits", type=click.Choice(list(_TYPES)), help="Bits of the output; by default those of the photo."),
-        Option("--quality", type=int, default=95, help="Quality of JPEG and WebP, 1 to 100."),
-    ),
-]  # fmt: skip
+        "largest integer, or 1.0 in floats.")
+    read: float | None = documented(Noise, "read", type=float, default=None,
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+    offset: float = option("--offset", type=float, default=0.0, help="Black level, as a fraction of white.")
+    # fmt: on
 
 
-@command(
-    click.Argument(["photo"], type=PATH),
-    click.Argument(["depth"], type=PATH),
-    click.Argument(["lens"], type=FILE, required=False),
-    Option("-o", "--output", required=True, type=OUTPUT_PATH, metavar="FILE",
-           help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or "
-           f"one animation or stack: {suffixes('frames')}."),
-    _FOCUS,
-    *under(
-        "Focus pull",
-        Option("--focus-to", "last", type=LENGTH,
-               help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres."),
-        Option("--frames", type=click.IntRange(2, 9999), help=f"Number of frames; by default {_FRAMES}."),
-        Option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}."),
-    ),
-    *under(
-        "Field of view",
-        Option("--over-field", is_flag=True,
-               help="Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, "
-               "which needs a section [field]: blur over the field, distortion, lateral colour and shading. The axis "
-               "is in the middle of the photo. --tol is then 0.001 by default."),
-    ),
-    *under("Data set", *dataset.OPTIONS),
-    *_COMMON,
-)  # fmt: skip
+class PhotoCamera(Group, heading="Camera"):
+    """The lens and the camera of a photograph, where a file does not state them."""
+
+    # fmt: off
+    f_number: float | None = option("--f-number", type=float,
+        help="F-number; by default from the lens file or the EXIF.")
+    focal_length: float | None = option("--focal-length", type=MILLIMETRES,
+        help="Focal length, where there is no lens file; by default from the EXIF.")
+    camera: Camera | None = CAMERA
+    pixel: float | None = option("--pixel", type=MICROMETRES,
+        help="Pixel pitch; overrides the lens file and the camera.")
+    pixel_from_exif: bool = option("--pixel-from-exif", is_flag=True,
+        help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate to a "
+        "few %.")
+    no_exif: bool = option("--no-exif", is_flag=True, help="Ignore the lens data of the EXIF.")
+    wavelengths: tuple[float, ...] | None = option("--wavelengths", type=LENGTHS,
+        help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo that of the lens file, "
+        "or 550nm.")
+    # fmt: on
+
+
+class PhotoDepth(DepthMap, heading="Photo and depth map"):
+    """The values of a depth map, and what is done where they are missing."""
+
+    missing: str = documented(Settings, "missing", type=click.Choice(MISSING))
+
+
+class Blurring(Group, heading="Blur"):
+    """How the light is blurred."""
+
+    border: str = documented(Settings, "border", type=click.Choice(BORDERS))
+    occlusion: bool = documented(Settings, "occlusion", "--occlusion/--no-occlusion", sentences=2)
+    energy: float = documented(Settings, "energy", type=float, sentences=3)
+    tol: float = documented(Settings, "tol", type=float)
+    largest: int | None = documented(Settings, "largest", type=int)
+
+
+class OutputFile(Group, heading="Output file"):
+    """How the result is stored."""
+
+    # fmt: off
+    bits: str | None = option("--bits", type=click.Choice(list(_TYPES)),
+        help="Bits of the output; by default those of the photo.")
+    quality: int = option("--quality", type=int, default=95, help="Quality of JPEG and WebP, 1 to 100.")
+    # fmt: on
+
+
+class PhotoOptions(Group, heading="Photo and depth map"):
+    """What the commands on one photograph with a depth map have in common."""
+
+    # fmt: off
+    seen: PhotoCamera = PhotoCamera()
+    encoding: str | None = option("--encoding", type=click.Choice(["srgb", "linear"]),
+        help="Encoding of the photo's values; by default integers are sRGB and floats are linear.")
+    depth_map: PhotoDepth = PhotoDepth()
+    blurring: Blurring = Blurring()
+    made: OutputFile = OutputFile()
+    # fmt: on
+
+    @property
+    def depth_values(self) -> DepthKeywords:
+        """What the values of the depth map mean."""
+        return cast("DepthKeywords", {name: one for name, one in vars(self.depth_map).items() if name != "missing"})
+
+    @property
+    def settings(self) -> Facts:
+        """The arguments of :class:`lommel.imaging.settings.Settings`."""
+        return {"wavelengths": self.seen.wavelengths, "missing": self.depth_map.missing} | vars(self.blurring)
+
+
+class FocusPull(Group, heading="Focus pull"):
+    """The end and the frames of a focus pull."""
+
+    # fmt: off
+    last: float | None = option("--focus-to", type=LENGTH,
+        help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres.")
+    frames: int | None = option("--frames", type=click.IntRange(2, 9999),
+        help=f"Number of frames; by default {_FRAMES}.")
+    fps: float | None = option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}.")
+    # fmt: on
+
+
+class FieldOfView(Group, heading="Field of view"):
+    """Whether a photograph is rendered over the field of a lens."""
+
+    # fmt: off
+    over: bool = option("--over-field", is_flag=True,
+        help="Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, which "
+        "needs a section [field]: blur over the field, distortion, lateral colour and shading. The axis is in the "
+        "middle of the photo. --tol is then 0.001 by default.")
+    # fmt: on
+
+
+@command(JSON)
 def blur(
-    output: Path,
-    focus: float | None,
-    last: float | None,
-    frames: int | None,
-    fps: float | None,
-    over_field: bool,
-    batch: bool,
-    **given: Any,
-) -> Report:
+    photo: Path = argument("photo", type=PATH),
+    depth: Path = argument("depth", type=PATH),
+    lens: Path | None = argument("lens", type=FILE, required=False),
+    output: Path = option("-o", "--output", required=True, type=OUTPUT_PATH, metavar="FILE",
+        help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or one "
+        f"animation or stack: {suffixes('frames')}."),
+    focus: float | None = FOCUS,
+    pull: FocusPull = FocusPull(),
+    field: FieldOfView = FieldOfView(),
+    data: DataSet = DataSet(),
+    options: PhotoOptions = PhotoOptions(),
+) -> Report:  # fmt: skip
     """Blur a photo by its depth map or over a lens field.
 
     PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
@@ -188,49 +217,54 @@ def blur(
       lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
       lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
-    if over_field:
-        others = {"focus": focus, "last": last, "frames": frames, "fps": fps, "batch": batch}
-        return _through_field(output, given | others)
-    if batch:
-        return dataset.render(output, given | {"focus": focus, "last": last, "frames": frames, "fps": fps})
-    for name, default in dataset.DEFAULTS.items():
-        if given.pop(name) != default:
-            raise ValueError(f"--{name} is for data sets, with --batch")
-    if last is not None:
-        return _pull_focus(given, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps)
-    if frames is not None or fps is not None:
-        raise ValueError(f"--{'frames' if frames is not None else 'fps'} needs --focus-to, the end of a focus pull")
+    if field.over:
+        return _through_field(photo, depth, output, options)
+    if data.batch:
+        return render(output, (photo, depth, lens), focus, vars(pull), data, options)
+    for one in DataSet.options():
+        if one.name != "batch" and getattr(data, one.name or "") != one.default:
+            raise ValueError(f"--{one.name} is for data sets, with --batch")
+    opened = partial(Job, photo, depth, lens, output, options)
+    if pull.last is not None:
+        return _pull_focus(opened, output, (focus, pull.last), pull)
+    if pull.frames is not None or pull.fps is not None:
+        name = "fps" if pull.frames is None else "frames"
+        raise ValueError(f"--{name} needs --focus-to, the end of a focus pull")
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as started:
-        job = Job.of(given, output)
-        lens = job.focused(focus)
+        job = opened()
+        of = job.focused(focus)
         started("computing PSFs")
         start = time.perf_counter()
-        made = job.photograph(lens, lambda share: started("blurring", share))
+        made = job.photograph(of, lambda share: started("blurring", share))
         seconds = time.perf_counter() - start
         clipped = job.write(made.values)
     facts, lines = _worst([made], [clipped])
-    facts = {"focus_distance": finite(lens.focus_distance), "seconds": seconds} | facts
-    return job.report(lens, facts, lines, [output])
+    facts = {"focus_distance": finite(of.focus_distance), "seconds": seconds} | facts
+    return job.report(of, facts, lines, [output])
 
 
-_OF_FIELD = ("photo", "depth", "camera", "pixel", "encoding", "bits", "quality")
+_OF_FIELD = ("photo", "depth", "output", "over", "as_json", "camera", "pixel", "encoding", "bits", "quality")
 _OF_BLUR = ("wavelengths", "border", "energy", "tol", "largest")
 
 
-def _through_field(output: Path, given: Facts) -> Report:
+def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions) -> Report:
     """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
     from lommel.lensfiles.lens_files import load_instrument
 
     context = click.get_current_context()
-    stated = {name for name in given if context.get_parameter_source(name) is ParameterSource.COMMANDLINE}
-    for name in given:
-        if name in stated and name not in (*_OF_FIELD, *_OF_BLUR):
-            stray = "DEPTH" if name == "lens" else next(p.opts[0] for p in context.command.params if p.name == name)
-            raise ValueError(f"{stray} cannot be combined with --over-field, which takes PHOTO and the lens file")
+    stated = {
+        param.name or "": "DEPTH" if param.name == "lens" else param.opts[0]
+        for param in context.command.params
+        if context.get_parameter_source(param.name or "") is ParameterSource.COMMANDLINE
+    }
+    for name, flag in stated.items():
+        if name not in (*_OF_FIELD, *_OF_BLUR):
+            raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
     find(output, "--output")
+    seen, stored_as = options.seen, options.made
     with terminated_as_interrupted(), progress("reading") as started:
-        picture, path = read_photo(given["photo"], given["encoding"]), given["depth"]
+        picture = read_photo(photo, options.encoding)
         light = picture.light()
         instrument = load_instrument(path)
         field = instrument.field()
@@ -238,20 +272,20 @@ def _through_field(output: Path, given: Facts) -> Report:
             raise ValueError(
                 f"{path} must have no [field.vignetting]: state all the relative illumination as [field.shading]"
             )
-        camera = given["camera"] or instrument.camera
-        pitch = given["pixel"] or (instrument.side if camera is None else camera.side)
-        dtype, encoding = output_type(picture, output, given["bits"])
+        camera = seen.camera or instrument.camera
+        pitch = seen.pixel or (instrument.side if camera is None else camera.side)
+        dtype, encoding = output_type(picture, output, stored_as.bits)
         started("computing PSFs and blurring")
         start = time.perf_counter()
-        options = {name: given[name] for name in _OF_BLUR if name in stated}
-        made = field_photograph(light, field, pitch, encoding="linear", **options)
+        given = {name: value for name, value in options.settings.items() if name in stated}
+        made = field_photograph(light, field, pitch, encoding="linear", **given)
         seconds = time.perf_counter() - start
-        clipped = write_like(picture, output, made.values, encoding=encoding, dtype=dtype, quality=given["quality"])
+        clipped = write_like(picture, output, made.values, encoding=encoding, dtype=dtype, quality=stored_as.quality)
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     moved = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
     facts, lines = _worst([made], [clipped])
-    read = read_as(picture, given["encoding"])
+    read = read_as(picture, options.encoding)
     facts |= {
         "shape": list(light.shape),
         "encoding": {"photo": picture.encoding, "output": encoding},
@@ -270,9 +304,12 @@ def _through_field(output: Path, given: Facts) -> Report:
     return Report(facts, lines) + written([output])
 
 
-def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], frames: int, fps: float) -> Report:
+def _pull_focus(
+    opened: Callable[..., Job], output: Path, ends: tuple[float | None, float], pull: FocusPull
+) -> Report:
     """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
     first, last = ends
+    frames, fps = pull.frames or _FRAMES, _FPS if pull.fps is None else pull.fps
     check_pattern(output, "--output")
     for name, distance in (("--focus", first), ("--focus-to", last)):
         if distance is not None and not distance > 0.0:
@@ -280,7 +317,7 @@ def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], fr
     photographs: list[Photograph] = []
     shares: list[float] = []
     with terminated_as_interrupted(), progress("reading", total=frames) as started:
-        job = Job.of(given, output, one_file="%" not in output.name)
+        job = opened(one_file="%" not in output.name)
         near = 1.0 / (job.focused(None).focus_distance if first is None else first)
         # A lens moves by equal steps where 1 / distance does.
         steps = [near + (1.0 / last - near) * k / (frames - 1) for k in range(frames)]
@@ -296,7 +333,7 @@ def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], fr
                 shares.append(clipped)
                 yield values
 
-        files = write_frames(output, made(), fps=fps, quality=job.quality, exif=job.picture.exif)
+        files = write_frames(output, made(), fps=fps, quality=job.options.made.quality, exif=job.picture.exif)
         seconds = time.perf_counter() - start
     foci = [finite(lens.focus_distance) for lens in lenses]
     facts, lines = _worst(photographs, shares)
@@ -324,46 +361,61 @@ def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, 
 _METHODS = ("richardson-lucy", "total-variation", "one-pass")
 
 
-@command(
-    *_ARGUMENTS,
-    Option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
-    _FOCUS,
-    *under(
-        "Noise",
-        *NOISE,
-        Option("--saturation", type=float,
-               help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
-               "such as 0.95."),
-        Option("--mask", "masked", type=FILE, help="Image of the pixels to leave out, as unknown: not 0 there."),
-    ),
-    *under(
-        "Restoration",
-        Option("--method", type=click.Choice(_METHODS), default=_METHODS[0],
-               help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: "
-               "usually less noise at the same sharpness, but ten to forty times slower; one-pass takes Wiener's "
-               "filters, and is as good where depth has few edges."),
-        Option("--steps", type=int,
-               help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
-               f"{TotalVariation.steps} for each strength tried."),
-        documented(RichardsonLucy, "target", type=float,
-                   help="Discrepancy at which to stop. The default is below 1 because the restored photo also fits "
-                   "part of the noise."),
-        Option("--strength", type=float,
-               help="Weight of the total variation; by default such that the discrepancy is --target."),
-    ),
-    *_COMMON,
-)  # fmt: skip
+class RestoredNoise(PhotoNoise, heading="Noise"):
+    """The noise of a photograph, and its pixels that do not count."""
+
+    # fmt: off
+    saturation: float | None = option("--saturation", type=float,
+        help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
+        "such as 0.95.")
+    masked: Path | None = option("--mask", type=FILE,
+        help="Image of the pixels to leave out, as unknown: not 0 there.")
+    # fmt: on
+
+
+class Restoring(Group, heading="Restoration"):
+    """How a photograph is restored."""
+
+    # fmt: off
+    method: str = option("--method", type=click.Choice(_METHODS), default=_METHODS[0],
+        help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually "
+        "less noise at the same sharpness, but ten to forty times slower; one-pass takes Wiener's filters, and is as "
+        "good where depth has few edges.")
+    steps: int | None = option("--steps", type=int,
+        help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
+        f"{TotalVariation.steps} for each strength tried.")
+    target: float = documented(RichardsonLucy, "target", type=float,
+        help="Discrepancy at which to stop. The default is below 1 because the restored photo also fits part of the "
+        "noise.")
+    strength: float | None = option("--strength", type=float,
+        help="Weight of the total variation; by default such that the discrepancy is --target.")
+    # fmt: on
+
+    def way(self) -> RichardsonLucy | TotalVariation | OnePass:
+        """Return the restoration method."""
+        if self.method == _METHODS[2]:
+            if self.steps is not None or self.strength is not None:
+                raise ValueError(f"--steps and --strength need --method {_METHODS[0]} or {_METHODS[1]}")
+            return OnePass()
+        if self.method == _METHODS[1]:
+            steps = TotalVariation.steps if self.steps is None else self.steps
+            return TotalVariation(strength=self.strength, steps=steps, target=self.target)
+        if self.strength is not None:
+            raise ValueError(f"--strength needs --method {_METHODS[1]}")
+        return RichardsonLucy(steps=RichardsonLucy.steps if self.steps is None else self.steps, target=self.target)
+
+
+@command(JSON)
 def restore(
-    output: Path,
-    focus: float | None,
-    saturation: float | None,
-    masked: Path | None,
-    method: str,
-    steps: int | None,
-    target: float,
-    strength: float | None,
-    **given: Any,
-) -> Report:
+    photo: Path = argument("photo", type=FILE),
+    depth: Path = argument("depth", type=FILE),
+    lens: Path | None = argument("lens", type=FILE, required=False),
+    output: Path = option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
+    focus: float | None = FOCUS,
+    noisy: RestoredNoise = RestoredNoise(),
+    restoring: Restoring = Restoring(),
+    options: PhotoOptions = PhotoOptions(),
+) -> Report:  # fmt: skip
     """Deblur a photo with a known depth map and lens.
 
     PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
@@ -381,14 +433,13 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     find(output, "--output")
-    way = _method(method, steps, target, strength)
+    way = restoring.way()
     with terminated_as_interrupted(), progress("reading") as started:
-        noise = {name: given.pop(name) for name in ("white", "read", "offset")}
-        job = Job.of(given, output)
-        lens = job.focused(focus)
-        photo = job.picture.values
-        if masked is not None:
-            (photo,) = without([photo], masked)
+        job = Job(photo, depth, lens, output, options)
+        of = job.focused(focus)
+        values = job.picture.values
+        if noisy.masked is not None:
+            (values,) = without([values], noisy.masked)
         started("computing PSFs")
         start = time.perf_counter()
 
@@ -397,20 +448,20 @@ def restore(
             started(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
 
         found = restored(
-            photo,
+            values,
             job.distance,
-            lens,
+            of,
             job.pitch,
             encoding=job.picture.encoding,
-            noise=noise_of(noise, job.camera, photographs=True),
+            noise=noise_of(vars(noisy), job.camera, photographs=True),
             method=way,
-            saturation=saturation,
+            saturation=noisy.saturation,
             progress=step_done,
-            **vars(job.settings),
+            **options.settings,
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(found.light))
-    facts = {"focus_distance": finite(lens.focus_distance), "seconds": seconds, "method": method}
+    facts = {"focus_distance": finite(of.focus_distance), "seconds": seconds, "method": restoring.method}
     facts |= found.to_dict() | {"clipped": clipped}
     lines = [f"discrepancy {found.before:.3g} of the photo, {found.discrepancy:.3g} of the result"]
     if found.strength is not None:
@@ -419,7 +470,7 @@ def restore(
     lines.append(f"stopped after {found.steps} steps: {why}")
     if found.unknown:
         lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
-    return job.report(lens, facts, lines, [output]) + Report({}, [], found.converged)
+    return job.report(of, facts, lines, [output]) + Report({}, [], found.converged)
 
 
 def without(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
@@ -430,22 +481,6 @@ def without(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
         np.ma.masked_array(photo, np.broadcast_to(out.reshape(*out.shape, *[1] * (photo.ndim - 2)), photo.shape))
         for photo, out in zip(photos, each, strict=True)
     ]
-
-
-def _method(
-    name: str, steps: int | None, target: float, strength: float | None
-) -> RichardsonLucy | TotalVariation | OnePass:
-    """Return the restoration method that the options describe."""
-    if name == _METHODS[2]:
-        if steps is not None or strength is not None:
-            raise ValueError(f"--steps and --strength need --method {_METHODS[0]} or {_METHODS[1]}")
-        return OnePass()
-    if name == _METHODS[1]:
-        count = TotalVariation.steps if steps is None else steps
-        return TotalVariation(strength=strength, steps=count, target=target)
-    if strength is not None:
-        raise ValueError(f"--strength needs --method {_METHODS[1]}")
-    return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
 
 
 @contextmanager
@@ -462,47 +497,30 @@ def terminated_as_interrupted() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-@dataclass(kw_only=True)
+@dataclass
 class Job:
     """A photograph, its depth map and its lens, by the options of a command, and how to store the result.
 
     The lens is as in its file, or focused at infinity; `one_file` is for the frames of an animation or a stack.
     """
 
-    output: Path
-    one_file: bool
     photo: Path
     depth: Path
     lens: Path | None
-    f_number: float | None
-    focal_length: float | None
-    camera: Camera | None
-    pixel: float | None
-    pixel_from_exif: bool
-    no_exif: bool
-    encoding: str | None
-    values: DepthKeywords
-    bits: str | None
-    quality: int
-    settings: Settings
-
-    @classmethod
-    def of(cls, given: Facts, output: Path, *, one_file: bool = False) -> Self:
-        """Read the files that the options of a command name."""
-        given = given.copy()
-        given["values"] = depth_maps.depth_values(given)
-        own = {field.name for field in fields(cls)}
-        settings = Settings(**{name: value for name, value in given.items() if name not in own})
-        arguments = {name: value for name, value in given.items() if name in own}
-        return cls(output=output, one_file=one_file, settings=settings, **arguments)
+    output: Path
+    options: PhotoOptions
+    one_file: bool = False
 
     def __post_init__(self) -> None:
-        self.picture = read_photo(self.photo, self.encoding)
-        self.distance = read_depth(self.depth, shape=self.picture.values.shape, **self.values)
-        if self.pixel_from_exif:
+        options, seen = self.options, self.options.seen
+        self.settings = Settings(**options.settings)
+        self.picture = read_photo(self.photo, options.encoding)
+        self.distance = read_depth(self.depth, shape=self.picture.values.shape, **options.depth_values)
+        self.pixel, self.camera = seen.pixel, seen.camera
+        if seen.pixel_from_exif:
             if self.pixel is not None:
                 raise ValueError("give one of --pixel and --pixel-from-exif")
-            if self.no_exif:
+            if seen.no_exif:
                 raise ValueError("--pixel-from-exif contradicts --no-exif")
             self.pixel = self.picture.exif.pixel(self.picture.values.shape)
         if self.pixel is None and self.camera is not None:
@@ -511,7 +529,7 @@ class Job:
         if self.pixel is None:
             raise ValueError("without a lens file give --camera, --pixel or --pixel-from-exif")
         self.pitch = self.pixel
-        self.dtype, self.stored_as = output_type(self.picture, self.output, self.bits)
+        self.dtype, self.stored_as = output_type(self.picture, self.output, options.made.bits)
         if not self.one_file:
             find(self.output, "--output", holding=f"of {self.dtype}")
         elif is_animation(self.output) and self.dtype.itemsize > 1:
@@ -519,19 +537,19 @@ class Job:
 
     def _lens_of_options(self) -> Lens:
         """Return a lens with the data of the options or the EXIF, focused at infinity."""
-        exif = self.picture.exif
+        exif, seen = self.picture.exif, self.options.seen
         return Lens(
-            focal_length=self._agreed("--focal-length", self.focal_length, exif.focal_length, format_length),
-            f_number=self._agreed("--f-number", self.f_number, exif.f_number, lambda n: f"f/{n:g}"),
+            focal_length=self._agreed("--focal-length", seen.focal_length, exif.focal_length, format_length),
+            f_number=self._agreed("--f-number", seen.f_number, exif.f_number, lambda n: f"f/{n:g}"),
             wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
         )
 
     def _agreed(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
         """Return the value of an option or of the EXIF; ValueError if they contradict each other."""
-        known = None if self.no_exif else read
+        known = None if self.options.seen.no_exif else read
         if given is None:
             if known is None:
-                reason = "the EXIF is ignored" if self.no_exif else f"{self.photo} has none in its EXIF"
+                reason = "the EXIF is ignored" if self.options.seen.no_exif else f"{self.photo} has none in its EXIF"
                 raise ValueError(f"give a lens file or {option}: {reason}")
             return known
         if known is not None and not math.isclose(given, known, rel_tol=_AGREE):
@@ -545,8 +563,9 @@ class Job:
         """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
         from lommel.lensfiles.lens_files import load_instrument
 
-        if self.focal_length is not None or self.pixel_from_exif:
-            stray = "--focal-length" if self.focal_length is not None else "--pixel-from-exif"
+        seen = self.options.seen
+        if seen.focal_length is not None or seen.pixel_from_exif:
+            stray = "--focal-length" if seen.focal_length is not None else "--pixel-from-exif"
             raise ValueError(f"{stray} cannot be combined with a lens file, which states it")
         instrument = load_instrument(path)
         if instrument.aberrations_of_field is not None:
@@ -555,7 +574,7 @@ class Job:
         self.pixel = side if self.pixel is None else self.pixel
         self.camera = self.camera or instrument.camera
         try:
-            return instrument.lens if self.f_number is None else instrument.lens.stopped(self.f_number)
+            return instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
         except ValueError as error:
             raise ValueError(f"--f-number of {path}: {error}") from None
 
@@ -590,15 +609,16 @@ class Job:
 
     def write(self, light: NDArray[Any]) -> float:
         """Write the result and return the clipped fraction of its values."""
+        quality = self.options.made.quality
         return write_like(
-            self.picture, self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=self.quality
+            self.picture, self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=quality
         )
 
     def report(
         self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
     ) -> Report:
         """Return the report of the job: the facts and lines of a command, within those that all have."""
-        read, (height, width, *_) = read_as(self.picture, self.encoding), self.picture.values.shape
+        read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
         common = {
             "shape": list(self.picture.values.shape),
             "encoding": {"photo": self.picture.encoding, "output": self.stored_as},

@@ -152,11 +152,11 @@ def psf(
       lommel psf phone.toml --colour -o phone.png -o phone.npz
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
-    options = computation.arguments()
+    options, files = computation.arguments(), (outputs, figure, stretch)
     others: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
     microscope = microscope_of(lens, **others, **vars(air), **vars(seen), **vars(planes))
     if microscope is not None:
-        return _write(_of_microscope(microscope, options), outputs, figure, stretch)
+        return _write(_of_microscope(microscope, options), *files)
     instrument = instrument_of(lens, **vars(seen))
     options |= instrument.sensor_options
     if blur := air.blur(instrument.lens.focal_length):
@@ -170,19 +170,16 @@ def psf(
     if place is not None and (field is not None or colour or mtf):
         raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
     channels = (instrument.channels or Channels.rgb()) if colour else None
-    product: _Product[Any]
     if field is not None:
-        product = _of_field(instrument, field, channels, mtf, options)
-    elif channels is not None:
-        product = _in_colour(instrument, channels, mtf, options)
-    else:
-        pupil, said = instrument.pupil, air.words()
-        if place is not None:
-            pupil = partial(instrument.field().pupil, *place)
-            where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
-            said = [f"{' and '.join(where)} the middle of the sensor", *said]
-        product = _of_lens(instrument, pupil, mtf, options, said)
-    return _write(product, outputs, figure, stretch)
+        return _write(_of_field(instrument, field, channels, mtf, options), *files)
+    if channels is not None:
+        return _write(_in_colour(instrument, channels, mtf, options), *files)
+    pupil, said = instrument.pupil, air.words()
+    if place is not None:
+        pupil = partial(instrument.field().pupil, *place)
+        where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
+        said = [f"{' and '.join(where)} the middle of the sensor", *said]
+    return _write(_of_lens(instrument, pupil, mtf, options, said), *files)
 
 
 _ARCSEC = math.pi / 648000.0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
-import click
 import numpy as np
 
 from lommel.base import validation
@@ -18,10 +18,10 @@ from lommel.base.units import format_length
 from lommel.cli import depth_maps
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Option, command, under
+from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Group, argument, command, option
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.photo_commands import NOISE, output_type
-from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, radial_instrument
+from lommel.cli.photo_commands import output_type
+from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, radial_instrument
 from lommel.imaging import LiveSharpen, read_depth, read_photo
 from lommel.imaging.blur import tell_of_depths
 from lommel.imaging.focal_engine import BLOCK
@@ -48,40 +48,33 @@ class Clip(NamedTuple):
     video: videos.VideoFrames | None
 
 
-@command(
-    click.Argument(["clip"], type=PATH),
-    LENS,
-    Option("-o", "--output", required=True, type=OUTPUT,
-           help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
-    Option("--at", type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
-    Option("--depth", "map_", type=FILE, metavar="FILE",
-           help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not "
-           "known it is that of the nearest pixel."),
-    *depth_maps.OPTIONS,
-    JSON,
-    *under(
-        "Camera",
-        Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file."),
-        Option("--f-number", type=float, help="F-number; overrides the lens file."),
-        CAMERA,
-        SQUARE_PIXEL,
-        ENCODING,
-    ),
-    *under("Noise", *NOISE, SATURATION),
-)  # fmt: skip
+class ClipCamera(Group, heading="Camera"):
+    """The lens and the camera of frames."""
+
+    # fmt: off
+    focus: float | None = option("--focus", type=LENGTH,
+        help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+    f_number: float | None = option("--f-number", type=float, help="F-number; overrides the lens file.")
+    camera: Camera | None = CAMERA
+    pixel: float | None = SQUARE_PIXEL
+    encoding: str | None = ENCODING
+    # fmt: on
+
+
+@command(JSON)
 def sharpen(
-    clip: Path,
-    lens: Path,
-    output: Path,
-    at: float | None,
-    map_: Path | None,
-    focus: float | None,
-    f_number: float | None,
-    camera: Camera | None,
-    pixel: float | None,
-    encoding: str | None,
-    **given: Any,
-) -> Report:
+    clip: Path = argument("clip", type=PATH),
+    lens: Path = LENS,
+    output: Path = option("-o", "--output", required=True, type=OUTPUT,
+        help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
+    at: float | None = option("--at", type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
+    map_: Path | None = option("--depth", type=FILE, metavar="FILE",
+        help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not known "
+        "it is that of the nearest pixel."),
+    values: depth_maps.DepthMap = depth_maps.DepthMap(),
+    seen: ClipCamera = ClipCamera(),
+    noisy: VideoNoise = VideoNoise(),
+) -> Report:  # fmt: skip
     """Sharpen video or a photo of known depth.
 
     Wiener's filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
@@ -96,16 +89,15 @@ def sharpen(
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
-    instrument = radial_instrument(lens, camera, pixel)
-    one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
-    one = one if focus is None else one.focused(focus)
-    values = depth_maps.depth_values(given)
+    instrument = radial_instrument(lens, seen.camera, seen.pixel)
+    one = instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
+    one = one if seen.focus is None else one.focused(seen.focus)
     stop, count = Stop(), 0
     with Status() as status, ExitStack() as stack:
         status.step("reading")
-        opened = _clip(clip, output, given, instrument.camera, encoding, status, stack)
-        shape, coding, frames, write, video = opened
-        found = np.array([[at]]) if map_ is None else _map(map_, values, shape[:2])
+        known = partial(coding_of, noisy=noisy, camera=instrument.camera, encoding=seen.encoding)
+        shape, coding, frames, write, video = _clip(clip, output, known, seen.encoding, status, stack)
+        found = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
         distance: float | Array = fill_missing(found, "nearest") if at is None else at
         if map_ is not None:
             tell_of_depths(one, instrument.side, distance)
@@ -194,8 +186,7 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 def _clip(
     clip: Path,
     output: Path,
-    noise: dict[str, Any],
-    camera: Camera | None,
+    known: Callable[..., Coding],
     encoding: str | None,
     status: Status,
     stack: ExitStack,
@@ -211,7 +202,7 @@ def _clip(
         if values.dtype.kind == "f":
             tell_of_light(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
-        coding = coding_of(levels, values.dtype, picture.encoding, noise, camera, encoding)
+        coding = known(levels, values.dtype, picture.encoding)
         dtype, stored_as = output_type(picture, output, None)
 
         def save(light: Values, _: float) -> None:
@@ -220,7 +211,7 @@ def _clip(
         return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
     form = videos.find(output, "--output")
     video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
-    coding = coding_of(video.levels, video.dtype, video.encoding, noise, camera, encoding)
+    coding = known(video.levels, video.dtype, video.encoding)
     # Grey of more than 8 bits keeps them, and its encoding, where the format holds them.
     deep = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
     write = stack.enter_context(form.write(output, video.interval))

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
 
 import click
 import numpy as np
@@ -19,8 +19,9 @@ from scipy.ndimage import gaussian_filter1d
 from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
 from lommel.cli.instruments import instrument_of, noise_of
-from lommel.cli.options import Option
+from lommel.cli.options import Option, option
 from lommel.cli.output import Facts
+from lommel.cli.photo_commands import PhotoNoise
 from lommel.io.registry import Values
 from lommel.recorded.noise import Noise
 
@@ -38,17 +39,21 @@ _BAND = 6.0  # rows, rms, in which the brightness of frames is compared
 _FAINT = 0.1  # of the mean: rows that are darker are not
 _TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
 
-SATURATION = Option(
-    "--saturation",
-    type=float,
-    help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as 0.95; "
-    "the largest integer always counts as saturated.",
-)
-ENCODING = Option(
+ENCODING: Any = Option(
     "--encoding",
     type=click.Choice(["srgb", "linear"]),
     help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.",
 )
+
+
+class VideoNoise(PhotoNoise, heading="Noise"):
+    """The noise of frames, and where they saturate."""
+
+    # fmt: off
+    saturation: float | None = option("--saturation", type=float,
+        help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as "
+        "0.95; the largest integer always counts as saturated.")
+    # fmt: on
 
 
 def radial_instrument(lens: Path, camera: Camera | None, pixel: float | None) -> Instrument:
@@ -120,16 +125,20 @@ def evened(first: Values, second: Values, coding: Coding) -> list[Values]:
 
 
 def coding_of(
-    levels: int, dtype: np.dtype[np.generic], usual: str, given: Facts, camera: Camera | None, encoding: str | None
+    levels: int,
+    dtype: np.dtype[np.generic],
+    usual: str,
+    noisy: VideoNoise,
+    camera: Camera | None,
+    encoding: str | None,
 ) -> Coding:
-    """Return the coding of values by the options --white, --read, --offset and --saturation, which are taken out.
+    """Return the coding of values by the options --white, --read, --offset and --saturation.
 
     The noise of 8-bit sRGB is a guess where nothing is stated, and said to be one in any case.
     """
     used = encoding or usual
     guessed = used == "srgb" and levels == 256
-    saturation = given.pop("saturation")
-    assumed = []
+    given, assumed = vars(noisy).copy(), []
     for name, value in (("white", _WHITE), ("read", _READ)) if guessed else ():
         stated = camera and (camera.full_well if name == "white" else camera.read)
         if given[name] is None and stated is None:
@@ -152,7 +161,7 @@ def coding_of(
             f"at white, read noise {read:g} electrons ({who}), and rounding."
         )
     facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
-    full = None if saturation is None else saturation * top
+    full = None if noisy.saturation is None else noisy.saturation * top
     if levels:
         full = min(math.inf if full is None else full, (1.0 - _LAST) * top)
     return Coding(

@@ -20,13 +20,12 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
-from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_report
+from lommel.cli.depth_commands import BETWEEN, each_lens, lens_facts, lens_options, verdict_report
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
-from lommel.cli.options import JSON, OUTPUT, Option, command, documented, under, with_options
+from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.photo_commands import NOISE
-from lommel.cli.video_input import ENCODING, SATURATION, Coding, Status, Stop, coding_of, evened, radial_instrument
+from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, evened, radial_instrument
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
@@ -95,66 +94,56 @@ class Files:
         return [path for path in (self.output, *self.depths, self.table) if path is not None]
 
 
-@command(
-    LENS,
-    Option("--source", "sources", multiple=True, required=True, metavar="SOURCE",
-           help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
-           "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
-    Option("--alternating", is_flag=True, help="The frames of one source are of one focus and the other in turn."),
-    BETWEEN,
-    Option("-o", "--output", type=OUTPUT, help=f"Video of the depth in colours: {suffixes('video')}."),
-    Option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
-    Option("--depth", "depths", type=OUTPUT, multiple=True,
-           help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of "
-           "--depth-scale, 0 where it is not known; given a second time, its standard error."),
-    Option("--table", type=OUTPUT, help="Table with a row for each pair: .csv."),
-    Option("--show/--no-show", default=None,
-           help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
-    JSON,
-    *under(
-        "Camera",
-        *lens_options("both frames"),
-        Option("--exposure", "exposures", type=float, multiple=True,
-               help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default "
-               "a ratio that changes over the frame, smoothly and from row to row, measured pair by pair."),
-        documented(LiveDepth, "magnification", type=click.Choice(["registered", "lens"])),
-        CAMERA,
-        SQUARE_PIXEL,
-        ENCODING,
-    ),
-    *under("Noise", *NOISE, SATURATION),
-    *under(
-        "Estimation",
-        documented(LiveDepth, "window", type=float),
-        Option("--misfit", type=float, default=2.0,
-               help="Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all."),
-        Option("--depth-scale", type=float,
-               help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
-               "farthest distance."),
-    ),
-)  # fmt: skip
+class FrameCamera(Group, heading="Camera"):
+    """The lenses and the camera of pairs of frames."""
+
+    # fmt: off
+    foci, f_numbers = lens_options("both frames")
+    exposures: tuple[float, ...] = option("--exposure", type=float, multiple=True,
+        help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default a ratio "
+        "that changes over the frame, smoothly and from row to row, measured pair by pair.")
+    magnification: str = documented(LiveDepth, "magnification", type=click.Choice(["registered", "lens"]))
+    camera: Camera | None = CAMERA
+    pixel: float | None = SQUARE_PIXEL
+    encoding: str | None = ENCODING
+    # fmt: on
+
+
+class Estimation(Group, heading="Estimation"):
+    """Windows, and which depth counts as known."""
+
+    # fmt: off
+    window: float = documented(LiveDepth, "window", type=float)
+    misfit: float = option("--misfit", type=float, default=2.0,
+        help="Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.")
+    depth_scale: float | None = option("--depth-scale", type=float,
+        help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
+        "farthest distance.")
+    # fmt: on
+
+
+@command(JSON)
 def watch(
-    lens: Path,
-    sources: tuple[str, ...],
-    alternating: bool,
-    between: tuple[float, float],
-    output: Path | None,
-    sharp: bool,
-    depths: tuple[Path, ...],
-    table: Path | None,
-    show: bool | None,
-    foci: tuple[float, ...],
-    f_numbers: tuple[float, ...],
-    exposures: tuple[float, ...],
-    magnification: str,
-    camera: Camera | None,
-    pixel: float | None,
-    encoding: str | None,
-    window: float,
-    misfit: float,
-    depth_scale: float | None,
-    **noise: Any,
-) -> Report:
+    lens: Path = LENS,
+    sources: tuple[str, ...] = option("--source", multiple=True, required=True, metavar="SOURCE",
+        help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
+        "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
+    alternating: bool = option("--alternating", is_flag=True,
+        help="The frames of one source are of one focus and the other in turn."),
+    between: tuple[float, float] = BETWEEN,
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help=f"Video of the depth in colours: {suffixes('video')}."),
+    sharp: bool = option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
+    depths: tuple[Path, ...] = option("--depth", type=OUTPUT, multiple=True,
+        help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of --depth-scale, "
+        "0 where it is not known; given a second time, its standard error."),
+    table: Path | None = option("--table", type=OUTPUT, help="Table with a row for each pair: .csv."),
+    show: bool | None = option("--show/--no-show", default=None,
+        help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
+    taken: FrameCamera = FrameCamera(),
+    noisy: VideoNoise = VideoNoise(),
+    estimation: Estimation = Estimation(),
+) -> Report:  # fmt: skip
     """Estimate depth of video from frames with different focus.
 
     LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
@@ -171,12 +160,14 @@ def watch(
         raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
     if len(set(sources)) < len(sources):
         raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
-    instrument = radial_instrument(lens, camera, pixel)
-    lenses = each_lens(instrument.lens, 2, foci, f_numbers, "frames")
+    instrument = radial_instrument(lens, taken.camera, taken.pixel)
+    lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
-    scale = _scale(between[1]) if depth_scale is None else validation.real("depth_scale", depth_scale, above=0.0)
-    misfit = validation.real("misfit", misfit, least=1.0, infinite=True)
+    scale, misfit = _scale(between[1]), validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
+    if estimation.depth_scale is not None:
+        scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
+    registered, even = taken.magnification == "registered", not taken.exposures
     windowless = "" if show is False else no_window()
     if show and windowless:
         raise ValueError(f"--show is not possible: {windowless}")
@@ -186,13 +177,13 @@ def watch(
         status.step("opening the sources")
         second = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
-        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noise, instrument.camera, encoding)
+        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noisy, instrument.camera, taken.encoding)
         if coding.guess:
             status.tell(coding.guess)
         status.step("computing the filters of every distance")
         live = LiveDepth(
-            lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=window,
-            exposures=exposures or "smooth", magnification=magnification,
+            lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
+            exposures=taken.exposures or "smooth", magnification=taken.magnification,
             saturation=coding.saturation, sharp=sharp,
         )  # fmt: skip
         outputs = stack.enter_context(Outputs(files, between, pairs, coding, sharp))
@@ -201,7 +192,7 @@ def watch(
         with stop.signals():
             while (pair := stop.next(pairs)) is not None:
                 first = pair.time if math.isnan(first) else first
-                seen, fault = _seen(live, coding, pair, first, sharp, misfit, not exposures)
+                seen, fault = _seen(live, coding, pair, first, sharp, misfit, even)
                 if fault and not tally.failed:
                     status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
                 if alternating and not tally.jumped and (jump := tally.jump(seen)):
@@ -224,30 +215,23 @@ def watch(
     verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
     read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
     height, width = pairs.shape
-    each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
-    near, far = map(format_length, between)
+    (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
     setting = Report(
         {
             "shape": [height, width],
             "pixel": instrument.side,
-            "focus_distances": [finite(one.focus_distance) for one in lenses],
-            "f_numbers": [one.f_number for one in lenses],
-            "focal_length": lenses[0].focal_length,
+            **of_lenses,
             "between": [finite(one) for one in between],
-            "magnification": magnification,
+            "magnification": taken.magnification,
             "design_error": live.design_error,
         },
         [
-            f"{width} x {height} pixels of {format_length(instrument.side)}; focus {each}",
-            f"distances from {near} to {far}, windows of {window:g} pixels rms",
+            f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
+            f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
     found = (
-        read
-        + setting
-        + _counts(tally, pairs, ended)
-        + tally.found(misfit, magnification == "registered", verdict)
-        + outputs.report()
+        read + setting + _counts(tally, pairs, ended) + tally.found(misfit, registered, verdict) + outputs.report()
     )
     return Report(found.facts, found.parts, converged=found.converged and pairs.lost is None)
 

@@ -130,6 +130,32 @@ def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str
     return f"{value:.{places}f}", f"{error:.{places}f}"
 
 
+def number(value: float) -> str:
+    """Return a number with four significant digits, without an exponent where it is large."""
+    text = f"{value:.4g}"
+    return f"{value:.0f}" if "e+" in text else text
+
+
+def known(value: float | None, form: str) -> str:
+    """Return a number in a form, or "-" where it is not known."""
+    return "-" if value is None else format(value, form)
+
+
+def strehl_ratio(value: float | None) -> str:
+    """Return a Strehl ratio with four significant digits, or as below its own error."""
+    return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
+
+
+def per_mm(frequency: float) -> str:
+    """Return a spatial frequency (cycles per metre) with its unit."""
+    return f"{1e-3 * frequency:.4g} cycles/mm"
+
+
+def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
+    """Return the pixel pitch with its unit, or height x width."""
+    return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
+
+
 def with_units(message: str) -> str:
     """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
     units = {"6": "um", "9": "nm"}

@@ -116,6 +116,7 @@ STEP: Any = Option(
 DEPTH: Any = Option(
     "--depth",
     type=MICROMETRES,
+    heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.",
 )
 

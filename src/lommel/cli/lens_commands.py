@@ -10,9 +10,10 @@ import click
 from rich.table import Column, Table
 from rich.text import Text
 
+from lommel.base.units import pitch_in_words
 from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, PATH, WINDOW, argument, command, option, plot_option, under
-from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
+from lommel.cli.options import JSON, PATH, WINDOW, argument, command, option, plot_option
+from lommel.cli.output import Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
@@ -35,8 +36,8 @@ class Described(Seen):
     integrate: bool | None = None
 
 
-@command(JSON, *under("Microscopes", DEPTH))
-def info(depth: float | None, lens: Path = LENS, seen: Described = Described()) -> Report:
+@command(JSON)
+def info(lens: Path = LENS, seen: Described = Described(), depth: float | None = DEPTH) -> Report:
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,

@@ -8,22 +8,9 @@ from typing import TYPE_CHECKING
 from rich.text import Text
 
 from lommel.base.plain import plain
-from lommel.base.units import format_length
+from lommel.base.units import format_length, known, number, per_mm, pitch_in_words, strehl_ratio
 from lommel.cli.instruments import camera_in_words
-from lommel.cli.output import (
-    Facts,
-    Report,
-    Wrapped,
-    known,
-    list_of,
-    number,
-    paragraphs,
-    per_mm,
-    pitch_in_words,
-    refused,
-    strehl_ratio,
-    table_of,
-)
+from lommel.cli.output import Facts, Report, Wrapped, list_of, paragraphs, refused, table_of
 from lommel.lensfiles.image_quality import IN_FOCUS, ImageQuality
 
 if TYPE_CHECKING:

@@ -109,9 +109,8 @@ WINDOW = Parsed("pixels", _window)
 class Option(click.Option):
     """An option, and the heading under which ``--help`` lists it."""
 
-    heading = "Options"
-
-    def __init__(self, *flags: str, **more: Any) -> None:
+    def __init__(self, *flags: str, heading: str = "Options", **more: Any) -> None:
+        self.heading = heading
         if more.get("default") is not None and not more.get("is_flag"):
             more.setdefault("show_default", True)
         super().__init__(flags, **more)
@@ -126,14 +125,6 @@ def documented(source: Callable[..., object], name: str, *flags: str, sentences:
     if given.get("default") is inspect.Parameter.empty:
         given = {"required": True}
     return Option(*(flags or (f"--{name.replace('_', '-')}",)), **{"help": said, **given, **more})
-
-
-def under(heading: str, *listed: Option) -> list[Option]:
-    """Return copies of options that ``--help`` lists under a heading."""
-    copies = [copy.copy(one) for one in listed]
-    for one in copies:
-        one.heading = heading
-    return copies
 
 
 def option(*flags: str, **more: Any) -> Any:
@@ -153,9 +144,9 @@ class Group:
     values of a call.
     """
 
-    heading: ClassVar[str] = Option.heading
+    heading: ClassVar[str] = "Options"
 
-    def __init_subclass__(cls, heading: str = Option.heading) -> None:
+    def __init_subclass__(cls, heading: str = "Options") -> None:
         cls.heading = heading
 
     def __init__(self, **values: Any) -> None:

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from lommel.base import atomic, optional
-from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 
 if TYPE_CHECKING:
@@ -126,32 +125,6 @@ def paragraphs(*parts: Iterable[RenderableType]) -> list[RenderableType]:
     for part in map(list, parts):
         found += ["", *part] if found and part else part
     return found
-
-
-def number(value: float) -> str:
-    """Return a number with four significant digits, without an exponent where it is large."""
-    text = f"{value:.4g}"
-    return f"{value:.0f}" if "e+" in text else text
-
-
-def known(value: float | None, form: str) -> str:
-    """Return a number in a form, or "-" where it is not known."""
-    return "-" if value is None else format(value, form)
-
-
-def strehl_ratio(value: float | None) -> str:
-    """Return a Strehl ratio with four significant digits, or as below its own error."""
-    return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
-
-
-def per_mm(frequency: float) -> str:
-    """Return a spatial frequency (cycles per metre) with its unit."""
-    return f"{1e-3 * frequency:.4g} cycles/mm"
-
-
-def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
-    """Return the pixel pitch with its unit, or height x width."""
-    return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
 
 
 def refused(facts: Facts) -> list[RenderableType]:

@@ -8,22 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from lommel.base.units import format_length
+from lommel.base.units import format_length, known, number, per_mm, pitch_in_words
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_in_words
 from lommel.cli.lens_report import zernike_table
-from lommel.cli.output import (
-    Facts,
-    Report,
-    Wrapped,
-    known,
-    list_of,
-    number,
-    per_mm,
-    pitch_in_words,
-    refused,
-    table_of,
-)
+from lommel.cli.output import Facts, Report, Wrapped, list_of, refused, table_of
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope

@@ -228,10 +228,15 @@ def require_order(order: str, images: Path, lens: Path) -> None:
         raise ValueError(f"the order is {order}, got {line(images)} and then {line(lens)}")
 
 
-_MISSING = {
-    "white": "the number of electrons at white",
-    "read": "the read noise in electrons rms",
-}
+_MISSING = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
+
+
+def _of_camera(camera: Camera | None) -> Facts:
+    """Return what a camera states of the noise, None of the rest."""
+    if camera is None:
+        return {}
+    excess = camera.excess if camera.excess > 1.0 else None
+    return {"white": camera.gain, "read": camera.read, "offset": camera.offset, "excess": excess}
 
 
 def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
@@ -239,18 +244,16 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
 
     Images are in counts, or `photographs` that end at white and have no offset.
     """
-    known: Facts = {}
-    if camera is not None:
-        known = {"read": camera.read, "white": camera.full_well if photographs else camera.gain}
-        known |= {"excess": camera.excess} | ({} if photographs else {"offset": camera.offset})
-    found = {}
+    known, found = _of_camera(camera), {}
+    if photographs:
+        known |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
         value = given.get(name)
         found[name] = known.get(name) if value is None else value
         if found[name] is None and (name == "read" or (photographs and name == "white")):
-            why = (
-                "or a camera that states it, by --camera" if camera is None else f"which {camera.name} does not state"
-            )
+            why = "or a camera that states it, by --camera"
+            if camera is not None:
+                why = f"which {camera.name} does not state"
             raise ValueError(f"--{name} is missing: {_MISSING[name]}, {why}")
     return Noise(**{name: value for name, value in found.items() if value is not None})
 
@@ -270,10 +273,7 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
 
     An option counts more than the camera, and that more than the header, whose other values are named.
     """
-    known: Facts = {}
-    if camera is not None:
-        known = {"white": camera.gain, "read": camera.read, "excess": camera.excess if camera.excess > 1.0 else None}
-    notes = []
+    known, notes = _of_camera(camera), []
     for name, (key, words) in _STATED.items():
         value = said.get(key)
         if isinstance(value, Unusable):
@@ -366,9 +366,7 @@ class CameraOptions(Group, heading="Camera and noise"):
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""
-        known = {} if camera is None else {"white": camera.gain, "offset": camera.offset, "read": camera.read}
-        known |= {"excess": camera.excess} if camera is not None and camera.excess > 1.0 else {}
-        name = None if camera is None else camera.name
+        known, name = _of_camera(camera), camera and camera.name
         sources = {
             "option": "by the option",
             "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
@@ -380,10 +378,10 @@ class CameraOptions(Group, heading="Camera and noise"):
         for key, (word, unit, usual) in _UNITS.items():
             value: Any = getattr(noise, key)
             by_map, value = isinstance(value, np.ndarray), usual if value is None else value
-            source = (
-                "option" if getattr(self, key) is not None else "camera" if known.get(key) is not None else "header"
-            )
-            if source == "header" and key != "read" and not by_map and value == usual:
+            source = "camera" if known.get(key) is not None else "header"
+            if getattr(self, key) is not None:
+                source = "option"
+            elif source == "header" and key != "read" and not by_map and value == usual:
                 source = "default"
             found[word.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
             if key != "excess" or value != 1.0:

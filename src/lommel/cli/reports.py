@@ -14,14 +14,12 @@ from lommel.cli.instruments import camera_in_words
 from lommel.cli.lens_report import zernike_table
 from lommel.cli.output import Facts, Report, Wrapped, list_of, refused, table_of
 from lommel.field.psf_grid import PSFGrid
+from lommel.lensfiles.image_quality import sensor_mtf
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.lensfiles.microscope_quality import microscope_quality
-from lommel.measures import transfer
 from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
-from lommel.methods import Polychromatic
 from lommel.optics.colour.spectrum import Channels
-from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
 from lommel.show.drawing import HOW, MEANING
@@ -155,36 +153,18 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
 
     One row for each place of a `grid` and each of the `channels`, or for the axis and the wavelength of the file.
     """
-    nyquist = tuple(0.5 / side for side in instrument.pitch[::-1])
-    fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
-    places: list[tuple[float | None, float | None, Pupil]] = [(None, None, instrument.pupil())]
-    if grid is not None:
-        field = instrument.field()
-        places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
-    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
-    if channels is not None:
-        lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
-
-    sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
-    rows: list[Facts] = []
-    for x, y, pupil in places:
-        for name, light in lights:
-            mtf = [
-                transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist() for share in (1.0, 0.5)
-            ]
-            rows.append({"x": x, "y": y, "channel": name} | dict(zip(("nyquist", "half_nyquist"), mtf, strict=True)))
+    facts = sensor_mtf(instrument, grid, channels)
     heads = [name for name, of in (("position x, y", grid), ("channel", channels)) if of is not None]
     cells = []
-    for row in rows:
+    for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
         first = [place if head != "channel" else row["channel"] for head in heads]
         cells.append([*first, *(f"{value:.4f}" for value in (*row["nyquist"], *row["half_nyquist"]))])
     names = (*heads, "x, Nyquist", "y, Nyquist", "x, half", "y, half")
     table = table_of(names, cells, left=0 if heads else -1, title="MTF, pixel included")
-    across, down = (per_mm(frequency) for frequency in nyquist)
+    across, down = map(per_mm, facts["frequency"])
     along = across if across == down else f"{across} along x and {down} along y"
-    note = Text(f"Nyquist frequency: {along}; x: vertical lines", "dim")
-    return Report({"mtf": {"frequency": list(nyquist), "rows": rows}}, ["", table, note])
+    return Report({"mtf": facts}, ["", table, Text(f"Nyquist frequency: {along}; x: vertical lines", "dim")])
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:

@@ -14,6 +14,7 @@ from lommel.base.plain import plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
+from lommel.methods import Polychromatic
 from lommel.methods.choice import of_profiles
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -22,6 +23,8 @@ from lommel.special import zernike
 
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
+    from lommel.measures.psf_like import PSFGridLike
+    from lommel.optics.colour.spectrum import Channels
     from lommel.optics.lens import Lens
     from lommel.optics.pupil import Pupil
 
@@ -446,6 +449,36 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
         return found | {"reason": str(error)}
     blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
     return found | {"geometric_radius": float(blur), "peak_error": difference}
+
+
+def sensor_mtf(
+    instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None
+) -> dict[str, Any]:
+    """Return the MTF, pixel included, along x and y at the Nyquist frequency and at half of it as plain data.
+
+    "frequency" has the Nyquist frequencies along x and y, cycles per metre; "rows" one row for each place of a `grid`
+    and each of the `channels`, or for the axis and the wavelength of the file.
+    """
+    nyquist = [0.5 / side for side in instrument.pitch[::-1]]
+    fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
+    places: list[tuple[float | None, float | None, Pupil]] = [(None, None, instrument.pupil())]
+    if grid is not None:
+        field = instrument.field()
+        places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
+    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
+    if channels is not None:
+        lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
+    sensor: Any = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
+    rows = [
+        {"x": x, "y": y, "channel": name}
+        | {
+            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()
+            for part, share in (("nyquist", 1.0), ("half_nyquist", 0.5))
+        }
+        for x, y, pupil in places
+        for name, light in lights
+    ]
+    return {"frequency": nyquist, "rows": rows}
 
 
 def listed_terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:

@@ -65,18 +65,28 @@ class Seen(NamedTuple):
     light: float  # mean electrons of a pixel
 
 
-@dataclass
-class Files:
-    """What is to be written, and whether a window is to be shown."""
+class Files(Group):
+    """What is written, depth in levels of `scale` metres, and whether a window is shown."""
 
-    output: Path | None
-    depths: tuple[Path, ...]
-    table: Path | None
+    # fmt: off
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help=f"Video of the depth in colours: {suffixes('video')}.")
+    sharp: bool = option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth.")
+    depths: tuple[Path, ...] = option("--depth", type=OUTPUT, multiple=True,
+        help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of --depth-scale, "
+        "0 where it is not known; given a second time, its standard error.")
+    table: Path | None = option("--table", type=OUTPUT, help="Table with a row for each pair: .csv.")
+    show: bool | None = option("--show/--no-show", default=None,
+        help="Show a window, which q or Esc closes; by default where there is a display and no --output.")
+    # fmt: on
     scale: float
-    show: bool
 
-    def __post_init__(self) -> None:
-        """Refuse what could not be written, before anything is opened."""
+    def require(self) -> None:
+        """Refuse what could not be shown or written, before anything is opened."""
+        windowless = "" if self.show is False else no_window()
+        if self.show and windowless:
+            raise ValueError(f"--show is not possible: {windowless}")
+        self.show = self.show or (self.show is None and self.output is None and not windowless)
         if self.output is not None:
             videos.find(self.output, "--output", holding="of uint8")
         if len(self.depths) > 2:
@@ -131,15 +141,7 @@ def watch(
     alternating: bool = option("--alternating", is_flag=True,
         help="The frames of one source are of one focus and the other in turn."),
     between: tuple[float, float] = BETWEEN,
-    output: Path | None = option("-o", "--output", type=OUTPUT,
-        help=f"Video of the depth in colours: {suffixes('video')}."),
-    sharp: bool = option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth."),
-    depths: tuple[Path, ...] = option("--depth", type=OUTPUT, multiple=True,
-        help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of --depth-scale, "
-        "0 where it is not known; given a second time, its standard error."),
-    table: Path | None = option("--table", type=OUTPUT, help="Table with a row for each pair: .csv."),
-    show: bool | None = option("--show/--no-show", default=None,
-        help="Show a window, which q or Esc closes; by default where there is a display and no --output."),
+    files: Files = Files(),
     taken: FrameCamera = FrameCamera(),
     noisy: VideoNoise = VideoNoise(),
     estimation: Estimation = Estimation(),
@@ -164,15 +166,13 @@ def watch(
     lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
-    scale, misfit = _scale(between[1]), validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
+    misfit = validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
+    files.scale = _scale(between[1])
     if estimation.depth_scale is not None:
-        scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
+        files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
+    files.require()
     registered, even = taken.magnification == "registered", not taken.exposures
-    windowless = "" if show is False else no_window()
-    if show and windowless:
-        raise ValueError(f"--show is not possible: {windowless}")
-    shown = show or (show is None and output is None and not windowless)
-    files, stop, tally = Files(output, depths, table, scale, shown), Stop(), Tally()
+    stop, tally = Stop(), Tally()
     with Status() as status, ExitStack() as stack:
         status.step("opening the sources")
         second = None if alternating else sources[1]
@@ -184,15 +184,15 @@ def watch(
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
             exposures=taken.exposures or "smooth", magnification=taken.magnification,
-            saturation=coding.saturation, sharp=sharp,
+            saturation=coding.saturation, sharp=files.sharp,
         )  # fmt: skip
-        outputs = stack.enter_context(Outputs(files, between, pairs, coding, sharp))
+        outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         ended, first = "the end", math.nan
         tally.start = time.perf_counter()
         with stop.signals():
             while (pair := stop.next(pairs)) is not None:
                 first = pair.time if math.isnan(first) else first
-                seen, fault = _seen(live, coding, pair, first, sharp, misfit, even)
+                seen, fault = _seen(live, coding, pair, first, files.sharp, misfit, even)
                 if fault and not tally.failed:
                     status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
                 if alternating and not tally.jumped and (jump := tally.jump(seen)):
@@ -370,14 +370,12 @@ def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
 class Outputs:
     """What is made of each pair: a video in colours, lossless depth, a table and a window."""
 
-    def __init__(
-        self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding, sharp: bool
-    ) -> None:
+    def __init__(self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding) -> None:
         height, width = pairs.shape
         self._files, self._between, self._pairs, self._coding = files, between, pairs, coding
         self._blocks = height // BLOCK, width // BLOCK
         coloured = files.output is not None or files.show
-        self._colours = DepthColours(between, (height, width), BLOCK, sharp) if coloured else None
+        self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
         self._curve = from_light(np.linspace(0.0, 1.0, _CURVE, dtype=np.float32), "srgb", np.uint8)
         # Linear video may be far below its white.
         self._white = coding.white if coding.encoding == "srgb" else math.nan

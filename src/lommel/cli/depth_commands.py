@@ -14,7 +14,7 @@ from lommel.base.encoding import to_light
 from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import finite
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import PhotoNoise, read_as, without
@@ -130,11 +130,7 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = instrument_of(lens, camera=seen.camera, pixel=seen.pixel)
-    if instrument.aberrations_of_field is not None:
-        raise ValueError(
-            f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
-        )
+    instrument = radial_instrument(lens, "depth from defocus", camera=seen.camera, pixel=seen.pixel)
     noise = noise_of(vars(noisy), instrument.camera, photographs=True)
     lenses = each_lens(instrument.lens, len(photos), seen.foci, seen.f_numbers)
     with progress("reading") as started:

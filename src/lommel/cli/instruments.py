@@ -160,6 +160,14 @@ def instrument_of(lens: Path, **given: object) -> Instrument:
     return dataclasses.replace(load_instrument(lens), **changes)
 
 
+def radial_instrument(lens: Path, what: str = "this command", **given: object) -> Instrument:
+    """Return the same; its aberrations must be the same all over the field for a method or a command."""
+    instrument = instrument_of(lens, **given)
+    if instrument.aberrations_of_field is not None:
+        raise ValueError(f"{lens} has aberrations that vary over the field, which {what} does not support")
+    return instrument
+
+
 def _changes(given: Facts) -> Facts:
     """Return the options that were given, the window checked."""
     changes = {name: value for name, value in given.items() if value is not None}

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from lommel.base.units import format_length
 from lommel.cli.dataset import DataSet, render
 from lommel.cli.depth_maps import DepthMap, depth_facts, finite
-from lommel.cli.instruments import CAMERA, mask_of, noise_of
+from lommel.cli.instruments import CAMERA, instrument_of, mask_of, noise_of, radial_instrument
 from lommel.cli.options import (
     FILE,
     JSON,
@@ -250,8 +250,6 @@ _OF_BLUR = ("wavelengths", "border", "energy", "tol", "largest")
 
 def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions) -> Report:
     """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
-    from lommel.lensfiles.lens_files import load_instrument
-
     context = click.get_current_context()
     stated = {
         param.name or "": "DEPTH" if param.name == "lens" else param.opts[0]
@@ -266,7 +264,7 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
     with terminated_as_interrupted(), progress("reading") as started:
         picture = read_photo(photo, options.encoding)
         light = picture.light()
-        instrument = load_instrument(path)
+        instrument = instrument_of(path)
         field = instrument.field()
         if field.vignetting is not None:
             raise ValueError(
@@ -561,15 +559,11 @@ class Job:
 
     def _lens_of_file(self, path: Path) -> Lens:
         """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
-        from lommel.lensfiles.lens_files import load_instrument
-
         seen = self.options.seen
         if seen.focal_length is not None or seen.pixel_from_exif:
             stray = "--focal-length" if seen.focal_length is not None else "--pixel-from-exif"
             raise ValueError(f"{stray} cannot be combined with a lens file, which states it")
-        instrument = load_instrument(path)
-        if instrument.aberrations_of_field is not None:
-            raise ValueError(f"{path} has aberrations that vary over the field, which this command does not support")
+        instrument = radial_instrument(path)
         side = instrument.side
         self.pixel = side if self.pixel is None else self.pixel
         self.camera = self.camera or instrument.camera

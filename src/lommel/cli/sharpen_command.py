@@ -17,11 +17,11 @@ from lommel.base.encoding import from_light, tell_of_light
 from lommel.base.units import format_length
 from lommel.cli import depth_maps
 from lommel.cli.depth_maps import finite
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Group, argument, command, option
 from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import output_type
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, radial_instrument
+from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of
 from lommel.imaging import LiveSharpen, read_depth, read_photo
 from lommel.imaging.blur import tell_of_depths
 from lommel.imaging.focal_engine import BLOCK
@@ -89,7 +89,7 @@ def sharpen(
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
-    instrument = radial_instrument(lens, seen.camera, seen.pixel)
+    instrument = radial_instrument(lens, camera=seen.camera, pixel=seen.pixel)
     one = instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
     one = one if seen.focus is None else one.focused(seen.focus)
     stop, count = Stop(), 0

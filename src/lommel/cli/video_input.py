@@ -7,18 +7,16 @@ import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
 
 import click
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
-from lommel.cli.instruments import instrument_of, noise_of
+from lommel.cli.instruments import noise_of
 from lommel.cli.options import Option, option
 from lommel.cli.output import Facts
 from lommel.cli.photo_commands import PhotoNoise
@@ -27,7 +25,6 @@ from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera
-    from lommel.lensfiles.instrument import Instrument
 
 Kept = TypeVar("Kept")
 
@@ -54,14 +51,6 @@ class VideoNoise(PhotoNoise, heading="Noise"):
         help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as "
         "0.95; the largest integer always counts as saturated.")
     # fmt: on
-
-
-def radial_instrument(lens: Path, camera: Camera | None, pixel: float | None) -> Instrument:
-    """Return the instrument of a lens file whose aberrations are the same all over the field."""
-    instrument = instrument_of(lens, camera=camera, pixel=pixel)
-    if instrument.aberrations_of_field is not None:
-        raise ValueError(f"{lens} has aberrations that vary over the field, which this command does not support")
-    return instrument
 
 
 class Coding(NamedTuple):
@@ -145,7 +134,7 @@ def coding_of(
             given[name] = value
             assumed.append(f"--{name}")
     sensor = noise_of(given, camera, photographs=True)
-    white, read, offset = (_number(each) for each in (sensor.white, sensor.read, sensor.offset))
+    white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
     top = 1.0 if used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
     gain, noise = stored_noise(white, read, levels, used)
     bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
@@ -167,11 +156,6 @@ def coding_of(
     return Coding(
         used, levels, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts
     )
-
-
-def _number(value: float | NDArray[np.float64] | None) -> float:
-    assert isinstance(value, float)
-    return value
 
 
 def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:

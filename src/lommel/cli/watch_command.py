@@ -22,10 +22,10 @@ from lommel.base.encoding import from_light
 from lommel.base.units import format_length
 from lommel.cli.depth_commands import BETWEEN, each_lens, lens_facts, lens_options, verdict_report
 from lommel.cli.depth_maps import finite
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, evened, radial_instrument
+from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, evened
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
@@ -162,7 +162,7 @@ def watch(
         raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
     if len(set(sources)) < len(sources):
         raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
-    instrument = radial_instrument(lens, taken.camera, taken.pixel)
+    instrument = radial_instrument(lens, camera=taken.camera, pixel=taken.pixel)
     lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
@@ -230,10 +230,8 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    found = (
-        read + setting + _counts(tally, pairs, ended) + tally.found(misfit, registered, verdict) + outputs.report()
-    )
-    return Report(found.facts, found.parts, converged=found.converged and pairs.lost is None)
+    found = tally.found(misfit, registered, verdict) + outputs.report()
+    return read + setting + _counts(tally, pairs, ended) + found + Report({}, [], pairs.lost is None)
 
 
 def _scale(far: float) -> float:

@@ -27,6 +27,14 @@ class Own(Shared, heading="Camera and noise"):
     window: int = option("--window", type=int, default=9)
 
 
+class Outer(Group, heading="All"):
+    """A group with another in its middle, under its own heading."""
+
+    size: int = option("--side", type=int, default=3)
+    camera: Shared = Shared()
+    name: str = option("--name", default="a")
+
+
 FILE = click.Argument(["file"])
 
 
@@ -46,6 +54,12 @@ def second(camera: Own = Own()) -> Report:  # noqa: B008
     return Report({}, [f"{camera.gain} {camera.read} {camera.pixel} {camera.window}"])
 
 
+@command()
+def third(outer: Outer = Outer()) -> Report:  # noqa: B008
+    """Print what it takes."""
+    return Report({}, [f"{outer.size} {outer.camera.read} {outer.name}"])
+
+
 def test_values_reach_arguments_and_groups_by_the_names_that_these_have():
     found = CliRunner().invoke(first, ["a", "--side", "4", "--gain", "0.5", "--json"])
     assert json.loads(found.stdout) == {"name": "a", "size": 4, "gain": 0.5, "read": None, "pixel": None}
@@ -62,3 +76,10 @@ def test_help_has_the_options_under_the_heading_of_their_group():
     assert shown.startswith("Usage: first [OPTIONS] NAME\n")
     options, camera = shown.index("\nOptions:\n"), shown.index("\nCamera:\n")
     assert options < shown.index("--side") < shown.index("--json") < camera < shown.index("--gain")
+
+
+def test_a_group_holds_others_in_place_under_their_own_heading():
+    assert [one.opts[0] for one in Outer.options()] == ["--side", "--gain", "--read", "--pixel", "--name"]
+    assert CliRunner().invoke(third, ["--read", "2", "--side", "4"]).stdout == "4 2.0 a\n"
+    shown = CliRunner().invoke(third, ["--help"]).stdout
+    assert shown.index("\nAll:\n") < shown.index("--name") < shown.index("\nCamera:\n") < shown.index("--gain")

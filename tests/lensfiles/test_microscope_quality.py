@@ -1,4 +1,4 @@
-"""What is said of microscopes: the numbers are those of the objective and of the stack."""
+"""What is known of microscopes: the numbers are those of the objective."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ import dataclasses
 import json
 import math
 
-import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli.reports import describe_stack
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.lensfiles.microscope_quality import DEPTHS, microscope_quality
 
@@ -102,25 +100,6 @@ def test_what_differs_from_the_design_is_told():
 )
 def test_emitters_have_words(emitter, words):
     assert microscope_quality(microscope(emitter=emitter))["emitter"] == words
-
-
-def test_a_stack_is_described_plane_by_plane():
-    taken = microscope(planes=3, step=0.3e-6, emitter=lm.Scalar())
-    answer = lm.psf(taken.pupil(), taken.window, taken.pixel)
-    found = describe_stack(answer, 0.5).facts["psf"]
-    np.testing.assert_allclose(found["z"], [-0.3e-6, 0.0, 0.3e-6])
-    np.testing.assert_array_equal(found["focus"], answer.pupil.focus)
-    assert found["brightest"] == int(answer.values.max(axis=(1, 2)).argmax())
-    assert found["energy"] == pytest.approx(answer.energy)
-    assert found["shape"] == [3, 5, 6]
-    assert json.loads(json.dumps(found, allow_nan=False)) == found
-
-
-def test_one_plane_has_numbers_and_no_brightest():
-    taken = microscope(emitter=lm.Scalar())
-    found = describe_stack(lm.psf(taken.pupil(), taken.window, taken.pixel), 0.5).facts["psf"]
-    assert (found["z"], found["brightest"]) == (0.0, None)
-    assert found["energy"] == pytest.approx(float(lm.psf(taken.pupil(), taken.window, taken.pixel).energy))
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import special
 
 from lommel.base.arrays import Array
@@ -127,28 +127,19 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     off, mean, added = (np.asarray(each, float).ravel() for each in np.broadcast_arrays(residual, light, read))
     variance = np.maximum(mean + added, 1e-9)
     s = np.maximum(mean, 0.0) / variance
-    known = np.isfinite(off) & (s > _OF_LIGHT)
-    off, mean, variance, s = off[known], mean[known], variance[known], s[known]
-    square = s * s
-    if not square.sum() > 0.0:
+    known = np.flatnonzero(np.isfinite(off) & (s > _OF_LIGHT))
+    if not known.size:
         return ExcessTest(0.0, np.inf, flat=False)
-    beyond, spread = s * (off**2 / variance - 1.0), square * (2.0 + 1.0 / variance)
-    share, error = _share(beyond, square, spread)
-    cells = [_share(*(each[cell] for each in (beyond, square, spread))) for cell in _cells(mean)]
+    known = known[np.argsort(mean[known], kind="stable")]
+    off, mean, variance, s = off[known], mean[known], variance[known], s[known]
+    sums = np.stack([s * (off**2 / variance - 1.0), s * s, s * s * (2.0 + 1.0 / variance)])
+    # All pixels, and cells of like light, each of as much of all light.
+    starts = np.unique(np.searchsorted(np.cumsum(mean), mean.sum() * np.arange(_CELLS) / _CELLS))
+    beyond, information, spread = np.column_stack([sums.sum(axis=1), np.add.reduceat(sums, starts, axis=1)])
+    (share, *cells), (error, *errors) = beyond / information, np.sqrt(spread) / information
     # With the excess the variance of the statistic is about its square as large.
     slack = 5.0 * (1.0 + max(share, 0.0))
-    flat = all(abs(one - share) <= _FLAT * max(share, 1.0) + slack * own for one, own in cells)
-    return ExcessTest(share, error, flat)
-
-
-def _share(beyond: Array, square: Array, spread: Array) -> tuple[float, float]:
-    """Return the share and its standard error."""
-    information = float(square.sum())
-    return float(beyond.sum()) / information, float(np.sqrt(spread.sum())) / information
-
-
-def _cells(mean: Array) -> list[NDArray[np.intp]]:
-    """Return the pixels of each of some cells of like light, each of as much of all light."""
-    order = np.argsort(mean, kind="stable")
-    ends = np.searchsorted(np.cumsum(mean[order]), mean.sum() * np.arange(1, _CELLS) / _CELLS)
-    return [cell for cell in np.split(order, np.unique(ends)) if cell.size]
+    flat = all(
+        abs(one - share) <= _FLAT * max(share, 1.0) + slack * own for one, own in zip(cells, errors, strict=True)
+    )
+    return ExcessTest(float(share), float(error), flat)

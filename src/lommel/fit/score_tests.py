@@ -116,14 +116,10 @@ def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: S
 
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
     """Return ln of the Bayes factor of a size (q,) of N(0, scale^2) against N(0, known^2)."""
-    widths = (known, 1.0), (max(scale, known), -1.0)
-    if len(size) == 1:
-        square, variance = float(size[0]) ** 2, float(covariance[0, 0])
-        return 0.5 * sum(sign * (square / (variance + w * w) + math.log(variance + w * w)) for w, sign in widths)
     found = 0.0
-    for width, sign in widths:
+    for width, sign in (known, 0.5), (max(scale, known), -0.5):
         each = covariance + np.eye(len(size)) * width**2
-        found += 0.5 * sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
+        found += sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
     return found
 
 

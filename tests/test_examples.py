@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli import lens_report
+from lommel.cli import reports
 from lommel.lensfiles.comparison import compare_methods
 from lommel.lensfiles.image_quality import other_model
 from lommel.methods import METHODS
@@ -157,7 +157,7 @@ def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
 
 
 def test_the_description_of_every_example_can_be_written_as_json_numbers(lens_file):
-    facts = lens_report.describe_lens(lm.load_instrument(lens_file)).facts
+    facts = reports.describe_lens(lm.load_instrument(lens_file)).facts
     assert 0 < facts["strehl"] < 1
     for row in facts["encircled_energy"]:
         assert 0 < row["unaberrated"] < 1

@@ -12,7 +12,7 @@ import pytest
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.lens_report import IN_FOCUS, describe_lens, summarize_lens
+from lommel.cli.reports import IN_FOCUS, describe_lens, summarize_lens
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 

@@ -53,12 +53,12 @@ def info(lens: Path = LENS, seen: Described = Described(), depth: float | None =
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
+    from lommel.cli import reports  # what these need takes longer to import than the list of commands
 
     microscope = microscope_of(lens, depth=depth, **vars(seen))
     if microscope is not None:
         return reports.describe_microscope(microscope)
-    return lens_report.describe_lens(instrument_of(lens, **vars(seen)))
+    return reports.describe_lens(instrument_of(lens, **vars(seen)))
 
 
 @command(JSON)
@@ -86,7 +86,7 @@ def compare(
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.cli import lens_report  # what these need takes longer to import than the list of commands
+    from lommel.cli import reports  # what these need takes longer to import than the list of commands
     from lommel.lensfiles.comparison import compare_methods
     from lommel.lensfiles.image_quality import other_model
 
@@ -136,7 +136,7 @@ def compare(
         "rows": rows,
         "other_model": other,
     }
-    model = f"model: {instrument.lens.model}; {lens_report.model_in_words(other)}"
+    model = f"model: {instrument.lens.model}; {reports.model_in_words(other)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
 

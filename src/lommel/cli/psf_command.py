@@ -19,7 +19,6 @@ from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
-from lommel.cli.lens_report import distinct, summarize_lens
 from lommel.cli.options import JSON, LENGTH, OUTPUT, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -238,7 +237,7 @@ def _of_lens(
         find=psf_files.find,
         make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
-            summarize_lens(instrument)
+            reports.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])
             + reports.describe_psf(made, seconds)
             + _mtf(mtf, instrument)
@@ -323,7 +322,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
-    focused, seen = distinct(lens.focus_distance, instrument.object_distance)
+    focused, seen = reports.distinct(lens.focus_distance, instrument.object_distance)
     light = "" if channels else f"{format_length(lens.wavelength)}, "
     where = f"object at {seen}" if focused == seen else f"focus at {focused}, object at {seen}"
     return f"{instrument.name}\n{light}{where}"

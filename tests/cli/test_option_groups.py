@@ -32,7 +32,7 @@ class Outer(Group, heading="All"):
 
     size: int = option("--side", type=int, default=3)
     camera: Shared = Shared()
-    name: str = option("--name", default="a")
+    name: str = option(default="a")
 
 
 FILE = click.Argument(["file"])

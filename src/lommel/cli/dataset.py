@@ -26,12 +26,12 @@ class DataSet(Group, heading="Data set"):
     """A data set in place of one photograph."""
 
     # fmt: off
-    batch: bool = option("--batch", is_flag=True,
+    batch: bool = option(is_flag=True,
         help="Blur all photos of the folder PHOTO by the depth maps of the same names in the folder DEPTH into the "
         "folder --output, with ground truth. LENS may have pairs in place of numbers, from which a lens is drawn for "
         "each picture. Again after an interruption, the command goes on. Files that cannot be used are reported and "
         "left out, with exit code 3.")
-    seed: int = option("--seed", type=int, default=0, help="Seed of the lenses and of the noise.")
+    seed: int = option(type=int, default=0, help="Seed of the lenses and of the noise.")
     copies: int = documented(render_dataset, "copies", type=int)
     workers: int = documented(render_dataset, "workers", type=int, help="Number of processes.")
     form: str = documented(render_dataset, "form", type=click.Choice(FORMATS),
@@ -40,9 +40,8 @@ class DataSet(Group, heading="Data set"):
         help="Number of pictures in each tar file, as WebDataset reads them; by default a file each.")
     psfs: int = documented(render_dataset, "psfs", type=int,
         help="Number of PSFs stored of each picture, by which its pixels are indexed, or 0.")
-    white: float | None = option("--white", type=float, default=None,
-        help="Electrons at white, such as 5000, for photon noise.")
-    read: float | None = option("--read", type=float, default=None, help="Read noise, rms electrons; needs --white.")
+    white: float | None = option(type=float, default=None, help="Electrons at white, such as 5000, for photon noise.")
+    read: float | None = option(type=float, default=None, help="Read noise, rms electrons; needs --white.")
     # fmt: on
 
     def arguments(self) -> Facts:

@@ -58,22 +58,20 @@ class Recorded(Group, heading="Microscope"):
     """How the stack was recorded: what is None is stated by the stack or by the file of the objective."""
 
     # fmt: off
-    depth: float | None = option("--depth", type=MICROMETRES,
+    depth: float | None = option(type=MICROMETRES,
         help="Depth below the cover glass in focus in the middle plane, such as 10um; by default that of the file of "
         "the objective.")
-    wavelength: tuple[float, ...] | None = option("--wavelength", type=LENGTHS, metavar="LENGTHS",
+    wavelength: tuple[float, ...] | None = option(type=LENGTHS, metavar="LENGTHS",
         help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default that of the stack.")
     pixel: float | None = SQUARE_PIXEL
-    step: float | None = option("--step", type=NANOMETRES,
+    step: float | None = option(type=NANOMETRES,
         help="Step between planes, such as 200nm; by default that of the stack.")
-    modality: str = option("--modality", type=click.Choice(MODALITIES), default="widefield",
-        help="Kind of microscope.")
-    excitation: float | None = option("--excitation", type=NANOMETRES,
+    modality: str = option(type=click.Choice(MODALITIES), default="widefield", help="Kind of microscope.")
+    excitation: float | None = option(type=NANOMETRES,
         help="Excitation wavelength of scanning microscopes, such as 488nm.")
     pinhole: float | None = documented(restore, "pinhole", type=float, help="Diameter of the pinhole in Airy units.")
-    thickness: float | None = option("--thickness", type=MICROMETRES,
-        help="Thickness of the light sheet, such as 2um (FWHM).")
-    direction: str = option("--direction", type=click.Choice(("auto", "up", "down")), default="auto",
+    thickness: float | None = option(type=MICROMETRES, help="Thickness of the light sheet, such as 2um (FWHM).")
+    direction: str = option(type=click.Choice(("auto", "up", "down")), default="auto",
         help="up: the first plane is the nearest to the cover glass; auto asks the data.")
     # fmt: on
 
@@ -87,10 +85,9 @@ class StackCamera(CameraMaps, heading="Camera"):
     white: Any = option("--gain", metavar="NUMBER|FILE",
         help="Electrons per count; by default estimated from the stack. A file (.tif, .npy) is a map, also of --read "
         "and --offset.")
-    read: Any = option("--read", metavar="NUMBER|FILE", help="Read noise, rms electrons.")
-    offset: Any = option("--offset", metavar="NUMBER|FILE",
-        help="Counts of a pixel without electrons, such as 100.")
-    saturation: float | None = option("--saturation", type=float, help="Counts from which on pixels are saturated.")
+    read: Any = option(metavar="NUMBER|FILE", help="Read noise, rms electrons.")
+    offset: Any = option(metavar="NUMBER|FILE", help="Counts of a pixel without electrons, such as 100.")
+    saturation: float | None = option(type=float, help="Counts from which on pixels are saturated.")
     pixel: float | None = None
     # fmt: on
 
@@ -110,32 +107,31 @@ class Restoring(Group, heading="Restoration"):
     """How the stack is restored, and how much of it at a time."""
 
     # fmt: off
-    method: str = option("--method", type=click.Choice(METHODS), default=METHODS[0],
+    method: str = option(type=click.Choice(METHODS), default=METHODS[0],
         help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges, in three "
         "dimensions, and takes a few times as long.")
-    steps: int | None = option("--steps", type=click.IntRange(1, 100_000),
+    steps: int | None = option(type=click.IntRange(1, 100_000),
         help="Number of steps, instead of stopping at the noise.")
-    strength: float | None = option("--strength", type=float,
+    strength: float | None = option(type=float,
         help="Weight of the total variation; by default such that the result agrees with the noise.")
-    background: str = option("--background", default=FLAT, metavar="flat|uneven|COUNTS",
+    background: str = option(default=FLAT, metavar="flat|uneven|COUNTS",
         help="Light that is not of the specimen: estimated as one level, or one that varies over the field; or a "
         "known level above the offset, 0 for none. It is no part of the output.")
     slabs: int | None = documented(restore, "slabs", type=click.IntRange(1, 64),
         help="Number of PSFs over the depth of the stack; by default as many as are needed.")
-    refine: tuple[str, ...] = option("--refine", multiple=True, type=click.Choice(PARAMETERS),
+    refine: tuple[str, ...] = option(multiple=True, type=click.Choice(PARAMETERS),
         help="Estimate this from the stack first; may be repeated.")
     diagnosis: bool = option("--diagnosis/--no-diagnosis", default=True,
         help="Hold photons out, to find the background and to compare PSFs of other indices of the sample; try other "
         "PSFs after a misfit. Without it a stack takes half of the time, or less.")
-    per_plane: bool = option("--per-plane", is_flag=True,
+    per_plane: bool = option(is_flag=True,
         help="State the light that is collected in one plane, rather than in all planes of the PSF.")
-    channel: int | None = option("--channel", type=click.IntRange(0), help="Channel, from 0; by default all.")
-    time: int | None = option("--time", type=click.IntRange(0), help="Time point, from 0.")
-    axes: str | None = option("--axes", help='Axes of the file where it does not say, such as "ZYX".')
-    tile: int | None = option("--tile", type=click.IntRange(16),
+    channel: int | None = option(type=click.IntRange(0), help="Channel, from 0; by default all.")
+    time: int | None = option(type=click.IntRange(0), help="Time point, from 0.")
+    axes: str | None = option(help='Axes of the file where it does not say, such as "ZYX".')
+    tile: int | None = option(type=click.IntRange(16),
         help="Side of chunks in pixels; by default what --memory holds.")
-    memory: float = option("--memory", type=float, default=2.0,
-        help="Gigabytes that may be used besides the stack.")
+    memory: float = option(type=float, default=2.0, help="Gigabytes that may be used besides the stack.")
     threads: int | None = documented(restore, "threads", type=click.IntRange(1),
         help="Number of threads; by default all processors.")
     # fmt: on

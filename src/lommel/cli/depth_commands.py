@@ -70,7 +70,7 @@ class PhotoLens(Group, heading="Camera"):
         help="Standard error of each focus distance, dioptres (1/m): part of the standard error of depth.")
     camera: Camera | None = CAMERA
     pixel: float | None = SQUARE_PIXEL
-    encoding: str | None = option("--encoding", type=click.Choice(["srgb", "linear"]),
+    encoding: str | None = option(type=click.Choice(["srgb", "linear"]),
         help="Encoding of the photos' values; by default integers are sRGB and floats are linear.")
     magnification: str = documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
         help="registered: points are at the same pixels in all photos; lens: the photos differ in magnification, as "
@@ -82,7 +82,7 @@ class RecordedNoise(PhotoNoise, heading="Noise"):
     """The noise of photographs, and pixels that do not count."""
 
     # fmt: off
-    saturation: float | None = option("--saturation", type=float,
+    saturation: float | None = option(type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
         "saturated.")
     masked: Path | None = option("--mask", type=FILE,
@@ -108,7 +108,7 @@ def depth(
     between: tuple[float, float] = BETWEEN,
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
         help=f"Depth map in metres; given a second time, its standard error: {suffixes('depth map')}."),
-    sharp: Path | None = option("--sharp", type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
+    sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
     figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
     seen: PhotoLens = PhotoLens(),
     noisy: RecordedNoise = RecordedNoise(),
@@ -239,14 +239,14 @@ def precision(
     foci: tuple[float, ...] = option("--focus", type=LENGTH, multiple=True,
         help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
         "--best."),
-    pair: float | None = option("--pair", type=float,
+    pair: float | None = option(type=float,
         help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther."),
-    best: bool = option("--best", is_flag=True,
+    best: bool = option(is_flag=True,
         help="Find the two focus distances that give the best precision for a surface at --focus."),
     photons: float = documented(depth_precision, "photons", type=float, required=True,
         help="Mean signal per pixel, in detected photons (electrons)."),
-    f_number: float | None = option("--f-number", type=float, help="F-number; overrides the lens file."),
-    between: tuple[float, float] | None = option("--between", type=LENGTH, nargs=2, metavar="NEAR FAR",
+    f_number: float | None = option(type=float, help="F-number; overrides the lens file."),
+    between: tuple[float, float] | None = option(type=LENGTH, nargs=2, metavar="NEAR FAR",
         help="Nearest and farthest distance to list; by default around the focus distances."),
     camera: Camera | None = CAMERA,
     pixel: float | None = SQUARE_PIXEL,

@@ -25,7 +25,7 @@ class DepthMap(Group):
     disparity: tuple[float, float] | None = documented(DepthValues, "disparity", type=float, nargs=2,
         metavar="FB OFFSET")
     zero_is_unknown: bool = documented(DepthValues, "zero_is_unknown", "--zero-unknown", is_flag=True)
-    unknown: tuple[float, ...] = option("--unknown", type=float, multiple=True,
+    unknown: tuple[float, ...] = option(type=float, multiple=True,
         help="Treat this stored value of the depth map, such as -1 or 255, as unknown.")
     resample: str | None = documented(DepthValues, "resample", type=click.Choice(RESAMPLE))
     # fmt: on

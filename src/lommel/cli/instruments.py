@@ -127,7 +127,7 @@ class Seen(Group):
     # fmt: off
     object_distance: float | None = OBJECT_DISTANCE
     camera: Camera | None = CAMERA
-    pixel: float | tuple[float, ...] | None = option("--pixel", type=SIDES,
+    pixel: float | tuple[float, ...] | None = option(type=SIDES,
         help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.")
     shape: int | tuple[int, int] | None = SHAPE
     integrate: bool | None = option("--integrate/--sample", default=None,
@@ -139,7 +139,6 @@ class Planes(Group, heading="Microscopes"):
     """The planes of a microscope, which override the file."""
 
     stack: int | None = option(
-        "--stack",
         type=click.IntRange(1, 4096),
         metavar="PLANES",
         help="Number of planes along the optical axis; by default that of the file.",
@@ -338,14 +337,13 @@ class CameraOptions(Group, heading="Camera and noise"):
         "--gain", type=float, help="Electrons per count; by default that of the camera, or 1."
     )
     read: float | None = option(
-        "--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."
+        type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."
     )
     offset: float | None = option(
-        "--offset", type=float, help="Black level, in the unit of the images; by default that of the camera, or 0."
+        type=float, help="Black level, in the unit of the images; by default that of the camera, or 0."
     )
     excess: float | None = EXCESS
     saturation: float | None = option(
-        "--saturation",
         type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
         "saturated.",

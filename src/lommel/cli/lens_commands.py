@@ -28,7 +28,6 @@ class Described(Seen):
     """The same, with a window for the comparison of models alone."""
 
     shape: int | tuple[int, int] | None = option(
-        "--shape",
         type=WINDOW,
         help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
         "(height x width); overrides the file.",

@@ -18,9 +18,8 @@ from lommel.page.state import state_of
 @command()
 def live(
     lens: Path | None = argument("lens", type=FILE, required=False),
-    port: int | None = option("--port", type=click.IntRange(0, 65535),
-        help="Port of the page; by default any free port."),
-    no_browser: bool = option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
+    port: int | None = option(type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
+    no_browser: bool = option(is_flag=True, help="Print the address without opening a browser."),
     saved: Path | None = option("--save", type=OUTPUT, metavar="FILE",
         help="Write the page to a stand-alone HTML file instead."),
 ) -> None:  # fmt: skip

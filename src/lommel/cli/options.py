@@ -106,14 +106,17 @@ WINDOW = Parsed("pixels", _window)
 """A number of pixels, or two with an x between them."""
 
 
+_UNNAMED = "--unnamed"
+
+
 class Option(click.Option):
-    """An option, and the heading under which ``--help`` lists it."""
+    """An option, and the heading under which ``--help`` lists it; without flags it is called as its argument."""
 
     def __init__(self, *flags: str, heading: str = "Options", **more: Any) -> None:
         self.heading = heading
         if more.get("default") is not None and not more.get("is_flag"):
             more.setdefault("show_default", True)
-        super().__init__(flags, **more)
+        super().__init__(flags or (_UNNAMED,), **more)
 
 
 def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Any:
@@ -176,6 +179,8 @@ def _named(name: str, one: click.Parameter, heading: str | None = None) -> Any:
     """Return a copy of an option or argument for the argument of a function."""
     copied = copy.copy(one)
     copied.name = name
+    if one.opts == [_UNNAMED]:
+        copied.opts = [f"--{name.replace('_', '-')}"]
     if heading is not None and isinstance(copied, Option):
         copied.heading = heading
     return copied

@@ -80,12 +80,12 @@ class PhotoNoise(Group, heading="Noise"):
     """The noise of photographs."""
 
     # fmt: off
-    white: float | None = option("--white", type=float,
+    white: float | None = option(type=float,
         help="Number of electrons at white, such as 5000; by default the full well of the camera. White is the "
         "largest integer, or 1.0 in floats.")
     read: float | None = documented(Noise, "read", type=float, default=None,
         help="Read noise, rms electrons; 0 for none; by default that of the camera.")
-    offset: float = option("--offset", type=float, default=0.0, help="Black level, as a fraction of white.")
+    offset: float = option(type=float, default=0.0, help="Black level, as a fraction of white.")
     # fmt: on
 
 
@@ -93,18 +93,16 @@ class PhotoCamera(Group, heading="Camera"):
     """The lens and the camera of a photograph, where a file does not state them."""
 
     # fmt: off
-    f_number: float | None = option("--f-number", type=float,
-        help="F-number; by default from the lens file or the EXIF.")
-    focal_length: float | None = option("--focal-length", type=MILLIMETRES,
+    f_number: float | None = option(type=float, help="F-number; by default from the lens file or the EXIF.")
+    focal_length: float | None = option(type=MILLIMETRES,
         help="Focal length, where there is no lens file; by default from the EXIF.")
     camera: Camera | None = CAMERA
-    pixel: float | None = option("--pixel", type=MICROMETRES,
-        help="Pixel pitch; overrides the lens file and the camera.")
-    pixel_from_exif: bool = option("--pixel-from-exif", is_flag=True,
+    pixel: float | None = option(type=MICROMETRES, help="Pixel pitch; overrides the lens file and the camera.")
+    pixel_from_exif: bool = option(is_flag=True,
         help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate to a "
         "few %.")
-    no_exif: bool = option("--no-exif", is_flag=True, help="Ignore the lens data of the EXIF.")
-    wavelengths: tuple[float, ...] | None = option("--wavelengths", type=LENGTHS,
+    no_exif: bool = option(is_flag=True, help="Ignore the lens data of the EXIF.")
+    wavelengths: tuple[float, ...] | None = option(type=LENGTHS,
         help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo that of the lens file, "
         "or 550nm.")
     # fmt: on
@@ -130,9 +128,9 @@ class OutputFile(Group, heading="Output file"):
     """How the result is stored."""
 
     # fmt: off
-    bits: str | None = option("--bits", type=click.Choice(list(_TYPES)),
+    bits: str | None = option(type=click.Choice(list(_TYPES)),
         help="Bits of the output; by default those of the photo.")
-    quality: int = option("--quality", type=int, default=95, help="Quality of JPEG and WebP, 1 to 100.")
+    quality: int = option(type=int, default=95, help="Quality of JPEG and WebP, 1 to 100.")
     # fmt: on
 
 
@@ -141,7 +139,7 @@ class PhotoOptions(Group, heading="Photo and depth map"):
 
     # fmt: off
     seen: PhotoCamera = PhotoCamera()
-    encoding: str | None = option("--encoding", type=click.Choice(["srgb", "linear"]),
+    encoding: str | None = option(type=click.Choice(["srgb", "linear"]),
         help="Encoding of the photo's values; by default integers are sRGB and floats are linear.")
     depth_map: PhotoDepth = PhotoDepth()
     blurring: Blurring = Blurring()
@@ -165,9 +163,9 @@ class FocusPull(Group, heading="Focus pull"):
     # fmt: off
     last: float | None = option("--focus-to", type=LENGTH,
         help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres.")
-    frames: int | None = option("--frames", type=click.IntRange(2, 9999),
+    frames: int | None = option(type=click.IntRange(2, 9999),
         help=f"Number of frames; by default {_FRAMES}.")
-    fps: float | None = option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}.")
+    fps: float | None = option(type=float, help=f"Frames per second of an animation; by default {_FPS:g}.")
     # fmt: on
 
 
@@ -363,9 +361,9 @@ class RestoredNoise(PhotoNoise, heading="Noise"):
     """The noise of a photograph, and its pixels that do not count."""
 
     # fmt: off
-    saturation: float | None = option("--saturation", type=float,
-        help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
-        "such as 0.95.")
+    saturation: float | None = option(type=float,
+        help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), such as "
+        "0.95.")
     masked: Path | None = option("--mask", type=FILE,
         help="Image of the pixels to leave out, as unknown: not 0 there.")
     # fmt: on
@@ -375,17 +373,17 @@ class Restoring(Group, heading="Restoration"):
     """How a photograph is restored."""
 
     # fmt: off
-    method: str = option("--method", type=click.Choice(_METHODS), default=_METHODS[0],
+    method: str = option(type=click.Choice(_METHODS), default=_METHODS[0],
         help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually "
         "less noise at the same sharpness, but ten to forty times slower; one-pass takes Wiener's filters, and is as "
         "good where depth has few edges.")
-    steps: int | None = option("--steps", type=int,
+    steps: int | None = option(type=int,
         help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
         f"{TotalVariation.steps} for each strength tried.")
     target: float = documented(RichardsonLucy, "target", type=float,
         help="Discrepancy at which to stop. The default is below 1 because the restored photo also fits part of the "
         "noise.")
-    strength: float | None = option("--strength", type=float,
+    strength: float | None = option(type=float,
         help="Weight of the total variation; by default such that the discrepancy is --target.")
     # fmt: on
 

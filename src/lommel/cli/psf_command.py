@@ -59,11 +59,11 @@ class Air(Group, heading="Telescopes on the ground"):
     """The blur of images of telescopes on the ground."""
 
     # fmt: off
-    seeing: float | None = option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+    seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
         help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds.")
-    outer_scale: float | None = option("--outer-scale", type=LENGTH,
+    outer_scale: float | None = option(type=LENGTH,
         help="Outer scale of the turbulence, such as 25m; by default infinite.")
-    jitter: float | None = option("--jitter", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+    jitter: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
         help="Image motion during the exposure, arcseconds rms along each axis.")
     # fmt: on
 
@@ -94,11 +94,11 @@ class Computation(Group, heading="Computation"):
         help="Tolerance, relative to the peak; by default that of the method (1e-6 for most).")
     settings: tuple[str, ...] = option("--set", multiple=True, metavar="NAME=VALUE",
         help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")
-    normalize: str = option("--normalize", default="energy", type=click.Choice(psf_files.NORMALIZE),
+    normalize: str = option(default="energy", type=click.Choice(psf_files.NORMALIZE),
         help="energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would "
-        "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; "
-        "peak: 1 = largest value.")
-    dtype: str | None = option("--dtype", type=click.Choice(["float32", "float64"]),
+        "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; peak: 1 = "
+        "largest value.")
+    dtype: str | None = option(type=click.Choice(["float32", "float64"]),
         help="Type of the values; by default float64 for a --tol below 1e-6, else float32.")
     # fmt: on
 
@@ -117,17 +117,17 @@ def psf(
         help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
         f"With --field: {suffixes('field')}. With --colour: {suffixes('colours')}."),
     figure: Path | None = plot_option("Figure with axes and a colour bar"),
-    stretch: str = option("--stretch", default="sqrt", type=click.Choice(list(STRETCHES)),
+    stretch: str = option(default="sqrt", type=click.Choice(list(STRETCHES)),
         help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
     seen: Seen = Seen(),
-    field: int | tuple[int, int] | None = option("--field", type=WINDOW, metavar="ROWSxCOLUMNS",
+    field: int | tuple[int, int] | None = option(type=WINDOW, metavar="ROWSxCOLUMNS",
         help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
     place: tuple[float, float] | None = option("--at", type=LENGTH, nargs=2, metavar="X Y",
         help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
         "needs a section [field]. By default the axis."),
-    colour: bool = option("--colour", is_flag=True,
+    colour: bool = option(is_flag=True,
         help="PSFs in the colour channels of the lens file, or in red, green and blue."),
-    mtf: bool = option("--mtf", is_flag=True,
+    mtf: bool = option(is_flag=True,
         help="Print the MTF at the Nyquist frequency and at half of it, pixel included, along x and y."),
     planes: Planes = Planes(),
     air: Air = Air(),

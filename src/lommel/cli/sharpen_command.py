@@ -52,9 +52,8 @@ class ClipCamera(Group, heading="Camera"):
     """The lens and the camera of frames."""
 
     # fmt: off
-    focus: float | None = option("--focus", type=LENGTH,
-        help="Focus distance, such as 1.5m or inf; overrides the lens file.")
-    f_number: float | None = option("--f-number", type=float, help="F-number; overrides the lens file.")
+    focus: float | None = option(type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+    f_number: float | None = option(type=float, help="F-number; overrides the lens file.")
     camera: Camera | None = CAMERA
     pixel: float | None = SQUARE_PIXEL
     encoding: str | None = ENCODING
@@ -67,7 +66,7 @@ def sharpen(
     lens: Path = LENS,
     output: Path = option("-o", "--output", required=True, type=OUTPUT,
         help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
-    at: float | None = option("--at", type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
+    at: float | None = option(type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
     map_: Path | None = option("--depth", type=FILE, metavar="FILE",
         help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not known "
         "it is that of the nearest pixel."),

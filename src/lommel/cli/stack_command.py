@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 @command(JSON)
 def stack(
     lens: Path = LENS,
-    between: tuple[float, float] = option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
+    between: tuple[float, float] = option(type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
         help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
-    count: int = option("--count", type=click.IntRange(2, 10**9), required=True,
+    count: int = option(type=click.IntRange(2, 10**9), required=True,
         help="Number of distances, equally spaced in defocus."),
     output: Path = option("-o", "--output", type=OUTPUT_PATH, required=True, help="Store to write, a folder .zarr."),
     camera: Camera | None = CAMERA,
@@ -34,7 +34,7 @@ def stack(
     shape: int | tuple[int, int] | None = SHAPE,
     tol: float | None = documented(psf, "tol", type=float,
         help="Tolerance, relative to the peak; by default 1e-6."),
-    chunk: int | None = option("--chunk", type=int,
+    chunk: int | None = option(type=int,
         help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
 ) -> Report:  # fmt: skip
     """Compute PSFs over a range of object distances, on disk.

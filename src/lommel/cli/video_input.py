@@ -47,7 +47,7 @@ class VideoNoise(PhotoNoise, heading="Noise"):
     """The noise of frames, and where they saturate."""
 
     # fmt: off
-    saturation: float | None = option("--saturation", type=float,
+    saturation: float | None = option(type=float,
         help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as "
         "0.95; the largest integer always counts as saturated.")
     # fmt: on

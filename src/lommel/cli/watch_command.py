@@ -71,11 +71,11 @@ class Files(Group):
     # fmt: off
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help=f"Video of the depth in colours: {suffixes('video')}.")
-    sharp: bool = option("--sharp", is_flag=True, help="Show the all-in-focus image beside the depth.")
+    sharp: bool = option(is_flag=True, help="Show the all-in-focus image beside the depth.")
     depths: tuple[Path, ...] = option("--depth", type=OUTPUT, multiple=True,
         help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of --depth-scale, "
         "0 where it is not known; given a second time, its standard error.")
-    table: Path | None = option("--table", type=OUTPUT, help="Table with a row for each pair: .csv.")
+    table: Path | None = option(type=OUTPUT, help="Table with a row for each pair: .csv.")
     show: bool | None = option("--show/--no-show", default=None,
         help="Show a window, which q or Esc closes; by default where there is a display and no --output.")
     # fmt: on
@@ -124,9 +124,9 @@ class Estimation(Group, heading="Estimation"):
 
     # fmt: off
     window: float = documented(LiveDepth, "window", type=float)
-    misfit: float = option("--misfit", type=float, default=2.0,
+    misfit: float = option(type=float, default=2.0,
         help="Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.")
-    depth_scale: float | None = option("--depth-scale", type=float,
+    depth_scale: float | None = option(type=float,
         help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
         "farthest distance.")
     # fmt: on
@@ -138,8 +138,7 @@ def watch(
     sources: tuple[str, ...] = option("--source", multiple=True, required=True, metavar="SOURCE",
         help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
         "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
-    alternating: bool = option("--alternating", is_flag=True,
-        help="The frames of one source are of one focus and the other in turn."),
+    alternating: bool = option(is_flag=True, help="The frames of one source are of one focus and the other in turn."),
     between: tuple[float, float] = BETWEEN,
     files: Files = Files(),
     taken: FrameCamera = FrameCamera(),

@@ -23,20 +23,7 @@ from lommel.cli.instruments import (
     require_microscope,
     require_order,
 )
-from lommel.cli.options import (
-    JSON,
-    LENGTHS,
-    MICROMETRES,
-    NANOMETRES,
-    OUTPUT_PATH,
-    Group,
-    command,
-    documented,
-    notes_of,
-    option,
-    plot_option,
-    with_options,
-)
+from lommel.cli.options import JSON, LENGTHS, OUTPUT_PATH, Group, command, documented, judged, option, plot_option
 from lommel.cli.output import Facts, Report, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
@@ -49,6 +36,8 @@ from lommel.recorded import recordings
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from lommel.lensfiles.camera import Camera
 
 METHODS = ("richardson-lucy", "total-variation")
@@ -58,19 +47,19 @@ class Recorded(Group, heading="Microscope"):
     """How the stack was recorded: what is None is stated by the stack or by the file of the objective."""
 
     # fmt: off
-    depth: float | None = option(type=MICROMETRES,
+    depth: float | None = option(length="um",
         help="Depth below the cover glass in focus in the middle plane, such as 10um; by default that of the file of "
         "the objective.")
     wavelength: tuple[float, ...] | None = option(type=LENGTHS, metavar="LENGTHS",
         help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default that of the stack.")
     pixel: float | None = SQUARE_PIXEL
-    step: float | None = option(type=NANOMETRES,
+    step: float | None = option(length="nm",
         help="Step between planes, such as 200nm; by default that of the stack.")
     modality: str = option(type=click.Choice(MODALITIES), default="widefield", help="Kind of microscope.")
-    excitation: float | None = option(type=NANOMETRES,
+    excitation: float | None = option(length="nm",
         help="Excitation wavelength of scanning microscopes, such as 488nm.")
     pinhole: float | None = documented(restore, "pinhole", type=float, help="Diameter of the pinhole in Airy units.")
-    thickness: float | None = option(type=MICROMETRES, help="Thickness of the light sheet, such as 2um (FWHM).")
+    thickness: float | None = option(length="um", help="Thickness of the light sheet, such as 2um (FWHM).")
     direction: str = option(type=click.Choice(("auto", "up", "down")), default="auto",
         help="up: the first plane is the nearest to the cover glass; auto asks the data.")
     # fmt: on
@@ -214,8 +203,8 @@ def deconvolve(
             click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
         raise
     facts = {"stack": str(stack), "name": microscope.name} | found.to_dict()
-    facts |= {"notes": [with_options(note) for note in found.notes], "seconds": time.perf_counter() - begun}
-    return Report(facts, _parts(facts), converged=found.converged) + written([*outputs, figure])
+    facts |= {"seconds": time.perf_counter() - begun}
+    return judged(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
 
 
 _STOPPED = {
@@ -226,7 +215,8 @@ _STOPPED = {
 }
 
 
-def _parts(facts: Facts) -> list[Any]:
+def _table(facts: Facts) -> Table:
+    """Return the table of a restored stack."""
     planes, height, width = facts["shape"]
     lines = [
         ("stack", f"{planes} planes of {height} x {width}"),
@@ -241,4 +231,4 @@ def _parts(facts: Facts) -> list[Any]:
             ("depth in focus", f"{between(*each['depths'])}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
         ]
     lines.append(("time", f"{facts['seconds']:.3g} s"))
-    return [Text(facts["name"], "bold"), list_of(lines), *notes_of(facts)]
+    return list_of(lines)

@@ -15,7 +15,7 @@ from lommel.base.plain import plain
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
-from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, Group, argument, command, documented, option, plot_option
+from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import PhotoNoise, read_as, without
 from lommel.cli.progress import progress
@@ -38,7 +38,7 @@ _ROWS, _POINTS = 11, 121
 
 BETWEEN: Any = option(
     "--between",
-    type=LENGTH,
+    length="m",
     nargs=2,
     required=True,
     metavar="NEAR FAR",
@@ -50,7 +50,7 @@ def lens_options(which: str) -> list[Any]:
     """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
     once = f"once for {which}, or repeated for each; overrides the lens file."
     return [
-        option("--focus", type=LENGTH, multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
+        option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
         option("--f-number", type=float, multiple=True, help=f"F-number: {once}"),
     ]
 
@@ -236,7 +236,7 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
 @command(JSON)
 def precision(
     lens: Path = LENS,
-    foci: tuple[float, ...] = option("--focus", type=LENGTH, multiple=True,
+    foci: tuple[float, ...] = option("--focus", length="m", multiple=True,
         help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
         "--best."),
     pair: float | None = option(type=float,
@@ -246,7 +246,7 @@ def precision(
     photons: float = documented(depth_precision, "photons", type=float, required=True,
         help="Mean signal per pixel, in detected photons (electrons)."),
     f_number: float | None = option(type=float, help="F-number; overrides the lens file."),
-    between: tuple[float, float] | None = option(type=LENGTH, nargs=2, metavar="NEAR FAR",
+    between: tuple[float, float] | None = option(length="m", nargs=2, metavar="NEAR FAR",
         help="Nearest and farthest distance to list; by default around the focus distances."),
     camera: Camera | None = CAMERA,
     pixel: float | None = SQUARE_PIXEL,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli.options import LENGTH, Group, documented, option
+from lommel.cli.options import Group, documented, option
 from lommel.cli.output import Facts
 from lommel.io.depth_maps import RESAMPLE, DepthValues
 
@@ -20,7 +20,7 @@ class DepthMap(Group):
 
     # fmt: off
     scale: float | None = documented(DepthValues, "scale", "--depth-scale", type=float)
-    inverse: tuple[float, float] | None = documented(DepthValues, "inverse", "--inverse-depth", type=LENGTH, nargs=2,
+    inverse: tuple[float, float] | None = documented(DepthValues, "inverse", "--inverse-depth", length="m", nargs=2,
         metavar="NEAR FAR")
     disparity: tuple[float, float] | None = documented(DepthValues, "disparity", type=float, nargs=2,
         metavar="FB OFFSET")

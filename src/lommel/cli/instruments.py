@@ -11,19 +11,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import (
-    FILE,
-    LENGTH,
-    MICROMETRES,
-    NANOMETRES,
-    PATH,
-    SIDES,
-    WINDOW,
-    Group,
-    Option,
-    Parsed,
-    option,
-)
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Group, Option, Parsed, option
 from lommel.cli.output import Facts
 from lommel.recorded.metadata import Found, Unusable
 from lommel.recorded.noise import Noise
@@ -98,24 +86,24 @@ IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
 STACK_FILE: Any = click.Argument(["stack"], type=PATH)
 LENS: Any = click.Argument(["lens"], type=FILE)
 OBJECT_DISTANCE: Any = Option(
-    "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
+    "--object-distance", length="m", help="Object distance, such as 1.5m or inf; overrides the file."
 )
 CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
     "`lommel examples --find camera` lists, or a file; overrides the file."
 )
 SQUARE_PIXEL: Any = Option(
-    "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
+    "--pixel", length="um", help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
 )
 SHAPE: Any = Option(
     "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
 )
 STEP: Any = Option(
-    "--step", type=NANOMETRES, help="Stage step between planes, such as 100nm; by default that of the file."
+    "--step", length="nm", help="Stage step between planes, such as 100nm; by default that of the file."
 )
 DEPTH: Any = Option(
     "--depth",
-    type=MICROMETRES,
+    length="um",
     heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.",
 )

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -21,9 +21,12 @@ from click.core import ParameterSource
 from lommel.base import options
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
-from lommel.cli.output import Report, Wrapped, figure_format
+from lommel.cli.output import Facts, Report, Wrapped, figure_format
 from lommel.lensfiles.example_files import example_files
 from lommel.methods import METHODS
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
 
 Pitch: TypeAlias = float | tuple[float, ...]
 Window: TypeAlias = int | tuple[int, int]
@@ -90,10 +93,7 @@ def _window(text: str) -> Window:
     return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
 
-LENGTH = Parsed("length", partial(_length, "m"))
-"""A length with a unit, in metres: a distance, as errors suggest it."""
-
-MILLIMETRES, MICROMETRES, NANOMETRES = (Parsed("length", partial(_length, unit)) for unit in ("mm", "um", "nm"))
+MICROMETRES, NANOMETRES = (Parsed("length", partial(_length, unit)) for unit in ("um", "nm"))
 """Lengths with a unit, in metres, which errors suggest in another."""
 
 SIDES = Parsed("length", _sides)
@@ -110,10 +110,15 @@ _UNNAMED = "--unnamed"
 
 
 class Option(click.Option):
-    """An option, and the heading under which ``--help`` lists it; without flags it is called as its argument."""
+    """An option, and the heading under which ``--help`` lists it; without flags it is called as its argument.
 
-    def __init__(self, *flags: str, heading: str = "Options", **more: Any) -> None:
+    Of a `length`, in metres, which has a unit on the command line, errors suggest this unit.
+    """
+
+    def __init__(self, *flags: str, heading: str = "Options", length: str = "", **more: Any) -> None:
         self.heading = heading
+        if length:
+            more["type"] = Parsed("length", partial(_length, length))
         if more.get("default") is not None and not more.get("is_flag"):
             more.setdefault("show_default", True)
         super().__init__(flags or (_UNNAMED,), **more)
@@ -419,7 +424,13 @@ def with_options(message: str) -> str:
     )
 
 
-def notes_of(facts: dict[str, Any]) -> list[Wrapped]:
+def notes_of(facts: Facts) -> list[Wrapped]:
     """Return the findings of a result and its notes, a line each."""
     findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
+
+
+def judged(facts: Facts, *parts: RenderableType) -> Report:
+    """Return the report of a fit with findings and notes, which come last and name the options of the command."""
+    facts = facts | {"notes": [with_options(note) for note in facts["notes"]]}
+    return Report(facts, [*parts, *notes_of(facts)], facts["converged"])

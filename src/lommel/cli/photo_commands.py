@@ -25,10 +25,7 @@ from lommel.cli.instruments import CAMERA, instrument_of, mask_of, noise_of, rad
 from lommel.cli.options import (
     FILE,
     JSON,
-    LENGTH,
     LENGTHS,
-    MICROMETRES,
-    MILLIMETRES,
     OUTPUT,
     OUTPUT_PATH,
     PATH,
@@ -73,7 +70,7 @@ _TYPES: dict[str, np.dtype[np.generic]] = {
 
 _FRAMES, _FPS = 24, 12.0
 
-FOCUS: Any = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+FOCUS: Any = Option("--focus", length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 
 
 class PhotoNoise(Group, heading="Noise"):
@@ -94,10 +91,10 @@ class PhotoCamera(Group, heading="Camera"):
 
     # fmt: off
     f_number: float | None = option(type=float, help="F-number; by default from the lens file or the EXIF.")
-    focal_length: float | None = option(type=MILLIMETRES,
+    focal_length: float | None = option(length="mm",
         help="Focal length, where there is no lens file; by default from the EXIF.")
     camera: Camera | None = CAMERA
-    pixel: float | None = option(type=MICROMETRES, help="Pixel pitch; overrides the lens file and the camera.")
+    pixel: float | None = option(length="um", help="Pixel pitch; overrides the lens file and the camera.")
     pixel_from_exif: bool = option(is_flag=True,
         help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate to a "
         "few %.")
@@ -161,7 +158,7 @@ class FocusPull(Group, heading="Focus pull"):
     """The end and the frames of a focus pull."""
 
     # fmt: off
-    last: float | None = option("--focus-to", type=LENGTH,
+    last: float | None = option("--focus-to", length="m",
         help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres.")
     frames: int | None = option(type=click.IntRange(2, 9999),
         help=f"Number of frames; by default {_FRAMES}.")

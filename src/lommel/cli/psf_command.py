@@ -19,7 +19,7 @@ from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, LENGTH, OUTPUT, WINDOW, Group, command, documented, option, plot_option
+from lommel.cli.options import JSON, OUTPUT, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
@@ -61,7 +61,7 @@ class Air(Group, heading="Telescopes on the ground"):
     # fmt: off
     seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
         help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds.")
-    outer_scale: float | None = option(type=LENGTH,
+    outer_scale: float | None = option(length="m",
         help="Outer scale of the turbulence, such as 25m; by default infinite.")
     jitter: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
         help="Image motion during the exposure, arcseconds rms along each axis.")
@@ -122,7 +122,7 @@ def psf(
     seen: Seen = Seen(),
     field: int | tuple[int, int] | None = option(type=WINDOW, metavar="ROWSxCOLUMNS",
         help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
-    place: tuple[float, float] | None = option("--at", type=LENGTH, nargs=2, metavar="X Y",
+    place: tuple[float, float] | None = option("--at", length="m", nargs=2, metavar="X Y",
         help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
         "needs a section [field]. By default the axis."),
     colour: bool = option(is_flag=True,

@@ -18,7 +18,7 @@ from lommel.base.units import format_length
 from lommel.cli import depth_maps
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
-from lommel.cli.options import FILE, JSON, LENGTH, OUTPUT, PATH, Group, argument, command, option
+from lommel.cli.options import FILE, JSON, OUTPUT, PATH, Group, argument, command, option
 from lommel.cli.output import Report, require_folder, written
 from lommel.cli.photo_commands import output_type
 from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of
@@ -52,7 +52,7 @@ class ClipCamera(Group, heading="Camera"):
     """The lens and the camera of frames."""
 
     # fmt: off
-    focus: float | None = option(type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+    focus: float | None = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
     f_number: float | None = option(type=float, help="F-number; overrides the lens file.")
     camera: Camera | None = CAMERA
     pixel: float | None = SQUARE_PIXEL
@@ -66,7 +66,7 @@ def sharpen(
     lens: Path = LENS,
     output: Path = option("-o", "--output", required=True, type=OUTPUT,
         help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
-    at: float | None = option(type=LENGTH, help="Distance of all that is seen, such as 1.5m."),
+    at: float | None = option(length="m", help="Distance of all that is seen, such as 1.5m."),
     map_: Path | None = option("--depth", type=FILE, metavar="FILE",
         help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not known "
         "it is that of the nearest pixel."),

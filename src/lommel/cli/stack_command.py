@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import JSON, LENGTH, OUTPUT_PATH, command, documented, option
+from lommel.cli.options import JSON, OUTPUT_PATH, command, documented, option
 from lommel.cli.output import Report
 from lommel.cli.progress import progress
 from lommel.psf import psf
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 @command(JSON)
 def stack(
     lens: Path = LENS,
-    between: tuple[float, float] = option(type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
+    between: tuple[float, float] = option(length="m", nargs=2, required=True, metavar="NEAR FAR",
         help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
     count: int = option(type=click.IntRange(2, 10**9), required=True,
         help="Number of distances, equally spaced in defocus."),

@@ -202,8 +202,8 @@ def deconvolve(
         if whole is not None:
             click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
         raise
-    facts = {"stack": str(stack), "name": microscope.name} | found.to_dict()
-    facts |= {"seconds": time.perf_counter() - begun}
+    seconds = time.perf_counter() - begun
+    facts = {"stack": str(stack), "name": microscope.name} | found.to_dict() | {"seconds": seconds}
     return judged(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
 
 

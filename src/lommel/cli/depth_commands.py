@@ -26,8 +26,6 @@ from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.lensfiles.camera import Camera
@@ -36,14 +34,8 @@ if TYPE_CHECKING:
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
-BETWEEN: Any = option(
-    "--between",
-    length="m",
-    nargs=2,
-    required=True,
-    metavar="NEAR FAR",
-    help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.",
-)
+BETWEEN: Any = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
+    help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.")  # fmt: skip
 
 
 def lens_options(which: str) -> list[Any]:
@@ -135,8 +127,7 @@ def depth(
     lenses = each_lens(instrument.lens, len(photos), seen.foci, seen.f_numbers)
     with progress("reading") as started:
         pictures = [read_photo(path, seen.encoding) for path in photos]
-        kinds = {(one.values.dtype, one.encoding) for one in pictures}
-        if len(kinds) > 1:
+        if len({(one.values.dtype, one.encoding) for one in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
         given = [one.values for one in pictures]
         if noisy.masked is not None:
@@ -311,13 +302,13 @@ def precision(
         at, error = float(distance[k]), float(errors[k])
         cells = (format_length(error, digits=3), f"{100.0 * error / at:.2g} %") if error < math.inf else ("inf", "")
         rows.append((format_length(at), *cells))
-    parts: list[RenderableType] = [
+    lines = [
         f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {foci_in_words}",
         f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
         f"{window:g} pixels rms",
-        table_of(("distance", "standard error", "relative"), rows),
     ]
-    return Report(facts, parts) + written([figure])
+    table = table_of(("distance", "standard error", "relative"), rows)
+    return Report(facts, [*lines, table]) + written([figure])
 
 
 def _around(lens: Lens, focus: float, dioptres: float) -> list[Lens]:

@@ -37,12 +37,9 @@ def camera_option(words: str) -> Any:
     return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
 
 
-EXCESS: Any = Option(
-    "--excess",
-    type=float,
+EXCESS: Any = option(type=float,
     help="Excess noise factor of electron multiplication, 2 for an EMCCD, whose gain and read noise are then those "
-    "of electrons before multiplication; by default that of the camera or the file, or 1.",
-)
+    "of electrons before multiplication; by default that of the camera or the file, or 1.")  # fmt: skip
 
 
 def camera_map(text: str, name: str) -> float | Array:
@@ -85,28 +82,17 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
 IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
 STACK_FILE: Any = click.Argument(["stack"], type=PATH)
 LENS: Any = click.Argument(["lens"], type=FILE)
-OBJECT_DISTANCE: Any = Option(
-    "--object-distance", length="m", help="Object distance, such as 1.5m or inf; overrides the file."
-)
+OBJECT_DISTANCE: Any = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
 CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
     "`lommel examples --find camera` lists, or a file; overrides the file."
 )
-SQUARE_PIXEL: Any = Option(
-    "--pixel", length="um", help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
-)
-SHAPE: Any = Option(
-    "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
-)
-STEP: Any = Option(
-    "--step", length="nm", help="Stage step between planes, such as 100nm; by default that of the file."
-)
-DEPTH: Any = Option(
-    "--depth",
-    length="um",
-    heading="Microscopes",
-    help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.",
-)
+SQUARE_PIXEL: Any = option(length="um",
+    help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.")  # fmt: skip
+SHAPE: Any = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file.")
+STEP: Any = option(length="nm", help="Stage step between planes, such as 100nm; by default that of the file.")
+DEPTH: Any = option(length="um", heading="Microscopes",
+    help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.")  # fmt: skip
 
 
 class Seen(Group):
@@ -126,11 +112,10 @@ class Seen(Group):
 class Planes(Group, heading="Microscopes"):
     """The planes of a microscope, which override the file."""
 
-    stack: int | None = option(
-        type=click.IntRange(1, 4096),
-        metavar="PLANES",
-        help="Number of planes along the optical axis; by default that of the file.",
-    )
+    # fmt: off
+    stack: int | None = option(type=click.IntRange(1, 4096), metavar="PLANES",
+        help="Number of planes along the optical axis; by default that of the file.")
+    # fmt: on
     step: float | None = STEP
     depth: float | None = DEPTH
 
@@ -321,26 +306,20 @@ class CameraOptions(Group, heading="Camera and noise"):
     """What a camera recorded with, and which of its pixels do not count."""
 
     camera: Camera | None = CAMERA
-    white: float | None = option(
-        "--gain", type=float, help="Electrons per count; by default that of the camera, or 1."
-    )
-    read: float | None = option(
-        type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."
-    )
-    offset: float | None = option(
-        type=float, help="Black level, in the unit of the images; by default that of the camera, or 0."
-    )
+    # fmt: off
+    white: float | None = option("--gain", type=float,
+        help="Electrons per count; by default that of the camera, or 1.")
+    read: float | None = option(type=float,
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+    offset: float | None = option(type=float,
+        help="Black level, in the unit of the images; by default that of the camera, or 0.")
     excess: float | None = EXCESS
-    saturation: float | None = option(
-        type=float,
+    saturation: float | None = option(type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-        "saturated.",
-    )
-    masked: Path | None = option(
-        "--mask",
-        type=PATH,
-        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.",
-    )
+        "saturated.")
+    masked: Path | None = option("--mask", type=PATH,
+        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.")
+    # fmt: on
     pixel: float | None = SQUARE_PIXEL
 
     def require(self) -> None:

@@ -27,11 +27,11 @@ _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation",
 class Described(Seen):
     """The same, with a window for the comparison of models alone."""
 
-    shape: int | tuple[int, int] | None = option(
-        type=WINDOW,
+    # fmt: off
+    shape: int | tuple[int, int] | None = option(type=WINDOW,
         help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
-        "(height x width); overrides the file.",
-    )
+        "(height x width); overrides the file.")
+    # fmt: on
     integrate: bool | None = None
 
 

@@ -30,7 +30,6 @@ from lommel.cli.options import (
     OUTPUT_PATH,
     PATH,
     Group,
-    Option,
     argument,
     command,
     documented,
@@ -70,7 +69,7 @@ _TYPES: dict[str, np.dtype[np.generic]] = {
 
 _FRAMES, _FPS = 24, 12.0
 
-FOCUS: Any = Option("--focus", length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+FOCUS: Any = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 
 
 class PhotoNoise(Group, heading="Noise"):

@@ -170,16 +170,15 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
         ("in waves at the edge", ", ".join(listed)),
         ("least rms would be at", None if best is None else f"W020 = {best:.4g}, which balances the other terms"),
     ]
-    tables = [list_of(lines, title="Wavefront")]
-    if any(term["m"] for term in facts["zernike"]):
-        tables.append(zernike_table(facts))
+    zernike = [zernike_table(facts)] if any(term["m"] for term in facts["zernike"]) else []
     models = [
         ("model", _model(facts)),
         ("amplitude", None if facts["apodization"] == 0.0 else _amplitude(facts)),
         ("lambda*N", format_length(facts["wavelength"] * facts["working_f_number"])),
         ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
     ]
-    return ["", *paragraphs(*([table] for table in tables), [list_of(models, title="Model"), *refused(facts)])]
+    last = [list_of(models, title="Model"), *refused(facts)]
+    return ["", *paragraphs([list_of(lines, title="Wavefront")], zernike, last)]
 
 
 def distinct(*distances: float | None) -> list[str]:
@@ -209,8 +208,7 @@ def model_in_words(other: Facts) -> str:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
         return f"{_model(other)}: identical"
-    model = _model(other).replace(", corrected", "")
-    return f"{model}: PSF differs by {other['peak_error']:.2g} of the peak"
+    return f"{_model(other).replace(', corrected', '')}: PSF differs by {other['peak_error']:.2g} of the peak"
 
 
 def _identical(other: Facts) -> bool:
@@ -275,16 +273,15 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
     parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", f"{energy:.2%}")
+    notes = []
     if facts["sum"] is not None:
-        text = (
+        notes.append(
             f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples more than lambda*N "
             "apart do not. Use --integrate for pixel-integrated values."
         )
-        parts.append(Wrapped(text))
     if not enough:
-        text = f"The window holds {energy:.0%} of the light; --shape {side} would hold about 98 %."
-        parts.append(Wrapped(text))
-    return Report({"psf": facts}, parts)
+        notes.append(f"The window holds {energy:.0%} of the light; --shape {side} would hold about 98 %.")
+    return Report({"psf": facts}, [*parts, *map(Wrapped, notes)])
 
 
 def _psf_parts(answer: PSF, facts: Facts, pixels: str, peak: str, energy: str) -> list[RenderableType]:
@@ -306,17 +303,14 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
     sensor, energy = list(grid.sensor), np.asarray(answer.energy)
     facts: Facts = {"name": instrument.name, "source": instrument.source, "sensor": sensor}
     facts |= {"x": grid.x.tolist(), "y": grid.y.tolist(), "energy": energy.tolist()} | how_made(answer, seconds)
-    rows, columns, height, width = facts["shape"]
-    sums = None
-    if facts["sum"] is not None:
-        ends = np.min(facts["sum"]), np.max(facts["sum"])
-        sums = "{:.4g} to {:.4g}: point samples this far apart miss some of the light".format(*ends)
+    (rows, columns, height, width), stray = facts["shape"], facts["sum"]
+    ends = "" if stray is None else f"{np.min(stray):.4g} to {np.max(stray):.4g}"
     lines = [
         ("sensor", f"{format_length(sensor[0])} x {format_length(sensor[1])} (height x width)"),
         ("method", repr(answer.method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[answer.normalize]}"),
         ("pixel", f"{pitch_in_words(answer.pixel)}, {HOW[answer.sampling]}"),
-        ("sums of the values", sums),
+        ("sums of the values", f"{ends}: point samples this far apart miss some of the light" if ends else None),
         ("energy in the window", f"{energy.min():.2%} to {energy.max():.2%}"),
         *_error_and_time(facts),
     ]

@@ -17,7 +17,7 @@ from scipy.ndimage import gaussian_filter1d
 from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
 from lommel.cli.instruments import noise_of
-from lommel.cli.options import Option, option
+from lommel.cli.options import option
 from lommel.cli.output import Facts
 from lommel.cli.photo_commands import PhotoNoise
 from lommel.io.registry import Values
@@ -36,11 +36,9 @@ _BAND = 6.0  # rows, rms, in which the brightness of frames is compared
 _FAINT = 0.1  # of the mean: rows that are darker are not
 _TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
 
-ENCODING: Any = Option(
-    "--encoding",
-    type=click.Choice(["srgb", "linear"]),
-    help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.",
-)
+ENCODING: Any = option(type=click.Choice(["srgb", "linear"]),
+    help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
+    "sRGB.")  # fmt: skip
 
 
 class VideoNoise(PhotoNoise, heading="Noise"):

@@ -100,7 +100,8 @@ def score_tests(
         covariance = np.asarray(np.linalg.inv(square))
         size = covariance @ pull + one.offset
         near = covariance + np.eye(len(at)) * one.known**2
-        sigmas = _sigmas(size, float(size @ np.linalg.solve(near, size)))
+        away = float(size @ np.linalg.solve(near, size))
+        sigmas = math.copysign(math.sqrt(away), size[0]) if len(at) == 1 else sigmas_of(away, len(at))
         evidence = log_bayes_factor(size, covariance, one.known, one.scale)
         found.append(ScoreTest(one.name, size, np.sqrt(np.diag(covariance)), sigmas, evidence))
     return tuple(sorted(found, key=lambda test: -test.log_bayes))
@@ -148,11 +149,6 @@ def _solved(square: Array, right: Array) -> Array:
     scale = 1.0 / np.sqrt(np.maximum(np.diag(square), 1e-300))
     alike = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
     return np.asarray(scale[:, None] * np.linalg.solve(alike, scale[:, None] * right))
-
-
-def _sigmas(size: Array, square: float) -> float:
-    """Return a distance in standard deviations, with the sign of one column."""
-    return math.copysign(math.sqrt(square), size[0]) if len(size) == 1 else sigmas_of(square, len(size))
 
 
 def sigmas_of(square: float, count: int) -> float:

@@ -34,6 +34,11 @@ def test_a_camera_that_multiplies_electrons_has_excess_noise(write, text):
     assert "excess noise 2" in repr(camera)
 
 
+def test_a_camera_is_plain_data_without_its_pixels(write):
+    known = {"name": "C", "source": "nobody", "read": 1.5, "full_well": 30000.0, "gain": 0.46, "offset": 100.0}
+    assert lm.load_camera(write(PLAIN)).to_dict() == known | {"excess": 1.0}
+
+
 @pytest.fixture
 def write(tmp_path: Path):
     """Write a file into a folder of its own."""

@@ -146,7 +146,7 @@ def argument(name: str, **more: Any) -> Any:
 
 
 class Group:
-    """Options that commands share, under a heading of ``--help``: ``name: type = option("--name", ...)`` for each.
+    """Options that commands share, under a heading of ``--help``: ``name: type = option(...)`` for each.
 
     They come after those of the bases, which a subclass may replace; a group may hold others. An instance has the
     values of a call.

@@ -18,12 +18,11 @@ from lommel.estimation.star_checks import (
     apodized,
     candidates_of,
     lacking_blurs,
-    lacking_constant,
     lacking_constants,
     lacking_gain,
     lacking_light,
+    lacking_phases,
     lacking_slopes,
-    lacking_terms,
     uneven_blur,
 )
 from lommel.estimation.star_images import Unknowns, label, next_terms
@@ -95,10 +94,8 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     made = stars.with_further(every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     phase = flux * np.tile(stars.ratio, r)[:, None, None]
-    found = [*lacking_terms(terms, [phase * image for image in made[1 : 1 + len(terms)]])]
-    for name, slope in zip(constants, made[1 + len(terms) : 1 + len(every)], strict=True):
-        factor = flux if isinstance(name, str) else phase
-        found += lacking_constant(name, stars.one.pupil, factor * slope, stars.known)
+    by = [(flux if isinstance(name, str) else phase) * image for name, image in zip(every, made[1:], strict=False)]
+    found = [*lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
     if pupils := [one for light in stars.lights if (one := apodized(light.pupil)) is not None]:
         other = stars.through(pupils).images(model.chosen, *parts, fast=True, slopes="none")[0]
         found.append(lacking_light(flux * made[0], flux * other))

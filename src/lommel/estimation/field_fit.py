@@ -527,10 +527,8 @@ def fit_field(
         bluest = given if colours is None else given.in_light(float(colours.min()))
         valid = valid & ~struck(electrons, read, valid, sharpness(bluest, pitch, integrate=area))
     stars = FieldStars(
-        electrons, read, valid, begun, known, unknowns, pitch,
-        blur=behind, integrate=area, tol=plan.tol,
-        threads=plan.threads, target=target, wavelengths=colours,
-    )  # fmt: skip
+        electrons, read, valid, begun, known, unknowns, pitch, plan, blur=behind, target=target, wavelengths=colours
+    )
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
     if count < 4 and most > 0:

@@ -25,7 +25,7 @@ from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings
 from lommel.fit.score_tests import ScoreTest
 from lommel.fit.scoring import Scores, search_rows
-from lommel.methods.derivative_names import SHIFTS, term_of
+from lommel.methods.derivative_names import term_of
 
 _SINGLES = 60  # stars that are fitted by themselves
 _STARTS = 5  # of each
@@ -226,13 +226,8 @@ class Search:
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
         """Return places, with which stars of these wavefronts have their light where it is, light and angles."""
         one = self.stars.one
-        tilts = self._centroids[rows].copy()
         edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
-        for j, place in enumerate(one.unknowns.places):
-            m = SHIFTS[place][1]
-            # Light is where the mean slope of the phase is: each term R_n^1 moves it as far as a tilt.
-            tilts[:, j] -= edge[:, :, [c for c, term in enumerate(one.terms) if term[1] == m]].sum(axis=-1)
-        return self.stars.begun(rows, tilts)
+        return self.stars.begun(rows, self._centroids[rows] - one.mean_slopes(edge).swapaxes(0, 1))
 
     @cached_property
     def _centroids(self) -> Array:
@@ -290,7 +285,8 @@ class Search:
         degree = highest_degree(self.degree, len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
         if self.one_focus and (stars.one.even * stars.one.directions).any():
-            even = (self._whole(chosen, waves) * stars.one.even) * np.sqrt(stars.one.mean_squares)
+            whole = stars.base[chosen, 0] + waves @ stars.one.directions
+            even = (whole * stars.one.even) * np.sqrt(stars.one.mean_squares)
             negated = partial(self.negated, chosen)
             tried = candidates(self.places[chosen], waves, even, negated, bases, quality, self.metric, self.draw)
         else:
@@ -312,14 +308,9 @@ class Search:
             )
         return best
 
-    def _whole(self, chosen: NDArray[np.intp], waves: Array) -> Array:
-        """Return the edge terms of stars, with those that are fixed and the first known defocus."""
-        return np.asarray(self.stars.base[chosen, 0] + waves @ self.stars.one.directions)
-
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
         """Return wavefronts with the even part of the phase negated."""
-        one = self.stars.one
-        return np.asarray(waves - 2.0 * (one.even * self._whole(chosen, waves)) @ np.linalg.pinv(one.directions))
+        return self.stars.one.negated(waves, self.stars.base[chosen, 0])
 
     def refined(
         self,

@@ -17,7 +17,7 @@ from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SampledPupil
-from lommel.estimation.star_images import StarImages, Unknowns, carrying, loosest_tolerance, star_counts
+from lommel.estimation.star_images import StarImages, Unknowns, carrying, centroids, loosest_tolerance, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
@@ -70,11 +70,9 @@ class FieldStars:
         defocus: Array,
         unknowns: Unknowns,
         pixel: float,
+        plan: Plan,
         *,
         blur: Shape | tuple[Blur, ...],
-        integrate: bool,
-        tol: float,
-        threads: int,
         target: Target | None = None,
         wavelengths: Array | None = None,
     ) -> None:
@@ -82,7 +80,7 @@ class FieldStars:
         self.shape = (shape[0], shape[1])
         self.pixels = shape[0] * shape[1]
         self.known = defocus
-        self.pupil, self.threads, self.integrate = pupil, threads, integrate
+        self.pupil, self.threads, self.tol = pupil, plan.threads, plan.tol
         self.target = target
         self.angles = 0 if target is None else target.angles
         self.own = _OWN + self.angles
@@ -90,8 +88,8 @@ class FieldStars:
         self.sloped = False
         #: Terms and constants that are not estimated, by which images have derivatives.
         self.further: tuple[Name, ...] = ()
-        plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
         first = pupil if pupil.shape == () else pupil[0]
+        self.integrate = bool(plan.grid(first).integrate)
         own = float(first.wavelength or 1.0)
         light = np.full(self.exposures, own) if wavelengths is None else wavelengths
         #: Phases there over those at the wavelength of the pupil.
@@ -118,7 +116,7 @@ class FieldStars:
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
         self.star = star_counts(electrons, variance, valid)
-        self.tol, self.loosest = tol, loosest_tolerance(self.star, tol)
+        self.loosest = loosest_tolerance(self.star, plan.tol)
         #: Coefficients of the given wavefront; the rest of it is fixed.
         self.start, fixed = self.one.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
@@ -221,8 +219,6 @@ class FieldStars:
             at = light.exposures
             given = edge[:, at], squares[:, at], own[:, _OWN : _OWN + self.angles, at]
             parts.append(self._in_light(light, reader, *given, fast=fast, slopes=slopes))
-        if len(parts) == 1:
-            return parts[0]
         found = [np.empty((len(stars), self.exposures, *self.shape), one.dtype) for one in parts[0]]
         for light, part in zip(self.lights, parts, strict=True):
             for place, images in zip(found, part, strict=True):
@@ -409,19 +405,7 @@ class FieldStars:
         """Return tilts (n, 2, e) that put each star at the centroid of its light, and corners where lines cross."""
         if self.cornered:
             return np.asarray(self._crossings[:, :2] * self.one.tilt_of_pixel)
-        image = self.star[0].reshape(-1, *self.shape)
-        good = self.star[3].reshape(-1, *self.shape) > 0.0
-        read = self.star[2].reshape(-1, self.pixels).mean(axis=1)
-        rim = np.ones(self.shape, dtype=bool)
-        rim[1:-1, 1:-1] = False
-        level = np.median(image[:, rim], axis=1)
-        noise = np.sqrt(np.maximum(level, 0.0) + read)
-        above = image - level[:, None, None]
-        light = np.where(good & (above > 3.0 * noise[:, None, None]), above, 0.0)
-        total = np.maximum(light.sum(axis=(1, 2)), 1e-12)
-        rows, columns = (np.arange(side) - side // 2 for side in self.shape)
-        row, column = light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total
-        tilts = np.stack([row, column], axis=1) * self.one.tilt_of_pixel
+        tilts = centroids(self.star, self.shape) * self.one.tilt_of_pixel
         return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
 
     def shifts(self, stars: NDArray[np.intp], values: Array) -> Array:

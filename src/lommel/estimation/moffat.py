@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
+from lommel.estimation.star_images import background_level
 from lommel.fit.findings import Findings, FitReport
 from lommel.fit.goodness_of_fit import chi2_findings
 from lommel.fit.scoring import Policy, RowModel, Scores, covariance, reduced_chi2, search_rows
@@ -248,9 +249,7 @@ class _StarProfile(RowModel):
 
 def _start(data: Array, counts: NDArray[np.bool_], background: float | None) -> Array:
     """Return parameters to begin with: of the profile of exponent 3 that stands out most above the median edge."""
-    edge = counts.copy()
-    edge[1:-1, 1:-1] = False
-    level = float(np.median(data[edge if edge.any() else counts])) if background is None else background
+    level = float(background_level(data, counts)) if background is None else background
     # Matched filters: the brightest pixel of a window is often not that of a dim star.
     size = tuple(2 * side for side in data.shape)
     light = np.fft.rfft2(np.where(counts, data - level, 0.0), size)

@@ -8,7 +8,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel import show
 from lommel.base import validation
@@ -18,7 +18,7 @@ from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_checks import star_findings
-from lommel.estimation.star_images import StarImages, Unknowns, carrying, changes, label, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns, carrying, centroids, changes, label, uncertainty
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.scoring import Scores, covariance, search_rows
@@ -377,7 +377,7 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
         )
-    first = _centroid_starts(model, electrons, valid)
+    first = _centroid_starts(model)
     best: Scores | None = None
     lowest, fits, ends = first[:1], False, first[:0]
     tries, taken = 0, 0
@@ -448,26 +448,16 @@ def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -
     return counts
 
 
-def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> Array:
+def _centroid_starts(model: StarImages) -> Array:
     """Return two starts, (2, p): each image around its own centroid, or in the middle of the window."""
     x = np.zeros((2, model.size))
     x[:, model.waves] = model.start
     for column, name in enumerate(model.unknowns.pupil, model.optics.start):
         # An obscuration of 0 changes nothing to first order.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
-    own = model.per_image(x)
-    edges = (0, -1, (..., 0), (..., -1))
-    for i, (image, good) in enumerate(zip(electrons, valid, strict=True)):
-        seen = np.concatenate([good[edge] for edge in edges])
-        rim = np.concatenate([image[edge] for edge in edges])[seen] if seen.any() else image[good]
-        level = float(np.median(rim))
-        noise = np.sqrt(max(level, 0.0) + model.read[i].mean())
-        light = np.where(good & (image > level + 3.0 * noise), image - level, 0.0)
-        total = max(light.sum(), 1e-300)  # of no light the middle is the start
-        for j, place in enumerate(model.unknowns.places):
-            along = light.sum(axis=1 if place == "row" else 0)
-            away = np.arange(len(along)) - len(along) // 2
-            own[0, j, i] = (along @ away / total) * model.tilt_of_pixel
+    seen = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
+    for j, place in enumerate(model.unknowns.places):
+        model.per_image(x)[0, j] = seen[place]
     return x
 
 
@@ -480,14 +470,10 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
         step = np.zeros_like(x)
         step[:, model.waves] = scatter
         x[:, model.waves] += scatter * ((_SPREAD if tries else 0.3 * _SPREAD) / model.rms(step))[:, None]
-    # Light is centred where the mean slope of the phase is: each term R_n^1 moves it as far as a tilt.
-    edge = model.base + (x[:, model.waves] @ model.directions)[:, None]
-    own = model.per_image(x)
-    for j, place in enumerate(model.unknowns.places):
-        m = SHIFTS[place][1]
-        columns = [c for c, term in enumerate(model.terms) if term[1] == m]
-        centred = (np.arange(count) + tries) % len(first) == 0
-        own[centred, j] -= edge[centred][:, :, columns].sum(axis=-1)
+    centred = (np.arange(count) + tries) % len(first) == 0
+    edge = model.base + (x[centred, model.waves] @ model.directions)[:, None]
+    for j, slope in enumerate(model.mean_slopes(edge)):
+        model.per_image(x)[centred, j] -= slope
     return x
 
 

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.estimation.star_readout import products
+from lommel.estimation.star_readout import products, unfolded
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -59,29 +59,19 @@ class SampledPupil:
         factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
         if not len(found):
             return []
-        height, width = self._shape
-        y, x = height // 2, width // 2
-        down, up = (slice(y, None), slice(0, height - y)), (slice(y, None, -1), slice(0, y + 1))
-        right, left = (slice(x, None), slice(0, width - x)), (slice(x, None, -1), slice(0, x + 1))
         for k, one in enumerate(edge.astype(np.float32)):
             phase = np.tensordot(one, terms, 1)
             planes = self._light * np.cos(phase), self._light * np.sin(phase)
             pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
             (cc, sc), (cs, ss) = self._parts(np.concatenate([pupil, factors[:, None] * pupil]))
-            alike, unlike = (cc - ss, sc + cs), (cc + ss, cs - sc)
-            # The field is even less i odd; times -1 where both are before the axis, or both are not.
-            for rows, columns, (even, odd), sign in (
-                (down, right, alike, 1.0), (up, left, alike, -1.0),
-                (up, right, unlike, 1.0), (down, left, unlike, -1.0),
-            ):  # fmt: skip
-                real, imaginary = even[:, 0] + sign * odd[:, 1], even[:, 1] - sign * odd[:, 0]
-                here = found[:, k, rows[0], columns[0]]
-                if values:
-                    here[0] = (real[0] ** 2 + imaginary[0] ** 2)[rows[1], columns[1]]
-                # U' = i G, and I' = 2 Re(conj(U) U').
-                slopes = (2.0 * imaginary[0]) * real[1:]
-                slopes -= (2.0 * real[0]) * imaginary[1:]
-                here[int(values) :] = slopes[:, rows[1], columns[1]]
+            # Sines are times -i, which makes the real part the imaginary one.
+            right, down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
+            field = unfolded([[cc, right], [down, -ss]], self._shape)
+            real, imaginary = field[:, 0], field[:, 1]
+            if values:
+                found[0, k] = real[0] ** 2 + imaginary[0] ** 2
+            # U' = i G, and I' = 2 Re(conj(U) U').
+            found[int(values) :, k] = (2.0 * imaginary[0]) * real[1:] - (2.0 * real[0]) * imaginary[1:]
         return list(found)
 
     def _parts(self, planes: Values) -> list[list[Values]]:

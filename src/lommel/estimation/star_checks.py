@@ -63,12 +63,6 @@ class Lacking(NamedTuple):
     images: tuple[Array, ...]
 
 
-def lacking_terms(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[Lacking]:
-    """Yield Zernike terms, of derivatives of electrons by their radians at the edge."""
-    for term, image in zip(terms, slopes, strict=True):
-        yield Lacking(label(term), _TERM, (image * zernike.rms_factor(*term),))
-
-
 def lacking_constants(pupil: Pupil | ObjectivePupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
     """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci where these differ."""
     found: list[Name] = []
@@ -80,17 +74,29 @@ def lacking_constants(pupil: Pupil | ObjectivePupil, known: Array, estimated: Se
     return (*found, *([(2, 0)] if np.ptp(known) > 0.0 else []))
 
 
-def lacking_constant(name: Name, pupil: Pupil | ObjectivePupil, slope: Array, known: Array) -> Iterator[Lacking]:
-    """Yield such a constant, of derivatives of electrons by it, or by the defocus of images with `known` ones."""
-    if name != (2, 0):
-        size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-        yield Lacking(str(name), size, (slope,))
-        return
-    each = np.tile(known, len(slope) // len(known))[:, None, None]
-    yield Lacking("defocus", _CONSTANTS["defocus"], (slope * each,))
-    if 2 < len(known) <= _MOST_FOCI:  # of two, either is what the other is
-        for k, one in enumerate(_alone(len(known), slope)):
-            yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
+def lacking_phases(
+    terms: Sequence[Term],
+    constants: Sequence[Name],
+    slopes: Sequence[Array],
+    pupil: Pupil | ObjectivePupil,
+    known: Array,
+) -> Iterator[Lacking]:
+    """Yield Zernike terms and constants, of derivatives of electrons by radians at the edge, and by constants.
+
+    That of the known defoci is by the defocus of images.
+    """
+    for term, slope in zip(terms, slopes, strict=False):
+        yield Lacking(label(term), _TERM, (slope * zernike.rms_factor(*term),))
+    for name, slope in zip(constants, slopes[len(terms) :], strict=True):
+        if name != (2, 0):
+            size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
+            yield Lacking(str(name), size, (slope,))
+            continue
+        each = np.tile(known, len(slope) // len(known))[:, None, None]
+        yield Lacking("defocus", _CONSTANTS["defocus"], (slope * each,))
+        if 2 < len(known) <= _MOST_FOCI:  # of two, either is what the other is
+            for k, one in enumerate(_alone(len(known), slope)):
+                yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
 def apodized(pupil: Pupil | ObjectivePupil) -> Pupil | None:
@@ -171,10 +177,7 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     constants = lacking_constants(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
     _, further = model.images(x, fast=True, by=(*terms, *constants))
-    by = [flux * slope.values for slope in further]
-    lacking = [*lacking_terms(terms, by[: len(terms)])]
-    for name, slope in zip(constants, by[len(terms) :], strict=True):
-        lacking += lacking_constant(name, pupil, slope, known)
+    lacking = [*lacking_phases(terms, constants, [flux * slope.values for slope in further], pupil, known)]
     if (other := apodized(pupil)) is not None and plan.method is None:
         lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)

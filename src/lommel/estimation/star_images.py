@@ -155,6 +155,25 @@ def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> 
     return star.reshape(*star.shape[:-2], -1)
 
 
+def background_level(images: Array, valid: NDArray[np.bool_]) -> Array:
+    """Return the median of the outermost valid pixels of images (..., height, width), of all where none is valid."""
+    rim = np.ones(images.shape[-2:], dtype=bool)
+    rim[1:-1, 1:-1] = False
+    seen = valid & (rim | ~(valid & rim).any(axis=(-2, -1), keepdims=True))
+    return np.asarray(np.nanmedian(np.where(seen, images, np.nan), axis=(-2, -1)))
+
+
+def centroids(star: Array, shape: tuple[int, int]) -> Array:
+    """Return row and column from the middle (n, 2) of the light of images that exceeds noise and background."""
+    counted, _, read, valid = star.reshape(4, -1, *shape)
+    level = background_level(counted, valid > 0.0)[:, None, None]
+    noise = np.sqrt(np.maximum(level, 0.0) + read.mean(axis=(1, 2), keepdims=True))
+    light = np.where((valid > 0.0) & (counted > level + 3.0 * noise), counted - level, 0.0)
+    total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # of no light the middle is the start
+    rows, columns = (np.arange(side) - side // 2 for side in shape)
+    return np.stack([light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total], axis=1)
+
+
 def loosest_tolerance(star: Array, tol: float) -> float:
     """Return the tolerance of images far from the answer, which may be off by a part of the noise."""
     brightest = max(float(star[0].max()), 1.0)
@@ -193,7 +212,8 @@ class StarImages(RowModel):
         plan: Plan,
         pixel: float,
     ) -> None:
-        self.count = count = len(electrons)
+        count, *shape = electrons.shape
+        self.count, self.shape = count, (shape[0], shape[1])
         self.star = star_counts(electrons, variance, valid)
         self.counted, _, self.read, self.valid = self.star
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
@@ -236,6 +256,12 @@ class StarImages(RowModel):
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
+    def mean_slopes(self, edge: Array) -> Array:
+        """Return by how much mean slopes of phases of edge terms (..., terms) move light, as tilts (places, ...)."""
+        # Each term R_n^1 moves it as far as a tilt.
+        orders = np.array([m for _, m in self.terms])
+        return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
+
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
         """Return the coefficients of wavefronts of edge terms of a shape, and the rest of them, which is fixed."""
         whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
@@ -252,12 +278,13 @@ class StarImages(RowModel):
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
         return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
 
+    def negated(self, waves: Array, base: Array) -> Array:
+        """Return coefficients (..., terms) with the even part of their phases, and of those of `base`, negated."""
+        return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self._inverse
+
     def even_part_negated(self, x: Array) -> Array:
         """Return the parameters of the wavefront with the even part of its phase negated."""
-        other = x.copy()
-        even = self.even * (self.base[0] + x[:, self.waves] @ self.directions)
-        other[:, self.waves] -= 2.0 * even @ self._inverse
-        return other
+        return np.concatenate([self.negated(x[:, self.waves], self.base[0]), x[:, self.waves.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
         """Return parameters, or those of the other sign of the even terms, whichever are nearer to the start."""

@@ -121,7 +121,7 @@ class StarReadout:
                     slope = _down(half[0], by_rows[y])
                     slope += np.float32(weight) * _down(products(part[0], by_columns[x]), down[y])
                     place[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * slope
-        return _unfolded(found, self._window).reshape(len(found[0][0]), -1, *self._window)
+        return unfolded(found, self._window).reshape(len(found[0][0]), -1, *self._window)
 
     def other_blurs(self, samples: Values, squares: Array) -> dict[str, Values]:
         """Return derivatives (r * e, height, width) of images of samples by blurs that the shape does not have.
@@ -189,7 +189,7 @@ def _halves(images: Values) -> tuple[Values, Values]:
     return even, beyond - before
 
 
-def _unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
+def unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
     """Return images (..., height, width) of which the parts are that are even and odd."""
     (even, right), (down, both) = parts
     found = np.empty((*even.shape[:-2], *window), np.float32)

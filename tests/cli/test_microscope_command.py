@@ -183,6 +183,7 @@ def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_lin
     [
         "compare objective.toml",
         "live objective.toml",
+        "retrieve photo.png objective.toml --read 2",
         "blur photo.png depth.tif objective.toml --focus 1m -o out.png",
         "blur photo.png depth.tif objective.toml --focus 1m --focus-to 2m -o out.gif",
         "restore photo.png depth.tif objective.toml --focus 1m --white 1 --read 2 -o out.png",
@@ -197,5 +198,5 @@ def test_commands_that_need_a_lens_refuse_a_microscope_in_a_sentence(line, folde
     result = call_lommel(*line.split(), folder=folder)
     assert result.returncode == 2
     assert "objective.toml: describes a microscope, [objective], not a lens: " in result.stderr
-    assert "the commands info, psf, retrieve and localize take it" in result.stderr
+    assert "the commands info, psf, beads and localize take it" in result.stderr
     assert len(result.stderr.splitlines()) == 1

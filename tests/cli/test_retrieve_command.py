@@ -9,7 +9,6 @@ import pytest
 import tifffile
 
 import lommel as lm
-from objectives import OIL_FILE
 
 LENS = """
 [lens]
@@ -179,35 +178,3 @@ def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
     assert result.returncode == 2
     assert said in result.stderr
     assert not (folder / "wave.json").exists()
-
-
-def test_a_stack_of_a_bead_gives_the_aberrations_of_an_objective(tmp_path, call_lommel):
-    (tmp_path / "objective.toml").write_text(OIL_FILE, encoding="utf-8")
-    true = lm.Wavefront.zernike({6: 0.5, 7: -0.2}, order="noll")
-    objective = lm.load_microscope(tmp_path / "objective.toml").objective
-    pupil = objective.pupil(depth=1e-7, z=np.arange(-2, 3) * 3e-7, wavelength=600e-9, aberrations=true)
-    light = 2e4 * lm.psf(pupil, 17, 6.5e-6).values + 5.0
-    images = np.round(lm.Noise(white=0.5, read=2.0, offset=100.0).record(light, seed=1)).astype(np.uint16)
-    tifffile.imwrite(tmp_path / "bead.tif", images, photometric="minisblack")
-    planes = ["--step", "300nm", "--depth", "0.1um"]
-    result = call_lommel("retrieve", "bead.tif", "objective.toml", *planes, *NOISE, "--terms", 5, "-o", "wave.json",
-                         "--json", folder=tmp_path)  # fmt: skip
-    assert result.returncode == 0, result.stderr
-    found = json.loads(result.stdout)
-    assert found["converged"]
-    names = list(found["coefficients"])
-    for name, exact in zip(names, [0.0, 0.0, 0.5, -0.2, 0.0], strict=True):
-        assert found["coefficients"][name] == pytest.approx(exact, abs=5.0 * found["errors"][name])
-    again = OIL_FILE + '[aberrations.zernike]\nfile = "wave.json"\n'
-    (tmp_path / "again.toml").write_text(again, encoding="utf-8")
-    kept = lm.load_microscope(tmp_path / "again.toml").aberrations.to_zernike(order="noll")
-    assert float(kept[6]) == pytest.approx(0.5, abs=0.05)
-    wrong = call_lommel("retrieve", "bead.tif", "objective.toml", *planes, *NOISE, "--defocus", 1, folder=tmp_path)
-    assert "--defocus is for lenses" in wrong.stderr
-    missing = call_lommel("retrieve", "bead.tif", "objective.toml", *NOISE, folder=tmp_path)
-    assert "--stack needs --step" in missing.stderr
-
-
-def test_lenses_have_no_planes(folder, call_lommel):
-    result = call_lommel("retrieve", "star-0.tif", "lens.toml", "--step", "300nm", *NOISE, folder=folder)
-    assert "--step is for microscopes" in result.stderr

@@ -630,5 +630,13 @@ def test_blur_goes_with_a_lens_and_its_own_search():
         with pytest.raises(ValueError, match="blur must be False, or also 'center'"):
             lm.retrieve(images, lm.Pupil(), blur=True, **known, **wrong)
     oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
-    with pytest.raises(ValueError, match="blur must be False for an Objective"):
-        lm.retrieve(images, oil, pixel=6.5e-6, noise=NOISE, blur=True)
+    with pytest.raises(TypeError, match="pupil must be a Pupil, got that of an Objective"):
+        lm.retrieve(images, oil, pixel=6.5e-6, noise=NOISE)
+
+
+def test_starts_too_strong_to_be_computed_are_left_out(monkeypatch):
+    images = NOISE.record(2e4 * lm.psf(lm.Pupil(lm.Wavefront([-4.0, 4.0])), 15, 0.5).values + 5.0, seed=1)
+    monkeypatch.setattr(phase_retrieval, "_SPREAD", 2000.0)
+    found = lm.retrieve(images, lm.Pupil(), pixel=0.5, noise=NOISE, defocus=[4, 6], terms=3, starts=5)
+    assert not found.converged
+    assert found.starts == 5

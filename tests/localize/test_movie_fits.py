@@ -229,16 +229,21 @@ def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_s
     planes = {"depth": 0.1e-6, "z": np.linspace(-8e-7, 8e-7, 9), "wavelength": 600e-9}
     of_bead = 2e4 * lm.psf(simulated.OBJECTIVE.pupil(**planes, aberrations=unknown), 25, simulated.PIXEL).values + 5.0
     camera = lm.Noise(read=1.6, offset=100.0)
-    bead = lm.retrieve(
-        camera.record(of_bead, seed=1),
-        simulated.OBJECTIVE.pupil(**planes),
+    bead = lm.fit_beads(
+        [camera.record(of_bead, seed=1)],
+        objective=simulated.OBJECTIVE,
+        z=planes["z"],
+        wavelength=600e-9,
         pixel=simulated.PIXEL,
         noise=camera,
-        terms=12,
+        diameter=1e-9,
+        depth=0.1e-6,
+        terms=11,
+        priors={},
     )
     z, deep = np.linspace(-0.5e-6, 0.5e-6, 21), {"depth": 1e-6, "wavelength": 600e-9}
     images = lm.psf(simulated.OBJECTIVE.pupil(**deep, z=z, aberrations=unknown), 15, simulated.PIXEL).values
-    one = Table(simulated.OBJECTIVE.pupil(**deep, aberrations=bead.wavefront), z=(-0.9e-6, 0.9e-6))
+    one = Table(simulated.OBJECTIVE.pupil(**deep, aberrations=bead.aberrations), z=(-0.9e-6, 0.9e-6))
     error = 1e9 * (lm.localize.fit(one, 5000.0 * images + 10.0).z - z)
     assert np.sqrt((error**2).mean()) < 2.0
     assert abs(np.polyfit(1e9 * z, error, 1)[0]) < 0.003

@@ -11,16 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
-from lommel.cli.instruments import (
-    DEPTH,
-    IMAGES,
-    LENS,
-    OBJECT_DISTANCE,
-    STEP,
-    CameraOptions,
-    instrument_of,
-    microscope_of,
-)
+from lommel.cli.instruments import IMAGES, LENS, OBJECT_DISTANCE, CameraOptions, instrument_of
 from lommel.cli.options import JSON, OUTPUT, Command, Group, command, documented, option, plot_option
 from lommel.cli.output import Report, Wrapped, paragraphs, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -28,7 +19,6 @@ from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
-from lommel.lensfiles.microscope_files import Microscope, describes_microscope
 from lommel.recorded.frames import part_of, read_images
 from lommel.special import zernike
 
@@ -36,7 +26,6 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.estimation.phase_retrieval import Retrieval
-    from lommel.lensfiles.instrument import Instrument
 
 _UNITS = ("radians", "waves", "nm", "um")
 
@@ -77,13 +66,6 @@ class StarCamera(CameraOptions, heading="Camera and noise"):
     # fmt: on
 
 
-class Planes(Group, heading="Microscopes"):
-    """Planes of a stack."""
-
-    step: float | None = STEP
-    depth: float | None = DEPTH
-
-
 class Search(Group, heading="Search"):
     """Restarts of the search."""
 
@@ -98,7 +80,7 @@ def retrieve(
     defocus: str | None = option("--defocus", metavar="NUMBERS",
         help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
         "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
-        "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi. Not of microscopes."),
+        "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
     defocus_unit: str = option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
         help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
     terms: str = option("--terms", default="15",
@@ -115,7 +97,6 @@ def retrieve(
     unit: str = option("--unit", type=click.Choice(_UNITS), default="radians",
         help="Unit of the printed coefficients."),
     camera: StarCamera = StarCamera(),
-    planes: Planes = Planes(),
     search: Search = Search(),
 ) -> Report:  # fmt: skip
     """Estimate a wavefront from star images (phase retrieval).
@@ -127,11 +108,6 @@ def retrieve(
     astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the one whose
     first even term is positive if both are equally near.
 
-    LENS may describe a microscope. IMAGES are then the planes of a z stack of a small bead at the depth of the file
-    (or --depth), in the order of the stage, towards the sample, --step apart; the middle one is at the origin of the
-    file. What is written serves as its [aberrations.zernike]. The bead is a point here, and the microscope is as its
-    file says: see `lommel beads` for beads of a size, several beads, and tests of indices, depth, NA and pixel.
-
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
     reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is said in the last
     line, by "converged" and "reliable" of --json, and by exit code 3.
@@ -140,30 +116,23 @@ def retrieve(
     --------
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
       lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
-      lommel retrieve bead.tif zeiss-63x-1.4-oil.toml --step 200nm --depth 0.1um --read 1.6 --offset 100 -o wave.json
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    pixel = {"camera": camera.camera, "pixel": camera.pixel}
-    given = pixel | {"object_distance": camera.object_distance, "depth": planes.depth}
-    microscope = microscope_of(lens, **given, step=None if describes_microscope(lens) else planes.step)
-    of: Microscope | Instrument = microscope or instrument_of(lens, **pixel, object_distance=camera.object_distance)
-    if microscope is not None and defocus is not None:
-        raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
+    given = {"camera": camera.camera, "pixel": camera.pixel, "object_distance": camera.object_distance}
+    instrument = instrument_of(lens, **given)
     camera.require()
     with progress("reading") as started:
         read = read_images(_files(images))
         stars = read.values
-        noise, saturation, header = camera.settled(read.said, of.camera)
-        if microscope is not None and (len(stars) > 1 or planes.step is not None):
-            of = microscope = microscope_of(lens, **given, step=planes.step, stack=len(stars)) or microscope
-        if microscope is None and defocus is None and len(stars) > 1:
+        noise, saturation, header = camera.settled(read.said, instrument.camera)
+        if defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         started("fitting")
         found = fit(
             stars,
-            of.pupil(),
-            pixel=of.pixel if isinstance(of, Microscope) else of.side,
+            instrument.pupil(),
+            pixel=instrument.side,
             noise=noise,
             mask=camera.mask(stars),
             saturation=saturation,
@@ -171,7 +140,7 @@ def retrieve(
             also=_names(also),
             blur=blur,
             defocus=np.multiply(numbers_of(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0),
-            integrate=of.integrate,
+            integrate=instrument.integrate,
             starts=search.starts,
             seed=search.seed,
             progress=lambda share, chi2: started(
@@ -186,8 +155,6 @@ def retrieve(
         save_figure(found.plot(unit=unit, names=names), figure)
     made = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
     parts = _parts(found, unit, names)
-    if microscope is not None:
-        parts.append(Wrapped("Of a point, with all constants held; lommel beads estimates and tests them."))
     parts += [Wrapped(note) for note in notes]
     return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
 

@@ -373,10 +373,6 @@ def fit_beads(
         If an argument is out of range, a stack has fewer than 5 planes or is constant, or what is asked for cannot be
         told by any stack: Noll's 4, immersion and cover glass together without a prior.
 
-    See Also
-    --------
-    lommel.retrieve : a stack of a point, with layers known
-
     Notes
     -----
     Fisher scoring maximizes the likelihood of Poisson counts with read noise (Snyder et al. 1993,

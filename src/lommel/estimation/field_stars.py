@@ -17,7 +17,7 @@ from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SampledPupil
-from lommel.estimation.star_images import StarImages, Unknowns, carrying, centroids, loosest_tolerance, star_counts
+from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
@@ -238,7 +238,7 @@ class FieldStars:
     ) -> list[Array]:
         """Return images of exposures of one wavelength, of edge terms (r, e, terms) there, and slopes by these."""
         wavefront = Wavefront.trusted(self.one.terms, edge.reshape(-1, edge.shape[-1]))
-        pupil = cast("Pupil", carrying(light.pupil, wavefront))
+        pupil = light.pupil.carrying(wavefront, None)
         tol = self.loosest if fast else self.tol
         shape, pitch = (self.shape, light.pixel) if reader is None else (reader.shape, reader.step)
         pixel = pitch * float(light.pupil.scale)

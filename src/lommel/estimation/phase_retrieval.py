@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
@@ -18,13 +18,12 @@ from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_checks import star_findings
-from lommel.estimation.star_images import StarImages, Unknowns, carrying, centroids, changes, label, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns, centroids, changes, label, uncertainty
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
-from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
@@ -62,7 +61,7 @@ class Retrieval(FitReport):
         Estimated terms and the fixed ones of `pupil`, without tilts of images and known defoci.
     twin : Wavefront or None
         The wavefront with the even part of its phase negated, where it has the same images (see "sign_open").
-    pupil : Pupil or ObjectivePupil
+    pupil : Pupil
         With this wavefront, and the estimated f-number, wavelength or obscuration.
     coefficients : dict of name to float
         Parameters that all images share: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
@@ -112,7 +111,7 @@ class Retrieval(FitReport):
 
     wavefront: Wavefront = field(repr=False)
     twin: Wavefront | None = field(repr=False)
-    pupil: Pupil | ObjectivePupil = field(repr=False)
+    pupil: Pupil = field(repr=False)
     coefficients: dict[Name, float]
     errors: dict[Name, Any]
     covariance: Array
@@ -220,7 +219,7 @@ class Retrieval(FitReport):
 
 def retrieve(
     images: ArrayLike | Sequence[ArrayLike],
-    pupil: Pupil | ObjectivePupil,
+    pupil: Pupil,
     *,
     pixel: float,
     noise: Noise,
@@ -238,19 +237,18 @@ def retrieve(
     threads: int | None = None,
     progress: Callable[[float, float], object] | None = None,
 ) -> Retrieval:
-    """Estimate the wavefront of a lens from star images, or of a microscope from a stack of a bead (phase retrieval).
+    """Estimate the wavefront of a lens from star images (phase retrieval).
 
-    Several images with known defoci, or planes of a stack, share the wavefront (phase diversity); each has a flux and
-    a background of its own, which are estimated jointly.
+    Several images with known defoci share the wavefront (phase diversity); each has a flux and a background of its
+    own, which are estimated jointly. For the beads of a microscope there is :func:`lommel.fit_beads`.
 
     Parameters
     ----------
     images : array_like, shape (height, width) or (n, height, width), or a sequence of (height, width)
         As recorded, proportional to light but for the offset of `noise`. NaN, infinite and masked values are left
         out, and in images of integers the largest value of their type.
-    pupil : Pupil or ObjectivePupil
-        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed. Of an
-        Objective depth, emitter and z of each image, in windows that :class:`lommel.ChordalDebye` takes.
+    pupil : Pupil
+        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     noise : Noise
@@ -261,7 +259,7 @@ def retrieve(
         "rho^8" (radians, as of :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are fixed.
     defocus : float or array_like, shape (n,), default 0
         Known additional C_d of each image, radians; positive where the sensor was moved towards the lens. See
-        :attr:`lommel.Wavefront.defocus`. Of an Objective 0: its planes differ in z.
+        :attr:`lommel.Wavefront.defocus`.
     also : str or sequence of str, default ("center",)
         Nuisance parameters: "center" ("row" and "column", one of each image), and, shared by all images, "f_number",
         "obscuration" and "wavelength" (at fixed path differences) of a lens. Empty where the axis is known to be in
@@ -269,7 +267,7 @@ def retrieve(
     blur : bool, float, Blur or several, default False
         Of a star through air, or by vibration and charge diffusion: True estimates seeing and a Gaussian in each
         image, as :func:`lommel.fit_field` does, whose search it is; a number of pixels, :class:`lommel.Seeing` and
-        isotropic :class:`lommel.Jitter` are known. Not of an Objective; `also` is then "center", and `starts` and
+        isotropic :class:`lommel.Jitter` are known. `also` is then "center", and `starts` and
         `steps` are left at their defaults.
     mask : array_like of bool, shape (height, width) or (n, height, width), optional
         True where a pixel is to be left out.
@@ -343,7 +341,7 @@ def retrieve(
     validation.instance("noise", noise, Noise)
     counts = star_counts(images, mask, saturation)
     values, valid = counts.filled(), counts.known
-    start = _supported(pupil, unknowns, len(values))
+    start = _supported(pupil, unknowns)
     alike = noise.poisson
     electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
     known = validation.real_array("defocus", defocus)
@@ -351,18 +349,12 @@ def retrieve(
         raise ValueError(
             f"defocus must be a number, or one for each of {len(values)} images, got shape {known.shape}"
         )
-    if isinstance(start, ObjectivePupil) and known.any():
-        raise ValueError(
-            f"defocus must be 0 for an Objective, whose planes differ in z, got {validation.shown(defocus)}"
-        )
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
     draw = random_numbers(seed)
     validation.function("progress", progress, required=False)
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
     if blur is not False:
-        if isinstance(start, ObjectivePupil):
-            raise ValueError(f"blur must be False for an Objective, got {validation.shown(blur)}")
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (count, most) != (_STARTS, _STEPS):
             raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
         height, width = values.shape[1:]
@@ -412,16 +404,8 @@ def retrieve(
     return _retrieval(model, lowest, best, fits and bool(settled[0]), counts, noise, (taken + more, tries))
 
 
-def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -> Pupil | ObjectivePupil:
-    """Return the pupil if its wavefront can be retrieved from so many images; TypeError or ValueError otherwise."""
-    if isinstance(pupil, ObjectivePupil):
-        if pupil.shape not in ((), (images,)):
-            raise ValueError(f"pupil must have one plane, or one for each of {images} images, got {pupil.shape}")
-        if pupil.aberrations and pupil.aberrations.shape:
-            raise ValueError("pupil must have one set of aberrations, shared by all planes, got a stack")
-        if unknowns.pupil:
-            raise ValueError(f'also must be "center", "row" or "column" for an Objective, got {unknowns.pupil[0]!r}')
-        return pupil
+def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
+    """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, shared by all images, got a stack of shape {pupil.shape}")
     if not pupil.circular and "obscuration" in unknowns.pupil:
@@ -505,11 +489,9 @@ def _retrieval(
     wavefront = model.wavefront(x[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    layered = isinstance(model.pupil, ObjectivePupil)
-    known = "z (step, direction)" if layered else "the defocus of an image (unit, order)"
     causes = (
-        f"pupil, pixel, noise or {known} are wrong, terms are missing, the images are blurred "
-        "(blur=True), or all starts converged to local minima"
+        "pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, the images are "
+        "blurred (blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
     lacking = star_findings(model, x)
@@ -533,7 +515,7 @@ def _retrieval(
     return Retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(x)[0]) if model.sign_ambiguous else None,
-        pupil=carrying(model.pupil, wavefront, **optics),
+        pupil=replace(model.pupil.carrying(wavefront, None), **optics),
         coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
         errors=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
         covariance=inverse[:shared, :shared],

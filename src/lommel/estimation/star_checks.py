@@ -18,7 +18,6 @@ from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
 from lommel.methods.derivative_names import Name, Term
-from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
 from lommel.special import zernike
@@ -63,10 +62,10 @@ class Lacking(NamedTuple):
     images: tuple[Array, ...]
 
 
-def lacking_constants(pupil: Pupil | ObjectivePupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
+def lacking_constants(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
     """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci where these differ."""
     found: list[Name] = []
-    if isinstance(pupil, Pupil) and pupil.circular and pupil.mask is None:
+    if pupil.circular and pupil.mask is None:
         if pupil.wavelength is not None and not {"f_number", "wavelength"} & {*estimated}:
             found.append("f_number")
         if pupil.obscuration and "obscuration" not in estimated:
@@ -78,7 +77,7 @@ def lacking_phases(
     terms: Sequence[Term],
     constants: Sequence[Name],
     slopes: Sequence[Array],
-    pupil: Pupil | ObjectivePupil,
+    pupil: Pupil,
     known: Array,
 ) -> Iterator[Lacking]:
     """Yield Zernike terms and constants, of derivatives of electrons by radians at the edge, and by constants.
@@ -99,9 +98,9 @@ def lacking_phases(
                 yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
-def apodized(pupil: Pupil | ObjectivePupil) -> Pupil | None:
+def apodized(pupil: Pupil) -> Pupil | None:
     """Return a pupil of which the amplitude falls towards the edge, None where that is not tested."""
-    if isinstance(pupil, Pupil) and pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
+    if pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
         return replace(pupil, apodization=pupil.apodization + APODIZED)
     return None
 
@@ -173,7 +172,7 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     light = model.per_image(x)[0]
     flux = light[-2][:, None, None]
     known = model.base[:, 0] - model.fixed[0]
-    terms = next_terms(unknowns.edge, [(2, 0)] if isinstance(pupil, ObjectivePupil) else [])
+    terms = next_terms(unknowns.edge, ())
     constants = lacking_constants(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
     _, further = model.images(x, fast=True, by=(*terms, *constants))

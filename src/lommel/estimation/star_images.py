@@ -22,7 +22,6 @@ from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, re
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
-from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
@@ -133,21 +132,6 @@ def label(name: Name) -> str:
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
-def wavefront_of(pupil: Pupil | ObjectivePupil) -> Wavefront:
-    """Return the wavefront of a lens, or the aberrations of an objective."""
-    return (pupil.aberrations or Wavefront()) if isinstance(pupil, ObjectivePupil) else pupil.wavefront
-
-
-def carrying(pupil: Pupil | ObjectivePupil, wavefront: Wavefront, **optics: Any) -> Pupil | ObjectivePupil:
-    """Return a pupil with another wavefront and other numbers; planes of an objective broadcast with it."""
-    if isinstance(pupil, ObjectivePupil):
-        shape = np.broadcast_shapes(pupil.shape, wavefront.shape)
-        return replace(replace(pupil, aberrations=None).broadcast(shape), aberrations=wavefront)
-    if not optics:
-        return pupil.carrying(wavefront, None)
-    return replace(pupil, wavefront=wavefront, geometry=None, **optics)
-
-
 def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
     """Return counts, variances of reading, these at least above 0, and validity (4, ..., pixels) of images."""
     counted = np.where(valid, electrons, 0.0)
@@ -180,10 +164,8 @@ def loosest_tolerance(star: Array, tol: float) -> float:
     return min(max(tol, _PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
 
 
-def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
-    """Return whether the aperture is the same after half a turn, without phases of its own, as layers have."""
-    if isinstance(pupil, ObjectivePupil):
-        return False
+def _point_symmetric(pupil: Pupil) -> bool:
+    """Return whether the aperture is the same after half a turn, without phases of its own."""
     if pupil.circular:
         return True
     if pupil.segmented or pupil.phase_mask:
@@ -206,7 +188,7 @@ class StarImages(RowModel):
         electrons: Array,
         variance: Array,
         valid: NDArray[np.bool_],
-        pupil: Pupil | ObjectivePupil,
+        pupil: Pupil,
         defocus: Array,
         unknowns: Unknowns,
         plan: Plan,
@@ -223,7 +205,7 @@ class StarImages(RowModel):
         self._questions: dict[tuple[float, tuple[int, ...]], Asked] = {}
         self.loosest = loosest_tolerance(self.star, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
-        start = wavefront_of(pupil).edge_terms()
+        start = pupil.wavefront.edge_terms()
         every = {*start, *unknowns.edge, *SHIFTS.values()}
         radial = symmetric_terms(max(n // 2 for n, m in every if m == 0))
         self.terms = (*radial, *sorted(term for term in every if term[1]))
@@ -301,11 +283,9 @@ class StarImages(RowModel):
     def wavefront(self, x: Array) -> Wavefront:
         """Return the wavefront for parameters `x`, shape (p,), without tilts and known defoci."""
         edge = self.fixed + x[self.waves] @ self.directions
-        return Wavefront.trusted(
-            self.terms, self.ratio(self.optics_of(x[None])) * edge, wavefront_of(self.pupil).error
-        )
+        return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
 
-    def pupils(self, x: Array) -> Pupil | ObjectivePupil:
+    def pupils(self, x: Array) -> Pupil:
         """Return the pupils of all images for parameters `x`, shape (s, p) or (p,)."""
         edge = self.base + (x[..., self.waves] @ self.directions)[..., None, :]
         own = x[..., self.own].reshape(*x.shape[:-1], -1, self.count)
@@ -315,7 +295,8 @@ class StarImages(RowModel):
         if "wavelength" in optics:
             # Path differences stay: they are the parameters, in radians at the wavelength to start with.
             edge *= self.ratio(optics)
-        return carrying(self.pupil, Wavefront.trusted(self.terms, edge), **optics)
+        made = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
+        return replace(made, **optics) if optics else made
 
     def optics_of(self, x: Array) -> dict[str, float]:
         """Return the estimated numbers of the pupil, of the first set of parameters."""

@@ -361,7 +361,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     if "objective" in raw and "lens" not in raw:
         raise LensFileError(
             f"{validation.line(source)}: describes a microscope, [objective], not a lens: "
-            "lommel.load_microscope reads it, and the commands info, psf, retrieve and localize take it"
+            "lommel.load_microscope reads it, and the commands info, psf, beads and localize take it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = zernike_section.read(raw, text, context)

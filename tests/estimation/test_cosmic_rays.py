@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.estimation.cosmic_rays import sharpness, struck, struck_beside
+from lommel.estimation.cosmic_rays import sharpness, struck
 from tests.world.camera import Camera
 from tests.world.optics import Telescope, as_waves
 
@@ -80,20 +80,3 @@ def test_windows_full_of_sharp_pixels_keep_them():
 def test_pixels_that_sample_are_compared_with_samples():
     one, other = (sharpness(lm.Pupil(), 0.5, integrate=integrate) for integrate in (False, True))
     assert 1.0 < other < one
-
-
-def test_of_a_star_that_is_modelled_a_ray_is_left_out_and_another_star_is_not():
-    mean = seen({6: 0.4, 8: 0.5})
-    psf = (mean - 50.0) / 2e4
-    read, known = np.full((1, 25, 25), 9.0), np.ones((1, 25, 25), dtype=bool)
-
-    def left(image):
-        return struck_beside(image[None], mean[None], psf[None], read, known)[0]
-
-    ray = track((10, 11), (1, 1), 4)
-    image = CAMERA.record(mean, seed=4)
-    assert not left(image).any()
-    assert not left(image + 0.4 * np.roll(mean - 50.0, (2, 3), (0, 1))).any()
-    image[ray] += 3000.0
-    assert left(image)[ray].all()
-    assert not (left(image) & ~near(ray)).any()

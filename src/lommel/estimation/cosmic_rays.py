@@ -2,7 +2,7 @@
 
 Without a model of the star a pixel is struck that exceeds its neighbours by more than a point of light without
 aberration does, as in "Laplacian" searches (van Dokkum 2001, doi:10.1086/323894): tracks are lines, and most
-neighbours of their pixels are dark. Within a star it takes a model of its image.
+neighbours of their pixels are dark.
 """
 
 from __future__ import annotations
@@ -61,28 +61,11 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
     light = np.where(known, electrons.reshape(known.shape), np.nan)
     read = variance.reshape(known.shape)
     # The sky is no brighter than the darkest pixels beside their noise: light of a star may fill a window.
-    dark = np.nan_to_num(_quantile(light.reshape(len(light), -1), _DARK))[:, None, None]
+    dark = np.nanquantile(light, _DARK, axis=(1, 2), method="lower", keepdims=True)
     noisy = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
     level = dark - norm.ppf(_DARK) * np.sqrt(noisy)
-    sharpness_of = np.full(level.shape, sharpest)
-    return _tracks(light - level, read + np.maximum(level, 0.0), known, sharpness_of).reshape(valid.shape)
-
-
-def struck_beside(electrons: Array, model: Array, psf: Array, variance: Array, valid: Mask) -> Mask:
-    """Return which pixels of images (n, height, width) are struck beside a model of them, and the rims of tracks.
-
-    `psf` is the star in it: another one beside it is no sharper, and is not left out.
-    """
-    near = _middle(psf, np.ones(psf.shape, dtype=bool))
-    top = psf.max(axis=(1, 2), keepdims=True)
-    sharpest = np.where(psf > _LIT * top, psf / np.maximum(near, 1e-3 * top), 1.0).max(axis=(1, 2), keepdims=True)
-    return _tracks(electrons - model, variance + np.maximum(model, 0.0), valid, sharpest)
-
-
-def _tracks(excess: Array, noisy: Array, known: Mask, sharpest: Array) -> Mask:
-    """Return which pixels exceed the middle one of their neighbours by far more than `sharpest` times, and rims."""
-    found = np.zeros(known.shape, dtype=bool)
-    steepest = np.maximum(_SHARPER * sharpest, _LEAST)
+    excess, noisy = light - level, read + np.maximum(level, 0.0)
+    found, steepest = np.zeros(known.shape, dtype=bool), max(_SHARPER * sharpest, _LEAST)
     for _ in range(_LONGEST):
         near = np.maximum(_middle(excess, known & ~found), 0.0)
         beside = ndimage.binary_dilation(found, _AROUND)
@@ -97,15 +80,7 @@ def _tracks(excess: Array, noisy: Array, known: Mask, sharpest: Array) -> Mask:
         found |= more
     few = found.sum(axis=(1, 2)) <= _MOST * known.sum(axis=(1, 2))
     found &= few[:, None, None]
-    return np.asarray(known & ndimage.binary_dilation(found, _SIDES))
-
-
-def _quantile(values: Array, share: float) -> Array:
-    """Return the value below which a share is of those of each row that are known, NaN where none is."""
-    ordered = np.sort(values, axis=-1)  # NaN last
-    count = np.isfinite(ordered).sum(axis=-1)
-    at = (share * np.maximum(count - 1, 0)).astype(int)
-    return np.asarray(np.take_along_axis(ordered, at[:, None], axis=-1)[:, 0])
+    return np.asarray(known & ndimage.binary_dilation(found, _SIDES)).reshape(valid.shape)
 
 
 def _middle(images: Array, known: Mask) -> Array:

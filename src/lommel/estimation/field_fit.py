@@ -438,11 +438,10 @@ def fit_field(
     then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
     each star eliminated. Blur by turbulence is a mixture of Gaussians within 3e-4 of its transfer function; shapes
     are compared by likelihood, and the one with fewer unknowns is taken where another width gains less than lnL 2.
-    Stars with a chi2 above the median by five standard deviations are left out. Pixels that are sharper than light of
-    a star may be, or than the star where the map tells it, are not: they are left out alone, as struck by cosmic rays
-    (van Dokkum 2001, doi:10.1086/323894). Blur is computed from samples at
-    most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows of corners
-    are divided by a polynomial of degree 4 at most through the white of all.
+    Stars with a chi2 above the median by five standard deviations are left out, and of others pixels that are sharper
+    than light of a star may be, as struck by cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed from
+    samples at most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows
+    of corners are divided by a polynomial of degree 4 at most through the white of all.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
     to two radial orders (spherical ones up to four), polynomials of the next degree, blur of another shape, in one

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.cosmic_rays import struck_beside
 from lommel.estimation.field_checks import Marginal, missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
@@ -48,7 +47,6 @@ _FOLLOWS = 1.5  # times the median chi2 of stars by themselves, up to which one 
 _ENOUGH = 1.1  # times what chi2 of the stars by themselves exceeds 1 by
 _OUTLIER = 5.0  # standard deviations of chi2 beyond the median
 _ROUNDS = 4  # of rejection
-_LEFT = 0.9  # of the pixels of a star without those that rays have struck
 _MOST_LOST = 0.4  # of the stars, that may be rejected
 _MANY_LOST = 0.25  # beyond which the map is doubted
 _HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
@@ -511,13 +509,10 @@ class Search:
         """Return the fit with stars that it has rejected, if it is the polynomials that were wrong there."""
         # A star that fits by itself is no double: polynomials that miss it were led astray, or are far from the rest.
         every = np.arange(self.stars.count)
-        for turn in range(_ROUNDS):
-            chosen = found.model.chosen
-            lost = np.setdiff1d(every, chosen)
+        for _ in range(_ROUNDS):
+            lost = np.setdiff1d(every, found.model.chosen)
             if not lost.size or self.stars.cornered:  # a corner alone leaves its wavefront open
                 break
-            if turn == 0 and self.stars.target is None:
-                self._without_rays(lost, found)
             fits, waves = self._by_themselves(lost, found)
             here = found.model.basis @ found.polynomials().T
             again = self._through(found, here, lost[fits], waves[fits]) if fits.any() else None
@@ -541,30 +536,6 @@ class Search:
         most = max(1.0 + _ENOUGH * (float(found.scores.chi2[0]) - 1.0), self._limit(again))
         better = len(again.model.chosen) > len(found.model.chosen) and again.scores.chi2[0] <= most
         return again if better else None
-
-    def _without_rays(self, lost: NDArray[np.intp], found: Found) -> None:
-        """Leave out pixels that rays have struck of stars that follow the field but for these."""
-        stars, squares = self.stars, found.squares()
-        before = stars.star[:, lost].copy()
-        held = self.model(lost, held=True)
-        fits = np.zeros(len(lost), dtype=bool)
-        with suppress(Declined, ToleranceError):
-            for _ in range(_ROUNDS):
-                own = self.placed(lost, found.polynomials(), squares)
-                x = held.row(found.polynomials(), squares, own)
-                psf = stars.images(lost, *held.parts(x), fast=True, slopes="none")[0]
-                each = stars.quality(lost, psf, own, float(stars.own * stars.exposures))
-                fits = each.chi2 < goodness_of_fit.most(each.spread, SURE)
-                counted, read, _, valid = stars.star[:, lost].reshape(4, len(psf), *stars.shape)
-                flux, level = own[:, 2:4].swapaxes(0, 1).reshape(2, -1, 1, 1)
-                rays = struck_beside(counted, flux * psf + level, psf, read, valid > 0.0)
-                rays &= np.repeat(~fits, stars.exposures)[:, None, None]
-                if not rays.any():
-                    break
-                stars.leave_out(lost, rays)
-        kept = stars.star[3, lost].sum(axis=(1, 2)) >= _LEFT * before[3].sum(axis=(1, 2))
-        stars.star[:, lost[~(fits & kept)]] = before[:, ~(fits & kept)]
-        self.unlike = np.setdiff1d(self.unlike, lost[fits & kept])
 
     def _by_themselves(self, lost: NDArray[np.intp], found: Found) -> tuple[NDArray[np.bool_], Array]:
         """Return which stars fit from wavefronts of a field on, or from random ones, and the wavefronts (r, k)."""

@@ -157,12 +157,6 @@ class FieldStars:
         vars(found).update(changes)
         return found
 
-    def leave_out(self, stars: NDArray[np.intp], pixels: NDArray[np.bool_]) -> None:
-        """Leave out pixels (r * e, height, width) of rows of stars, here and in all that share these images."""
-        kept = ~pixels.reshape(len(stars), self.exposures, self.pixels)
-        self.star[0, stars] *= kept
-        self.star[3, stars] *= kept
-
     def images(
         self, stars: NDArray[np.intp], waves: Array, squares: Array, own: Array, *, fast: bool, slopes: str = "all"
     ) -> list[Array]:

@@ -18,6 +18,7 @@ from lommel.cli.options import JSON, LENGTHS, MICROMETRES, OUTPUT, Group, comman
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
+from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.localize.crossings import Crossings, find_crossings, grid_indices
@@ -57,14 +58,11 @@ class Targets(Group, heading="Stars and crossings"):
 def fit_field(
     images: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
-    targets: str = option("--targets", type=click.Choice(("star", "pinhole", "crossing")), default="star",
-        help="What the images show: stars, round holes of one size, or a checkerboard, of which the crossings are "
-        "used."),
+    targets: str = documented(fit, "targets", type=click.Choice(KINDS)),
     size: float | None = option("--size", type=MICROMETRES,
         help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
         "measured by default."),
-    degree: int = option("--degree", type=click.IntRange(0, 6), default=3,
-        help="Degree of the polynomials of the position."),
+    degree: int = documented(fit, "degree", type=click.IntRange(0, 6)),
     distortion: int | None = option("--distortion", type=click.IntRange(0, 9), metavar="DEGREE",
         help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
         "of pinholes or squares."),
@@ -141,13 +139,8 @@ def fit_field(
         pitch = float(min(np.atleast_1d(instrument.side)))
         across = 0.0 if targets == "crossing" or size is None else size / pitch
         side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
-        finding: Facts = {
-            "noise": noise,
-            "mask": camera.mask(exposures),
-            "saturation": saturation,
-            "threshold": shown.threshold,
-        }
-        finding["width"] = shown.width or smoothing
+        finding: Facts = {"noise": noise, "mask": camera.mask(exposures), "saturation": saturation}
+        finding |= {"threshold": shown.threshold, "width": shown.width or smoothing}
         found: PointSources | Crossings
         if targets == "crossing":
             most = shown.most or _MOST_CROSSINGS

@@ -26,12 +26,12 @@ from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
-from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, label
+from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.methods.derivative_names import Name, Term, term_of
-from lommel.optics.pupil import Pupil, checked
+from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 from lommel.recorded.counts import Counts, recording_findings
@@ -44,6 +44,8 @@ if TYPE_CHECKING:
 _MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
 _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
+KINDS = "star", "pinhole", "crossing"
+"""What windows may show."""
 _AXES = "rows", "columns"
 _SEARCHES = 3  # with other random starts, until one holds
 _NAMED = 3  # rejected stars, of which the message says where they are
@@ -484,17 +486,12 @@ def fit_field(
     counts = _windows(windows, mask, saturation)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
-    given = _single(pupil)
+    given = single(pupil, "for the whole field")
     if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
         raise TypeError(f"sensor must be its rows and columns, got {validation.shown(sensor)}")
     rows, columns = (validation.integer("sensor", side, least=1, most=_MOST_SIDE) for side in sensor)
     at = _places(places, (rows, columns), (count, height, width))
-    known = validation.real_array("defocus", defocus)
-    if known.shape not in ((), (exposures,)):
-        raise ValueError(
-            f"defocus must be a number, or one for each of {exposures} exposures, got shape {known.shape}"
-        )
-    known = np.broadcast_to(known, exposures)
+    known = known_defocus(defocus, exposures, "exposures")
     colours = None if wavelengths is None else _wavelengths(wavelengths, given, exposures)
     most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
@@ -553,7 +550,7 @@ def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
     """Return what windows show, None for points."""
-    validation.choice("targets", kind, ("star", "pinhole", "crossing"))
+    validation.choice("targets", kind, KINDS)
     across = math.inf if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
     if kind == "star" and size is not None:
         raise ValueError("size must be left out for stars, which are points; choose targets")
@@ -589,8 +586,7 @@ def _run(search: Search, begun: bool) -> Outcome:
         outcome = search.outcome(search.cleaned(first or search.from_singles(), (0.65, 0.05)))
         if outcome.findings.converged:
             return outcome
-        if best is None or outcome.cost < best.cost:
-            best = outcome
+        best = outcome if best is None or outcome.cost < best.cost else best
     assert best is not None
     return best
 
@@ -602,12 +598,6 @@ def in_words(several: tuple[Blur, ...]) -> str:
 
 def _noll(term: Term) -> int:
     return int(zernike.index_of(term[0], term[1], "noll"))
-
-
-def _single(pupil: Pupil) -> Pupil:
-    if checked(pupil).shape != ():
-        raise ValueError(f"pupil must be a single one, for the whole field, got a stack of shape {pupil.shape}")
-    return pupil
 
 
 def _begun(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:

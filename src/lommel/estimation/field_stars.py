@@ -17,7 +17,7 @@ from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SampledPupil
-from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, star_counts
+from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
@@ -284,8 +284,8 @@ class FieldStars:
         what all exposures share, between those that stars share and those of their own. `own` is that of `images`.
         """
         r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
-        slants = self.slants(r) if self.sloped else ()
-        numbers, products = self._products(stars, [*images, *slants, *others], own)
+        slopes = slants(r * e, self.shape) if self.sloped else ()
+        numbers, products = self._products(stars, [*images, *slopes, *others], own)
         d = products.shape[-1]
         edge = len(self.one.unknowns.edge)
         # From derivatives of PSFs by edge terms, tilts, blur, angles, of electrons by slopes and others; the PSF, 1
@@ -341,13 +341,8 @@ class FieldStars:
 
     def _slope(self, own: Array) -> Array:
         """Return what the last two of `own` (r, own, e) add to backgrounds, (r, e, pixels)."""
-        y, x = self.slants(1)
-        return np.asarray(own[:, -2, :, None] * y[0].ravel() + own[:, -1, :, None] * x[0].ravel())
-
-    def slants(self, images: int) -> list[Array]:
-        """Return rows and columns of pixels from the middle, for so many stars (r * e, height, width)."""
-        made = np.meshgrid(*(np.arange(side) - side // 2 for side in self.shape), indexing="ij")
-        return [np.broadcast_to(one.astype(np.float64), (images * self.exposures, *self.shape)) for one in made]
+        y, x = slants(1, self.shape)
+        return np.asarray(own[:, -2, :, None] * y.ravel() + own[:, -1, :, None] * x.ravel())
 
     def expected(self, psf: Array, own: Array) -> Array:
         """Return the electrons of each pixel (r, e, pixels), for PSFs and the parameters `own` (r, own, e)."""

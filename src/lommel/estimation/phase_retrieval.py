@@ -18,13 +18,22 @@ from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_checks import star_findings
-from lommel.estimation.star_images import StarImages, Unknowns, centroids, changes, label, uncertainty
+from lommel.estimation.star_images import (
+    StarImages,
+    Unknowns,
+    centroids,
+    changes,
+    known_defocus,
+    label,
+    single,
+    uncertainty,
+)
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
-from lommel.optics.pupil import Pupil, checked
+from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
 from lommel.recorded.counts import Counts, recording_findings
@@ -344,11 +353,7 @@ def retrieve(
     start = _supported(pupil, unknowns)
     alike = noise.poisson
     electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
-    known = validation.real_array("defocus", defocus)
-    if known.shape not in ((), (len(values),)):
-        raise ValueError(
-            f"defocus must be a number, or one for each of {len(values)} images, got shape {known.shape}"
-        )
+    known = known_defocus(defocus, len(values), "images")
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
     draw = random_numbers(seed)
@@ -406,9 +411,7 @@ def retrieve(
 
 def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
-    if checked(pupil).shape != ():
-        raise ValueError(f"pupil must be a single one, shared by all images, got a stack of shape {pupil.shape}")
-    if not pupil.circular and "obscuration" in unknowns.pupil:
+    if not single(pupil, "shared by all images").circular and "obscuration" in unknowns.pupil:
         raise ValueError(
             'also must be without "obscuration" where the aperture is not circular or annular: it has no derivatives '
             "by it; measure the obscuration from an image out of focus"

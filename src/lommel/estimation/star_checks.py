@@ -13,7 +13,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.star_images import StarImages, label, next_terms
+from lommel.estimation.star_images import StarImages, label, next_terms, slants
 from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
@@ -126,8 +126,7 @@ def uneven_blur(image: Array, places: Array, exposures: int) -> Lacking:
 
 def lacking_slopes(images: int, shape: tuple[int, int], exposures: int) -> Lacking:
     """Return backgrounds that slope, of each exposure, for so many images."""
-    slants = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
-    return Lacking(GRADIENT, _SLOPE, _alone(exposures, *(np.broadcast_to(one, (images, *shape)) for one in slants)))
+    return Lacking(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
 
 
 def lacking_gain(mean: Array) -> Lacking:

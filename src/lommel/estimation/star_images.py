@@ -12,17 +12,18 @@ from functools import cached_property, lru_cache
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
-from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
+from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts
+from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
 from lommel.special import zernike
@@ -92,7 +93,7 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     for name in several:
         if isinstance(name, str) and name in nuisance:
             raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
-    return checked(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
+    return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 
 @lru_cache(maxsize=1024)
@@ -137,6 +138,27 @@ def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> 
     counted = np.where(valid, electrons, 0.0)
     star = np.stack([counted, variance, np.maximum(variance, _LEAST), valid])
     return star.reshape(*star.shape[:-2], -1)
+
+
+def single(pupil: Pupil, why: str) -> Pupil:
+    """Return a pupil that is no stack; TypeError or ValueError otherwise."""
+    if checked(pupil).shape != ():
+        raise ValueError(f"pupil must be a single one, {why}, got a stack of shape {pupil.shape}")
+    return pupil
+
+
+def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
+    """Return the known C_d of each of so many images or exposures."""
+    known = validation.real_array("defocus", defocus)
+    if known.shape not in ((), (count,)):
+        raise ValueError(f"defocus must be a number, or one for each of {count} {of}, got shape {known.shape}")
+    return np.broadcast_to(known, count)
+
+
+def slants(images: int, shape: tuple[int, int]) -> list[Array]:
+    """Return rows and columns of pixels from the middle, for so many images (n, height, width) each."""
+    made = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
+    return [np.broadcast_to(one, (images, *shape)) for one in made]
 
 
 def background_level(images: Array, valid: NDArray[np.bool_]) -> Array:

@@ -76,15 +76,6 @@ def test_images_become_a_table_that_the_lens_file_reads(night, call_lommel):
         assert abs(found.edge_terms()[term] - edge[term]) < 0.1
 
 
-def test_exposures_of_one_wavelength_are_as_those_of_the_lens(night, call_lommel):
-    options = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 1, "--terms", 3, "--known-blur", 0)
-    call = ("fit-field", "stars.npy", "lens.toml", *options, "--json")
-    one, other = (
-        json.loads(call_lommel(*call, *more, folder=night).stdout) for more in ((), ("--wavelengths", "550nm,550nm"))
-    )
-    assert one["waves"] == other["waves"]
-
-
 def test_the_noise_may_be_that_of_a_camera(night, call_lommel):
     (night / "camera.toml").write_text('name = "One"\n[camera]\npixel = "2.2 um"\nread = 2\n', encoding="utf-8")
     options = ("--defocus", -2.5, 2.5, "--window", 25, "--degree", 0, "--terms", 1, "--known-blur", 0, "--json")
@@ -101,8 +92,6 @@ def test_what_the_command_cannot_do_is_told(night, call_lommel):
         return " ".join((result.stdout + result.stderr).split())
 
     assert "--defocus must be given for 2 exposures" in told()
-    assert "--wavelengths must be one for each of 2 exposures" in told("--wavelengths", "550nm")
-    assert "wavelength" in told("--wavelengths", "550nm,3km")
     assert "--output must end in .csv" in told("-o", "field.txt")
     said = told("--defocus", 0, 1, "--threshold", 900)
     assert "images must show at least 4 isolated stars; 0 spots found; refused: none; the highest maximum, at" in said

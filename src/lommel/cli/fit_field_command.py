@@ -14,7 +14,7 @@ from lommel.base.plain import plain
 from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, instrument_of
-from lommel.cli.options import JSON, LENGTHS, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
+from lommel.cli.options import JSON, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
@@ -71,9 +71,6 @@ def fit_field(
     defocus: str | None = option("--defocus", metavar="NUMBERS",
         help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
         "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
-    wavelengths: tuple[float, ...] | None = option("--wavelengths", type=LENGTHS, metavar="LENGTHS",
-        help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
-        "that of all. By default that of the lens."),
     known_blur: float | None = option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
         help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
         "estimated."),
@@ -130,7 +127,7 @@ def fit_field(
         read = read_images(list(images))
         exposures = read.values
         noise, saturation, header = camera.settled(read.said, instrument.camera)
-        if defocus is None and wavelengths is None and len(exposures) > 1:
+        if defocus is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
         started(f"finding {targets}s")
         known = numbers_of(defocus or "0")
@@ -166,7 +163,6 @@ def fit_field(
             degree=degree,
             terms=terms,
             defocus=known,
-            wavelengths=wavelengths,
             blur=air if known_blur is None else known_blur,
             targets=targets,
             size=size,

@@ -93,15 +93,14 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     every = *terms, *constants
     made = stars.with_further(every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
-    phase = flux * np.tile(stars.ratio, r)[:, None, None]
-    by = [(flux if isinstance(name, str) else phase) * image for name, image in zip(every, made[1:], strict=False)]
+    by = [flux * image for image in made[1 : 1 + len(every)]]
     found = [*lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
-    if pupils := [one for light in stars.lights if (one := apodized(light.pupil)) is not None]:
-        other = stars.through(pupils).images(model.chosen, *parts, fast=True, slopes="none")[0]
+    if (pupil := apodized(stars.lens)) is not None:
+        other = stars.through(pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
         found.append(lacking_light(flux * made[0], flux * other))
     if blurred := made[1 + len(every) :]:
         blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
-        found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.shapes[0].names)
+        found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
         found.append(uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:
         found.append(lacking_slopes(r * e, stars.shape, e))

@@ -332,7 +332,6 @@ def fit_field(
     degree: int = 3,
     terms: int | Sequence[tuple[int, int] | str] = 11,
     defocus: ArrayLike = 0.0,
-    wavelengths: ArrayLike | None = None,
     blur: bool | float | Blur | Iterable[Blur] = True,
     start: FieldMap | None = None,
     targets: str = "star",
@@ -375,12 +374,8 @@ def fit_field(
     terms : int or sequence, default 11
         Terms to estimate, as of :func:`lommel.retrieve`: 11 are Noll's 4 to 14.
     defocus : float or array_like, shape (e,), default 0
-        Known additional C_d of each exposure, radians at the wavelength of the pupil; positive where the sensor was
+        Known additional C_d of each exposure, radians; positive where the sensor was
         moved towards the lens.
-    wavelengths : array_like, shape (e,), optional
-        Of each exposure, metres, as of channels or filters; by default that of the pupil. The wavefront in metres and
-        the f-number are those of all; places (lateral colour), light and blur are of each. Axial colour is that of
-        the lens of the pupil, if it has one, and else to be part of `defocus`.
     blur : bool, float, Blur or several, default True
         True estimates it in each exposure: seeing (Kolmogorov, or von Karman with an outer scale of 1000, 240 or 60
         r0) and a Gaussian by jitter or charge diffusion, together or alone as is most likely; of pinholes and corners
@@ -492,7 +487,6 @@ def fit_field(
     rows, columns = (validation.integer("sensor", side, least=1, most=_MOST_SIDE) for side in sensor)
     at = _places(places, (rows, columns), (count, height, width))
     known = known_defocus(defocus, exposures, "exposures")
-    colours = None if wavelengths is None else _wavelengths(wavelengths, given, exposures)
     most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
     far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
@@ -518,13 +512,10 @@ def fit_field(
         lit = relative_light(electrons, valid, across, down)
         electrons, read = electrons / lit, read / lit**2
     behind = _shape(blur, given, pitch, min(height, width), target)
-    area = bool(plan.grid(given).integrate)
     if target is None:
-        bluest = given if colours is None else given.in_light(float(colours.min()))
-        valid = valid & ~struck(electrons, read, valid, sharpness(bluest, pitch, integrate=area))
-    stars = FieldStars(
-        electrons, read, valid, begun, known, unknowns, pitch, plan, blur=behind, target=target, wavelengths=colours
-    )
+        sharpest = sharpness(given, pitch, integrate=bool(plan.grid(given).integrate))
+        valid = valid & ~struck(electrons, read, valid, sharpest)
+    stars = FieldStars(electrons, read, valid, begun, known, unknowns, pitch, plan, blur=behind, target=target)
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
     if count < 4 and most > 0:
@@ -536,16 +527,6 @@ def fit_field(
     outcome = _run(search, start is not None)
     blurred = behind if isinstance(behind, tuple) else ()
     return _answer(search, outcome, given, start, chip, at, counts, (noise, lit), (holes, pose, far), blurred)
-
-
-def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
-    """Return the wavelength of each exposure."""
-    found = validation.real_array("wavelengths", wavelengths)
-    if found.shape != (exposures,):
-        raise ValueError(f"wavelengths must be one for each of {exposures} exposures, got {len(np.ravel(found))}")
-    if pupil.wavelength is None:
-        raise ValueError("wavelengths need a pupil with wavelength and f_number, and pixel in metres, got lambda*N")
-    return np.array([validation.wavelength(float(each)) for each in found])
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
@@ -773,21 +754,20 @@ def _blurs(
 ) -> list[list[tuple[Blur, float]]]:
     """Return the blurs of each exposure, for squared widths (e, b) in pixels, with their standard errors."""
     found: list[list[tuple[Blur, float]]] = [[(each, 0.0) for each in known] for _ in squares]
-    for at, pupil, pixel in stars.lights:
-        pitch = pixel * float(pupil.scale)
-        shape = stars.shapes[0]
-        for i in at:
-            for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
-                # Of a square that may be 0, the width is known to the root of the standard error of the square.
-                width = math.sqrt(max(float(square), 0.0))
-                off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
-                if name == "Gaussian":
-                    found[i].append((Jitter(width * pitch), off * pitch))
-                elif width > 0.0:
-                    light, far = pupil.wavelength, 1.0 if pupil.geometry is None else pupil.geometry.focal_length
-                    r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if light is None else light * far)
-                    outer = None if shape.outer is None else shape.outer * r0
-                    found[i].append((Seeing(r0, None if light is None else far, light, outer), r0 * off / width))
+    pupil, shape = stars.lens, stars.blur
+    pitch = stars.pixel * float(pupil.scale)
+    for i, several in enumerate(found):
+        for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
+            # Of a square that may be 0, the width is known to the root of the standard error of the square.
+            width = math.sqrt(max(float(square), 0.0))
+            off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
+            if name == "Gaussian":
+                several.append((Jitter(width * pitch), off * pitch))
+            elif width > 0.0:
+                light, far = pupil.wavelength, 1.0 if pupil.geometry is None else pupil.geometry.focal_length
+                r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if light is None else light * far)
+                outer = None if shape.outer is None else shape.outer * r0
+                several.append((Seeing(r0, None if light is None else far, light, outer), r0 * off / width))
     return found
 
 
@@ -795,17 +775,17 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
     """Return which shape of blur the stars follow, and by how much."""
     if not shapes:
         return []
-    outer = stars.shapes[0].outer
+    outer = stars.blur.outer
     seeing = "Kolmogorov" if outer is None else f"von Karman with an outer scale of {outer:.0f} r0"
     gain = shapes["Gaussian"] - shapes["seeing"]
     numbers = {"gain": gain, "outer_over_r0": outer}
     if abs(gain) < _ALIKE:
         text = f"Kolmogorov and a Gaussian are alike within lnL {abs(gain):.1f}: the images do not tell them apart"
     elif gain > 0.0:
-        also = " and a Gaussian" if "Gaussian" in stars.shapes[0].names else ""
+        also = " and a Gaussian" if "Gaussian" in stars.blur.names else ""
         text = f"blur by {seeing} turbulence{also}, preferred to a Gaussian by lnL {gain:.0f}"
     else:
-        also = " and seeing" if "seeing" in stars.shapes[0].names else ""
+        also = " and seeing" if "seeing" in stars.blur.names else ""
         text = f"blur by a Gaussian{also}, preferred to Kolmogorov by lnL {-gain:.0f}"
     return [Finding("blur_shape", "note", text, numbers)]
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,12 +36,7 @@ _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
 
 
-class Light(NamedTuple):
-    """What exposures of one wavelength have in common: which they are, pupil, pixel in lambda*N."""
-
-    exposures: NDArray[np.intp]
-    pupil: Pupil
-    pixel: float
+Readout: TypeAlias = StarReadout | TargetReadout
 
 
 class Quality(NamedTuple):
@@ -57,8 +52,6 @@ class FieldStars:
     Parameters of a star are the k coefficients of its wavefront (radians rms), the b squared widths of the blur of
     each exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two
     angles. `blur` is a shape of unknown widths, or known blurs.
-    Wavefronts, tilts and defocus are radians at the wavelength of the pupil; `wavelengths` (e,) are those of the
-    exposures, which have the same path differences.
     """
 
     def __init__(
@@ -74,13 +67,12 @@ class FieldStars:
         *,
         blur: Shape | tuple[Blur, ...],
         target: Target | None = None,
-        wavelengths: Array | None = None,
     ) -> None:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
         self.pixels = shape[0] * shape[1]
         self.known = defocus
-        self.pupil, self.threads, self.tol = pupil, plan.threads, plan.tol
+        self.threads, self.tol = plan.threads, plan.tol
         self.target = target
         self.angles = 0 if target is None else target.angles
         self.own = _OWN + self.angles
@@ -90,28 +82,9 @@ class FieldStars:
         self.further: tuple[Name, ...] = ()
         first = pupil if pupil.shape == () else pupil[0]
         self.integrate = bool(plan.grid(first).integrate)
-        own = float(first.wavelength or 1.0)
-        light = np.full(self.exposures, own) if wavelengths is None else wavelengths
-        #: Phases there over those at the wavelength of the pupil.
-        self.ratio: Array = own / light
-        seen = {float(w): first if w == own else first.in_light(float(w)) for w in light}
-        self.lights = [
-            Light(np.flatnonzero(light == w), one, pixel / float(one.scale)) for w, one in sorted(seen.items())
-        ]
-        self.shapes = [
-            blur if isinstance(blur, Shape) else Shape.known(blur, group.pixel * float(one.scale), one.wavelength)
-            for group in self.lights
-            for one in [group.pupil]
-        ]
-        self.widths = self.shapes[0].unknown
-        added: dict[int, Wavefront] = {}
-        for group in self.lights:  # what the colour of the lens adds to the same path differences
-            factor = float(self.ratio[group.exposures[0]])
-            changed = (group.pupil.wavefront + first.wavefront * -factor) * (1.0 / factor)
-            if any(abs(value) > 1e-9 for value in changed.edge_terms().values()):
-                added |= dict.fromkeys(group.exposures.tolist(), changed)
-        for changed in added.values():
-            first = first.carrying(first.wavefront + changed * 0.0, first.geometry)
+        self.lens, self.pixel = first, pixel / float(first.scale)  # in lambda*N
+        self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first.wavelength)
+        self.widths = self.blur.unknown
         #: The images of one star, whose terms are those of all.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
@@ -121,22 +94,18 @@ class FieldStars:
         self.start, fixed = self.one.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
-        for i, changed in added.items():
-            for term, value in changed.edge_terms().items():
-                self.base[:, i, self.one.terms.index(term)] += value
-                self.one.base[i, self.one.terms.index(term)] += value
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
-        self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self.lights)
-        self._kept: dict[tuple[float | None, tuple[int, int], tuple[Name, ...]], SampledPupil] = {}
+        self._reader: Readout | None = None
+        self._kept: dict[tuple[tuple[int, int], tuple[Name, ...]], SampledPupil] = {}
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
         """Return the same stars behind another blur of unknown widths."""
-        more, lights = (shape.unknown - self.widths) * self.exposures, len(self.lights)
+        more = (shape.unknown - self.widths) * self.exposures
         size = {"widths": shape.unknown, "size": self.size + more, "tested": self.tested - more}
-        return self._with(shapes=[shape] * lights, _readers=[None] * lights, **size)
+        return self._with(blur=shape, _reader=None, **size)
 
     def on_slopes(self) -> FieldStars:
         """Return the same stars on backgrounds that slope by row and column, electrons per pixel."""
@@ -147,9 +116,9 @@ class FieldStars:
         """Return the same stars, of which images have derivatives by further terms, and by constants."""
         return self._with(further=names)
 
-    def through(self, pupils: Sequence[Pupil]) -> FieldStars:
-        """Return the same stars through other apertures, one for each wavelength."""
-        return self._with(lights=[light._replace(pupil=one) for light, one in zip(self.lights, pupils, strict=True)])
+    def through(self, pupil: Pupil) -> FieldStars:
+        """Return the same stars through another aperture."""
+        return self._with(lens=pupil)
 
     def _with(self, **changes: Any) -> FieldStars:
         """Return stars of the same images with other attributes."""
@@ -166,23 +135,25 @@ class FieldStars:
         may be "own", by tilts and angles, those by the wavefront being 0, or "none": values alone; or "others": by
         the further terms, and of points by `OTHER_BLURS`, for squares that are the same for all rows.
         """
-        readers = [self._readout(k, squares, always=slopes == "others") for k in range(len(self.lights))]
-        lattice = max(math.prod(self.shape if one is None else one.shape) for one in readers)
-        each = self.exposures * lattice * (len(self._slopes) + 2)
+        reader = self._readout(squares, always=slopes == "others")
+        each = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
+        edge = self.base[stars] + (waves @ self.one.directions)[:, None]
+        for j, column in enumerate(self.one.tilts):
+            edge[:, :, column] += own[:, j]
         parts = [
-            self._block(readers, stars[s], waves[s], squares[s], own[s], fast=fast, slopes=slopes)
+            self._block(reader, edge[s].reshape(-1, edge.shape[-1]), squares[s], own[s], fast=fast, slopes=slopes)
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, k: int, squares: Array, *, always: bool) -> StarReadout | TargetReadout | None:
+    def _readout(self, squares: Array, *, always: bool) -> Readout | None:
         """Return what reads pixels from samples for blur of these squares; None where samples are the pixels."""
-        reader, pixel, shape = self._readers[k], self.lights[k].pixel, self.shapes[k]
+        reader, shape = self._reader, self.blur
         if self.target is not None:
             if reader is None:
-                self._readers[k] = TargetReadout(self.shape, pixel, self.target, shape, integrate=self.integrate)
-            return self._readers[k]
+                self._reader = TargetReadout(self.shape, self.pixel, self.target, shape, integrate=self.integrate)
+            return self._reader
         if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
         # The wide Gaussians of seeing reach farther: they leave out light far beyond the window alone.
@@ -190,52 +161,17 @@ class FieldStars:
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         if reader is None or not reader.widest - 2.0 * _ROOM <= width <= reader.widest:
             widest = width + _ROOM if self.widths else width
-            self._readers[k] = StarReadout(self.shape, pixel, widest, shape, integrate=self.integrate)
-        return self._readers[k]
+            self._reader = StarReadout(self.shape, self.pixel, widest, shape, integrate=self.integrate)
+        return self._reader
 
     def _block(
-        self,
-        readers: Sequence[StarReadout | TargetReadout | None],
-        stars: NDArray[np.intp],
-        waves: Array,
-        squares: Array,
-        own: Array,
-        *,
-        fast: bool,
-        slopes: str,
+        self, reader: Readout | None, edge: Array, squares: Array, own: Array, *, fast: bool, slopes: str
     ) -> list[Array]:
-        edge = self.base[stars] + (waves @ self.one.directions)[:, None]
-        for j, column in enumerate(self.one.tilts):
-            edge[:, :, column] += own[:, j]
-        edge *= self.ratio[:, None]
-        parts = []
-        for light, reader in zip(self.lights, readers, strict=True):
-            at = light.exposures
-            given = edge[:, at], squares[:, at], own[:, _OWN : _OWN + self.angles, at]
-            parts.append(self._in_light(light, reader, *given, fast=fast, slopes=slopes))
-        found = [np.empty((len(stars), self.exposures, *self.shape), one.dtype) for one in parts[0]]
-        for light, part in zip(self.lights, parts, strict=True):
-            for place, images in zip(found, part, strict=True):
-                place[:, light.exposures] = images.reshape(len(stars), -1, *self.shape)
-        return [place.reshape(-1, *self.shape) for place in found]
-
-    def _in_light(
-        self,
-        light: Light,
-        reader: StarReadout | TargetReadout | None,
-        edge: Array,
-        squares: Array,
-        angles: Array,
-        *,
-        fast: bool,
-        slopes: str,
-    ) -> list[Array]:
-        """Return images of exposures of one wavelength, of edge terms (r, e, terms) there, and slopes by these."""
-        wavefront = Wavefront.trusted(self.one.terms, edge.reshape(-1, edge.shape[-1]))
-        pupil = light.pupil.carrying(wavefront, None)
+        """Return images of rows that are computed together, of edge terms (r * e, terms)."""
+        pupil = self.lens.carrying(Wavefront.trusted(self.one.terms, edge), None)
         tol = self.loosest if fast else self.tol
-        shape, pitch = (self.shape, light.pixel) if reader is None else (reader.shape, reader.step)
-        pixel = pitch * float(light.pupil.scale)
+        shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
+        pixel = pitch * float(self.lens.scale)
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
@@ -245,8 +181,7 @@ class FieldStars:
             samples = [made.values, *(slope.values for slope in rates)]
         else:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
-            sampled = self._sampled(light.pupil, plan.grid(light.pupil))
-            samples = list(sampled.images(edge.reshape(-1, edge.shape[-1]), columns, values=fast))
+            samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
             if not fast:  # slopes are no nearer to the true ones: of steps, and of standard errors, they hardly show
                 samples.insert(0, asked.images(pupil)[1].values)
         if reader is None:
@@ -254,7 +189,7 @@ class FieldStars:
         else:
             flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
             if isinstance(reader, TargetReadout):
-                turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
+                turned = own[:, _OWN : _OWN + self.angles].swapaxes(1, 2).reshape(len(flat[0]), -1)
                 widths = squares.reshape(len(flat[0]), -1)
                 found = reader.read(flat, widths, turned, slopes=slopes == "all", threads=self.threads)
                 found = found[: len(flat)] if slopes == "others" else found
@@ -268,11 +203,11 @@ class FieldStars:
             found = [found[0], *held, *found[1:3], *[nothing] * self.widths, *found[3:]]
         return found
 
-    def _sampled(self, pupil: Pupil, grid: Grid) -> SampledPupil:
+    def _sampled(self, grid: Grid) -> SampledPupil:
         """Return the samples of an aperture that is not round, for images on a lattice."""
-        key = pupil.wavelength, grid.shape, self.further
+        key = grid.shape, self.further
         if key not in self._kept:
-            self._kept[key] = SampledPupil(pupil, grid, cast("list[Term]", [*self.one.terms, *self.further]))
+            self._kept[key] = SampledPupil(self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further]))
         return self._kept[key]
 
     def likelihood(
@@ -292,13 +227,13 @@ class FieldStars:
         # and the residual last.
         chain = np.zeros((r, e, self.size + q + 1, d))
         flux = own[:, 2]
-        chain[:, :, :k, :edge] = self.one.unknowns.directions * (self.ratio * flux)[:, :, None, None]
+        chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
         chain[:, :, k + e * b + np.arange(q), d - 3 - q + np.arange(q)] = 1.0
         for i in range(e):
             at = k + e * b + q + np.arange(self.own) * e + i
             for j in range(b):
                 chain[:, i, k + i * b + j, edge + 2 + j] = flux[:, i]
-            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = self.ratio[i] * flux[:, i]
+            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = flux[:, i]
             chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
             for j in range(_OWN, self.own):
                 chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i] if j < _OWN + self.angles else 1.0

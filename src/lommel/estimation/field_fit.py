@@ -263,11 +263,9 @@ class FieldFit(FitReport):
             )
         x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
         across, down = (part.ravel() for part in np.meshgrid(x, y))
-        edge, own = (each.wavefront.edge_terms() for each in (chosen.pupil(across, down), self._pupil))
-        columns = {}
-        for term in sorted(self._terms, key=_noll):
-            added = np.broadcast_to(edge.get(term, 0.0), across.shape) - float(own.get(term, 0.0))
-            columns[f"Z{_noll(term)}"] = added / zernike.rms_factor(*term) / (2.0 * math.pi)
+        added = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
+        waves = added.to_zernike(order="noll", unit="waves")
+        columns = {f"Z{j}": waves.get(j, np.zeros(across.shape)) for j in sorted(map(_noll, self._terms))}
         used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
         lines = [f"# {self.message}"]
         if any(self.blurs):

@@ -28,7 +28,7 @@ from scipy import fft, ndimage, special
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
 from lommel.blur.mixtures import Shape
-from lommel.estimation.field_signs import monomials
+from lommel.estimation.field_signs import highest_degree, monomials
 
 _STEP = 0.45  # lambda*N from sample to sample, at most
 _FINE = 0.285  # the same of objects
@@ -219,7 +219,7 @@ def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Arra
     coefficient.
     """
     count, exposures, height, width = electrons.shape
-    degree = max((d for d in range(_LIGHT_DEGREE + 1) if 3 * (d + 1) * (d + 2) <= 4 * count), default=0)
+    degree = highest_degree(_LIGHT_DEGREE, 4 * count // 3)
     found = np.ones(electrons.shape)
     if degree == 0:
         return found

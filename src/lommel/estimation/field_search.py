@@ -465,10 +465,9 @@ class Search:
     def twin(self, polynomials: Array) -> tuple[Array, Array]:
         """Return polynomials (k, m) with the even part of all phases negated, and the matrix (k, k) that does it."""
         one = self.stars.one
-        inverse = np.linalg.pinv(one.directions)
-        flip = 2.0 * ((one.directions * one.even) @ inverse).T
+        flip = 2.0 * ((one.directions * one.even) @ one.inverse).T
         other = polynomials - flip @ polynomials
-        other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
+        other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ one.inverse)
         return other, np.eye(len(flip)) - flip
 
     def best_shape(self, found: Found) -> Found:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -179,7 +178,7 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     if (other := apodized(pupil)) is not None and plan.method is None:
         lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
-    reader = _reader(grid.shape, model.pixel / scale, grid.integrate)
+    reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _SHARP, integrate=grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)
     untested = []
     try:
@@ -195,9 +194,3 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     found = products[0]
     candidates = candidates_of(lacking, model.size)
     return missing_findings(score_tests(found[:-1, :-1], found[:-1, -1], range(model.size), candidates)) + untested
-
-
-@lru_cache(maxsize=4)
-def _reader(window: tuple[int, int], pixel: float, integrate: bool) -> StarReadout:
-    """Return what reads images that are sharp, and their derivatives by blurs."""
-    return StarReadout(window, pixel, 1.0, _SHARP, integrate=integrate)

@@ -68,9 +68,7 @@ class Unknowns:
         self.edge = tuple(dict.fromkeys(term for each in shares for term in each))
         directions = np.array([each.get(term, 0.0) for each in shares for term in self.edge])
         self.directions = directions.reshape(len(shares), len(self.edge))
-        # One term each, all different, are independent as they are.
-        apart = len(self.edge) == len(shares) and all(len(each) == 1 for each in shares)
-        if shares and not apart and np.linalg.matrix_rank(self.directions) < len(shares):
+        if shares and np.linalg.matrix_rank(self.directions) < len(shares):
             raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
         for place in self.places:
             if SHIFTS[place] in self.edge:
@@ -101,13 +99,6 @@ def _zernike_terms(name: Name) -> dict[Term, float]:
     """Return the Zernike terms, radians at the edge, of a unit of a term: 1 radian rms, or of its power of rho."""
     found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
-
-
-def _inverse(directions: Array) -> Array:
-    """Return the Moore-Penrose inverse (edge, terms) of directions, row by row where each has a column of its own."""
-    if (directions != 0.0).sum(axis=0).max(initial=0) <= 1:
-        return np.asarray(directions.T / np.maximum((directions**2).sum(axis=1), 1e-300))
-    return np.asarray(np.linalg.pinv(directions))
 
 
 def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
@@ -234,9 +225,10 @@ class StarImages(RowModel):
         edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
         self.directions = np.zeros((len(unknowns.terms), len(self.terms)))
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
-        self._inverse = _inverse(self.directions)
+        #: Moore-Penrose inverse of directions.
+        self.inverse = np.linalg.pinv(self.directions)
         # The part of the initial wavefront that the terms span is where they start; the rest is fixed.
-        self.start = edge @ self._inverse
+        self.start = edge @ self.inverse
         self.fixed = edge - self.start @ self.directions
         self.base = np.tile(self.fixed, (count, 1))
         self.base[:, 0] += defocus
@@ -269,7 +261,7 @@ class StarImages(RowModel):
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
         """Return the coefficients of wavefronts of edge terms of a shape, and the rest of them, which is fixed."""
         whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
-        found = whole @ np.linalg.pinv(self.directions)
+        found = whole @ self.inverse
         return found, np.asarray(whole - found @ self.directions)
 
     @cached_property
@@ -278,13 +270,13 @@ class StarImages(RowModel):
         if not _point_symmetric(self.pupil):
             return False
         even = self.even * np.vstack([self.directions, self.base])
-        missed = even - even @ self._inverse @ self.directions
+        missed = even - even @ self.inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
         return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
 
     def negated(self, waves: Array, base: Array) -> Array:
         """Return coefficients (..., terms) with the even part of their phases, and of those of `base`, negated."""
-        return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self._inverse
+        return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self.inverse
 
     def even_part_negated(self, x: Array) -> Array:
         """Return the parameters of the wavefront with the even part of its phase negated."""

@@ -214,20 +214,6 @@ class FocalModel:
         return np.asarray(terms @ self.band.share)
 
 
-@dataclass(frozen=True)
-class _Curve:
-    """Radial functions of frequency, one of each vergence: cubic splines up to a cut-off, 0 beyond."""
-
-    count: int
-    parts: tuple[tuple[float, Callable[[Array], Array], float], ...]  # cut-off, spline, weight
-
-    def __call__(self, f: Array) -> Array:
-        total = np.zeros((self.count, *f.shape))
-        for end, spline, weight in self.parts:
-            total = total + weight * np.where(f < end, spline(np.minimum(f, end)), 0.0)
-        return np.asarray(total)
-
-
 def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float) -> Callable[[Array], Array]:
     """Return the OTF of a lens at each vergence as a function of frequency, cycles per pixel, without the pixel.
 
@@ -254,4 +240,10 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
         nodes = np.linspace(0.0, end, max(_LEAST_NODES, math.ceil(swing / _STEP)))
         values = otf(there, nodes / pixel, tol=_TOL).real
         parts.append((end, CubicSpline(nodes, values, axis=1), weight / total))
-    return _Curve(len(vergence), tuple(parts))
+
+    def curve(f: Array) -> Array:
+        """Return the sum of cubic splines up to a cut-off, 0 beyond."""
+        each = (weight * np.where(f < end, spline(np.minimum(f, end)), 0.0) for end, spline, weight in parts)
+        return sum(each, np.zeros((len(vergence), *f.shape)))
+
+    return curve

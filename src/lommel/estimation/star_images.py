@@ -422,11 +422,8 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
     alike = inverse[np.ix_(known, known)] / np.outer(scale, scale)
-    if len(scale) <= 25:
-        values, vectors = np.linalg.eigh(alike)
-    else:
-        # Singular vectors, as no eigenvalue is negative: of more than 25, eigh takes all threads of BLAS.
-        vectors, values, _ = np.linalg.svd(alike)
+    # Singular vectors, as no eigenvalue is negative: of more than 25, eigh takes all threads of BLAS.
+    vectors, values, _ = np.linalg.svd(alike)
     # An eigenvector has no sign: its largest component is made positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))

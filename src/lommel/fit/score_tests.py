@@ -118,7 +118,7 @@ def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: S
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
     """Return ln of the Bayes factor of a size (q,) of N(0, scale^2) against N(0, known^2)."""
     found = 0.0
-    for width, sign in (known, 0.5), (max(scale, known), -0.5):
+    for width, sign in ((known, 0.5), (max(scale, known), -0.5)):
         each = covariance + np.eye(len(size)) * width**2
         found += sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
     return found

@@ -91,12 +91,12 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     terms = next_terms(stars.one.unknowns.edge, ())
     constants = lacking_constants(stars.one.pupil, stars.known, ())
     every = *terms, *constants
-    made = stars.with_further(every).images(model.chosen, *parts, fast=True, slopes="others")
+    made = stars.having(further=every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     by = [flux * image for image in made[1 : 1 + len(every)]]
     found = [*lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
     if (pupil := apodized(stars.lens)) is not None:
-        other = stars.through(pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
+        other = stars.having(lens=pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
         found.append(lacking_light(flux * made[0], flux * other))
     if blurred := made[1 + len(every) :]:
         blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}

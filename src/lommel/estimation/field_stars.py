@@ -105,23 +105,15 @@ class FieldStars:
         """Return the same stars behind another blur of unknown widths."""
         more = (shape.unknown - self.widths) * self.exposures
         size = {"widths": shape.unknown, "size": self.size + more, "tested": self.tested - more}
-        return self._with(blur=shape, _reader=None, **size)
+        return self.having(blur=shape, _reader=None, **size)
 
     def on_slopes(self) -> FieldStars:
         """Return the same stars on backgrounds that slope by row and column, electrons per pixel."""
         more = 2 * self.exposures
-        return self._with(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
+        return self.having(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
 
-    def with_further(self, names: tuple[Name, ...]) -> FieldStars:
-        """Return the same stars, of which images have derivatives by further terms, and by constants."""
-        return self._with(further=names)
-
-    def through(self, pupil: Pupil) -> FieldStars:
-        """Return the same stars through another aperture."""
-        return self._with(lens=pupil)
-
-    def _with(self, **changes: Any) -> FieldStars:
-        """Return stars of the same images with other attributes."""
+    def having(self, **changes: Any) -> FieldStars:
+        """Return stars of the same images with other attributes, such as `further` or `lens`."""
         found = copy(self)
         vars(found).update(changes)
         return found
@@ -258,16 +250,13 @@ class FieldStars:
         Counts plus the variance of reading are Poisson's around their expectation: what the background adds may be
         taken from the counts and given to the variance.
         """
-        whole = len(stars) == self.count and bool((stars == np.arange(self.count)).all())
-        star, light = self.star if whole else self.star[:, stars], own[:, 2:4]
-        if not self.sloped:
-            return star, light
-        star, light = star.copy(), light.copy()
-        lowest = self._lowest(own)
-        added = self._slope(own) + lowest[:, :, None]
-        star[0] -= added
-        star[1:3] += added
-        light[:, 1] -= lowest
+        star, light = self.star[:, stars], own[:, 2:4].copy()
+        if self.sloped:
+            lowest = self._lowest(own)
+            added = self._slope(own) + lowest[:, :, None]
+            star[0] -= added
+            star[1:3] += added
+            light[:, 1] -= lowest
         return star, light
 
     def _lowest(self, own: Array) -> Array:

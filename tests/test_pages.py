@@ -486,22 +486,6 @@ def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():
             assert error == pytest.approx(number(cell), rel=0.06), (row, method)
 
 
-def test_moffat_fits_of_seeing_are_off_by_what_the_table_says():
-    text = (ROOT / "docs" / "sensor.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| ([358]) \| (0.*) \|$", text, flags=re.MULTILINE)
-    assert [int(widths) for widths, _ in rows] == [3, 5, 8]
-    air = lm.Seeing(1.0 / 50.0)
-    width = float(lm.psf(lm.Pupil(), 41, 2.0, integrate=True, blur=air).fwhm())
-    for widths, cells in rows:
-        star = lm.psf(
-            lm.Pupil(), 6 * int(widths) + 1, width / 6.0, integrate=True, blur=air, normalize="energy"
-        ).values
-        ways = [(read, beta) for read in (3e4, 0.0) for beta in (None, 4.765)]
-        for cell, (read, beta) in zip(cells.split(" | "), ways, strict=True):
-            fit = lm.fit_moffat(1e7 * star + 50.0, lm.Noise(read=read), beta=beta)
-            assert cell == f"{fit.flux / 1e7:.3f}, {fit.fwhm / 6.0:.3f}", (widths, read, beta)
-
-
 def test_the_ranges_beside_the_methods_are_those_of_the_table_of_errors():
     columns = list(zip(*error_table().values(), strict=True))
     spans = [(min(column, key=number), max(column, key=number)) for column in columns]

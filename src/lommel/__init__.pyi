@@ -37,7 +37,6 @@ from lommel.estimation.distortion import Distortion as Distortion
 from lommel.estimation.field_fit import FieldFit as FieldFit, FittedStars as FittedStars, fit_field as fit_field
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
-from lommel.estimation.moffat import MoffatFit as MoffatFit, fit_moffat as fit_moffat
 from lommel.recorded.noise import Noise as Noise
 from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap, Foreshortening as Foreshortening

@@ -84,14 +84,6 @@ def field(noise):
     ]
 
 
-def moffat(noise):
-    y, x = np.mgrid[:21, :21] - 10.0
-    image = EM.record(2e4 * np.exp(-(x**2 + y**2) / 8.0) / (8.0 * np.pi) + 5.0, 1)
-    found = lm.fit_moffat(image, noise)
-    light = [found.flux, found.background, found.errors["flux"], found.errors["background"]]
-    return [found.fwhm, found.row, found.beta, found.errors["fwhm"], found.chi2], light
-
-
 def spots(noise):
     sky = np.full((64, 64), 5.0)
     sky[30:33, 40:43] += 300.0
@@ -216,7 +208,7 @@ def traced(noise):
 
 
 HONOURED = {
-    "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field, "lommel.fit_moffat": moffat,
+    "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field,
     "lommel.find_spots": spots, "lommel.find_crossings": crossings, "lommel.fisher": fisher,
     "lommel.depth_precision": precision, "lommel.best_foci": foci, "lommel.imaging.depth_from_defocus": depths,
     "lommel.imaging.restore_with": restored, "lommel.imaging.restore": photograph,

@@ -152,20 +152,16 @@ def slants(images: int, shape: tuple[int, int]) -> list[Array]:
     return [np.broadcast_to(one, (images, *shape)) for one in made]
 
 
-def background_level(images: Array, valid: NDArray[np.bool_]) -> Array:
-    """Return the median of the outermost valid pixels of images (..., height, width), of all where none is valid."""
-    rim = np.ones(images.shape[-2:], dtype=bool)
-    rim[1:-1, 1:-1] = False
-    seen = valid & (rim | ~(valid & rim).any(axis=(-2, -1), keepdims=True))
-    return np.asarray(np.nanmedian(np.where(seen, images, np.nan), axis=(-2, -1)))
-
-
 def centroids(star: Array, shape: tuple[int, int]) -> Array:
     """Return row and column from the middle (n, 2) of the light of images that exceeds noise and background."""
     counted, _, read, valid = star.reshape(4, -1, *shape)
-    level = background_level(counted, valid > 0.0)[:, None, None]
+    good, rim = valid > 0.0, np.ones(shape, dtype=bool)
+    rim[1:-1, 1:-1] = False
+    # The outermost pixels, all where these are unknown.
+    seen = good & (rim | ~(good & rim).any(axis=(1, 2), keepdims=True))
+    level = np.nanmedian(np.where(seen, counted, np.nan), axis=(1, 2), keepdims=True)
     noise = np.sqrt(np.maximum(level, 0.0) + read.mean(axis=(1, 2), keepdims=True))
-    light = np.where((valid > 0.0) & (counted > level + 3.0 * noise), counted - level, 0.0)
+    light = np.where(good & (counted > level + 3.0 * noise), counted - level, 0.0)
     total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # of no light the middle is the start
     rows, columns = (np.arange(side) - side // 2 for side in shape)
     return np.stack([light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total], axis=1)

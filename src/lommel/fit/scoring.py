@@ -213,7 +213,7 @@ class _RowProblem:
 
 
 def search_rows(
-    model: RowModel, x: Array, most: int, report: Report, *, fast: bool, policy: Policy | None = None
+    model: RowModel, x: Array, most: int, report: Report, *, fast: bool
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
     """Take damped steps from starts `x` (s, p) until they settle or one fits.
 
@@ -224,18 +224,18 @@ def search_rows(
     values, slopes = model.images(x, fast=fast)
     if fast:
         x = model.with_light(x, values)
-    policy = policy or Policy(settled=_NEARLY if fast else _SETTLED)
+    policy = Policy(settled=_NEARLY if fast else _SETTLED)
     now = model.scores_of(x, values, slopes)
     return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)
 
 
-def reduced_chi2(square: Any, total: Any, spread: Any, share: Any, least: float = 1.0) -> tuple[Any, Any]:
+def reduced_chi2(square: Any, total: Any, spread: Any, share: Any) -> tuple[Any, Any]:
     """Return chi2 per degree of freedom and its standard deviation, of sums of squares, expectations and variances.
 
-    Beside parameters a `share` of the pixels is left. Where less than `least` is expected (images below 0),
-    any square is a misfit.
+    Beside parameters a `share` of the pixels is left. Where less than 1 is expected (images below 0), any square is a
+    misfit.
     """
-    expected = np.maximum(total * share, least)
+    expected = np.maximum(total * share, 1.0)
     return square / expected, np.sqrt(spread * share) / expected
 
 

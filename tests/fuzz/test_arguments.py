@@ -247,7 +247,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                out=folder / "set", lenses=RANGES, seed=1, copies=1, form="png", shard=None, psfs=2,
                depth_scale=None, on_error="raise", workers=1),
         tagged("localize.fit", lm.localize.fit, table=SPOTS, images=np.ones((2, 9, 9)), noise=lm.Noise(read=1.0),
-               starts=1, which=[0, 0], threads=1),
+               starts=1, threads=1),
         tagged("localize.fit", lm.localize.fit, table=[SPOTS, SPOTS], images=[np.ones((2, 9, 9))] * 2, starts=1),
         tagged("restore", lm.microscopy.restore, stack=VOXELS, objective=MICROSCOPE, **of_voxels),
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, psf=PLANES, noise=lm.Noise(read=1.0),

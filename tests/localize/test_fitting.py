@@ -341,17 +341,6 @@ def test_the_likelihood_of_two_channels_is_largest_where_they_find_it(table):
             assert abs(up - down) < 0.03 * (up + down - 2.0 * deviance(k, np.zeros(2)))
 
 
-def test_each_molecule_has_the_table_of_its_depth(table):
-    deep = Table(OBJECTIVE.pupil(depth=2e-6, **LIGHT), shape=15, pixel=6.5e-6, z=RANGE, reach=2.0)
-    counts = np.random.default_rng(17).poisson(2000.0 * images(*places(20, 18)) + 5.0)
-    which = np.arange(20) % 2
-    told = []
-    found = fit([table, deep], counts, which=which, progress=lambda done, total: told.append((done, total)))
-    np.testing.assert_array_equal(found.z[which == 0], fit(table, counts[which == 0]).z)
-    np.testing.assert_array_equal(found.errors.row[which == 1], fit(deep, counts[which == 1]).errors.row)
-    assert told == [(10, 20), (20, 20)]
-
-
 def test_any_number_of_threads_says_the_same(table):
     counts = np.random.default_rng(19).poisson(800.0 * images(*places(300, 20)) + 5.0)
     told = []
@@ -405,8 +394,6 @@ BAD = [
         r"corners must be of boxes within the camera, \(60, 60\) pixels by read",
     ),
     ({"transforms": np.ones((1, 2, 3))}, ValueError, r"transforms must have the shape \(0, 2, 3\), got \(1, 2, 3\)"),
-    ({"which": [0, 1, 0]}, ValueError, "which must be the index of the table of each of 2 molecules"),
-    ({"which": [0, 7]}, ValueError, "which must be 0 to 0, got 0 to 7"),
     ({"starts": 0}, ValueError, "starts must be"),
     ({"threads": 0}, ValueError, "threads must be"),
     ({"progress": 3}, TypeError, "progress must be"),

@@ -12,13 +12,7 @@ import numpy as np
 
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
-from lommel.cli.instruments import (
-    IMAGES,
-    LENS,
-    CameraOptions,
-    differing,
-    require_microscope,
-)
+from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, require_microscope
 from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress

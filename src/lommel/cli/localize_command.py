@@ -13,15 +13,7 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
-from lommel.cli.instruments import (
-    DEPTH,
-    LENS,
-    STACK_FILE,
-    CameraMaps,
-    differing,
-    require_microscope,
-    require_order,
-)
+from lommel.cli.instruments import DEPTH, LENS, STACK_FILE, CameraMaps, differing, require_microscope, require_order
 from lommel.cli.options import (
     JSON,
     MICROMETRES,

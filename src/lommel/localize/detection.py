@@ -159,21 +159,22 @@ def find(
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
-    given = noise or Noise(read=0.0)
-    camera = given.poisson
+    given = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
+    camera, wide = given.poisson, min(rows, columns) / 3.0
     light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
-    if not isinstance(read, float) and read.shape != light.shape[1:]:
-        raise ValueError(
-            f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
-        )
-    wide = min(rows, columns) / 3.0
-    if not isinstance(read, float) and (defects := np.asarray(given.read) >= DEFECT).any():
-        mended, read = _mending(defects, narrow), np.where(defects, np.median(read[~defects]), read)
-    else:
-        mended = []
+    defects = np.zeros(light.shape[1:], bool)
+    if not isinstance(read, float):
+        defects = np.asarray(given.read) >= DEFECT
+        if defects.all():
+            raise ValueError(f"read must be below {DEFECT:g} electrons where pixels are no defects, got none")
+        read = np.where(defects, np.median(read[~defects]), read)
     kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
-    found = side_by_side(lambda one: kernel.maxima(_mended(one, mended, narrow), variance, level), list(light), count)
+
+    def maxima(frame: Array) -> tuple[Values, Values, Array]:
+        return kernel.maxima(filled(frame[None], defects[None], narrow)[0], variance, level)
+
+    found = side_by_side(maxima, list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
     row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
     kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
@@ -218,28 +219,6 @@ def image_counts(
         made.require_known(name)
     single = made.values.ndim == 2
     return (made[None] if single else made), single
-
-
-def _mending(defects: NDArray[np.bool_], sigma: float) -> list[tuple[NDArray[np.bool_], Array]]:
-    """Return which defects are mended in turn, each those beside good pixels, and the weights of what is around."""
-    turns = []
-    while defects.any():
-        weight = smoothed((~defects).astype(float), sigma)
-        near = defects & (weight > 0.01)
-        if not near.any():
-            raise ValueError(f"read must be below {DEFECT:g} electrons within a few pixels of each defect")
-        turns.append((near, weight))
-        defects = defects & ~near
-    return turns
-
-
-def _mended(frame: Array, turns: list[tuple[NDArray[np.bool_], Array]], sigma: float) -> Array:
-    """Return a frame with the means of what is around in the place of defects, weighted by a Gaussian."""
-    if turns:
-        frame = np.where(np.any([near for near, _ in turns], axis=0), 0.0, frame)
-    for near, weight in turns:
-        frame[near] = (smoothed(frame, sigma) / weight)[near]
-    return frame
 
 
 def filled(planes: Values, left: NDArray[np.bool_], width: float) -> Values:

@@ -113,13 +113,9 @@ class Molecules:
         -------
         Molecules
         """
-
-        def changed(values: NDArray[Any], by: NDArray[Any]) -> NDArray[Any]:
-            made = values.copy()
-            made[which] = by
-            return made
-
-        found: Molecules = _of_each(changed, self, others)
+        order = np.arange(len(self))
+        order[which] = len(self) + np.arange(len(others))
+        found: Molecules = _of_each(lambda *parts: np.concatenate(parts)[order], self, others)
         return found
 
     def __repr__(self) -> str:
@@ -145,7 +141,6 @@ def fit(
     noise: Noise | Sequence[Noise] | None = None,
     corners: ArrayLike | None = None,
     transforms: ArrayLike | None = None,
-    which: ArrayLike | None = None,
     saturation: float | None = None,
     starts: int = 4,
     background: str = "flat",
@@ -158,7 +153,7 @@ def fit(
     ----------
     table : Table or sequence of Table
         Images of a molecule. A sequence is of the channels that show each molecule at once, such as two planes
-        (biplane) or colours, or with `which`, of tables of which each molecule has one, such as for several depths.
+        (biplane) or colours.
     images : array_like, shape (n, height, width)
         One box for each molecule, as large as the table's, in electrons or, with `noise`, in the camera's unit; NaN
         for pixels that are not to count. Several channels: a sequence of such arrays, or shape (channels, n, height,
@@ -173,8 +168,6 @@ def fit(
     transforms : array_like, shape (channels - 1, 2, 3), optional
         From (row, column, 1) of a molecule on the camera of the first channel to its row and column on that of each
         other; by default the same place. From beads that all channels show.
-    which : array_like of int, shape (n,), optional
-        The table of each molecule.
     saturation : float, optional
         Values from here on, in the unit of `images`, are saturated and do not count. By default the largest value of
         integers, and where many pixels are full, that of 8 to 16 bits.
@@ -228,34 +221,30 @@ def fit(
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
     if not tables or not all(isinstance(each, Table) for each in tables):
         raise TypeError(f"table must be a Table or a sequence of these, got {validation.shown(table)}")
-    several = not isinstance(table, Table) and which is None
-    cameras = _cameras(len(tables) if several else 1, noise)
-    # Which tables fit which molecules.
-    boxes = _boxes(tables if several else tables[:1], images if several else [images], saturation)
+    several = not isinstance(table, Table)
+    cameras = _cameras(len(tables), noise)
+    boxes = _boxes(tables, images if several else [images], saturation)
     total = len(boxes[0])
-    groups = [(tables, np.arange(total))] if which is None else _chosen(tables, which, total)
     places = _corners(corners, len(boxes), total, several)
     matrices, shifts = _transforms(transforms, len(boxes))
     offsets = _offsets(matrices, shifts, places, total)
     tilted = validation.choice("background", background, BACKGROUNDS) == "tilted"
     per = 4 if tilted else 2
-    unknown, done = 3 + per * len(boxes), 0
+    unknown = 3 + per * len(boxes)
     values, errors, likely = np.empty((total, unknown)), np.empty((total, unknown)), np.empty((total, 2))
     state = np.empty((total, 2), np.int32)
-    for own, mine in groups:
-        fitter = _fitter(tuple(own), matrices.tobytes())
-        for first in range(0, len(mine), _AT_ONCE):
-            part = mine[first : first + _AT_ONCE]
-            pairs = [
-                in_electrons(box[part], camera, None if places is None else places[c][part])
-                for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True))
-            ]
-            light, read = (list(each) for each in zip(*pairs, strict=True))
-            made = fitter.fit(light, read, offsets[part], starts, tilted, count)
-            values[part], errors[part], likely[part], state[part] = made
-            done += len(part)
-            if progress is not None:
-                progress(done, total)
+    fitter = _fitter(tuple(tables), matrices.tobytes())
+    for first in range(0, total, _AT_ONCE):
+        part = slice(first, first + _AT_ONCE)
+        pairs = [
+            in_electrons(box[part], camera, None if places is None else places[c][part])
+            for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True))
+        ]
+        light, read = (list(each) for each in zip(*pairs, strict=True))
+        made = fitter.fit(light, read, offsets[part], starts, tilted, count)
+        values[part], errors[part], likely[part], state[part] = made
+        if progress is not None:
+            progress(min(part.stop, total), total)
     if places is not None:
         values[:, :2] += places[0]
     for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
@@ -336,7 +325,7 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array | 
         return None
     found = validation.real_array("corners", corners)
     if found.ndim == 2:
-        found = np.broadcast_to(found, (channels, *found.shape)) if channels == 1 or several else found
+        found = np.broadcast_to(found, (channels, *found.shape))
     if found.shape != (channels, count, 2):
         wanted = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
         raise ValueError(f"corners must have the shape {wanted}, a row and a column each, got {np.shape(corners)}")
@@ -389,16 +378,3 @@ def in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tup
     variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
     light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
     return light, np.ascontiguousarray(variance, dtype=np.float32)
-
-
-def _chosen(tables: list[Table], which: ArrayLike, total: int) -> list[tuple[list[Table], NDArray[np.intp]]]:
-    """Return each table with the molecules that are its own."""
-    chosen = validation.array("which", which)
-    if chosen.shape != (total,) or chosen.dtype.kind not in "iu":
-        given = validation.shown(which)
-        raise ValueError(f"which must be the index of the table of each of {total} molecules, got {given}")
-    if total and not 0 <= chosen.min() <= chosen.max() < len(tables):
-        raise ValueError(f"which must be 0 to {len(tables) - 1}, got {chosen.min()} to {chosen.max()}")
-    if len(sides := {each.shape for each in tables}) > 1:
-        raise ValueError(f"table must have images of one shape to choose from, got {sorted(sides)}")
-    return [([each], np.flatnonzero(chosen == k)) for k, each in enumerate(tables)]

@@ -418,7 +418,7 @@ STACK = recorded(11, waves(11), light=2e3)[0]
     ("more", "told"),
     [
         ({"stacks": STACK[:4], "z": Z[:4]}, "at least 5 planes above and below focus, got 4"),
-        ({"stacks": STACK[0]}, "stacks must have the shape .planes, height, width., .* got 2 dimensions"),
+        ({"stacks": STACK[0]}, "stacks must have the shape .planes, height, width. or .*, got .15, 15."),
         ({"z": Z[:5]}, "z must have a position for each of 9 planes"),
         ({"z": Z[[1, 0, *range(2, 9)]]}, "z must increase from plane to plane"),
         ({"z": 1e6 * Z}, "z is in metres"),
@@ -432,9 +432,9 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA where all beads are deeper than a wavelength"),
         ({"priors": {"depth": (1e-6, 1e-9)}}, "a standard error alone"),
         ({"diameter": 1.0}, "diameter must be"),
-        ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a star"),
+        ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a bead"),
         ({"saturation": 50.0}, "saturated"),
-        ({"stacks": [STACK, STACK[:, :13, :13]]}, "windows of one shape"),
+        ({"stacks": [STACK, STACK[:, :13, :13]]}, "stacks must have one shape"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused_with_a_sentence(more, told):

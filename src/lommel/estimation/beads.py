@@ -18,7 +18,6 @@ from lommel.base.units import with_error
 from lommel.estimation import bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
-from lommel.estimation.phase_retrieval import star_counts
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -401,21 +400,20 @@ def fit_beads(
     validation.instance("objective", objective, Objective)
     validation.instance("noise", noise, Noise)
     solved = _terms(terms)
-    given = _stacks(stacks)
+    shape = "(planes, height, width) or (beads, planes, height, width)"
+    counts = Counts.of("stacks", stacks, sides=(3, 4), shape=shape, mask=mask, saturation=saturation)
+    counts.require_known("stacks").require_light("stacks", "a bead")
+    recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
     size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
-    deep = _depths(depth, 0.5 * size, len(given))
-    places = np.atleast_1d(validation.real_array("z", z))
-    recorded = [star_counts(each, mask, saturation) for each in given]
-    for k, (planes, *window) in enumerate(counts.values.shape for counts in recorded):
-        if planes < _PLANES:
-            raise ValueError(
-                f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not "
-                "tell aberrations from the place of the bead; give all planes as one stack"
-            )
-        if places.shape != (planes,):
-            raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
-        if window != [*recorded[0].values.shape[1:]]:
-            raise ValueError(f"stacks must have windows of one shape, got {(planes, *window)} of stacks[{k}]")
+    deep = _depths(depth, 0.5 * size, len(recorded))
+    places, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
+    if planes < _PLANES:
+        raise ValueError(
+            f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not tell "
+            "aberrations from the place of the bead; give all planes as one stack"
+        )
+    if places.shape != (planes,):
+        raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
     apart = np.diff(places)
     if not (np.all(apart > 0.0) or np.all(apart < 0.0)):
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
@@ -437,7 +435,7 @@ def fit_beads(
         notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
     images = BeadImages(solved, start, workers)
     waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
-    made = tuple(Stack.of(counts, noise, places) for counts in recorded)
+    made = tuple(Stack.of(each, noise, places) for each in recorded)
     depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", drift)
     model = BeadModel(images, made, known, depths, moving)
     if model.tested < 1:
@@ -463,24 +461,6 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
                 "column stand for it"
             )
     return found
-
-
-def _stacks(stacks: Any) -> list[Any]:
-    """Return the stacks, one or several."""
-    stacks = validation.computed(stacks)
-    several = isinstance(stacks, list | tuple) and len(stacks) and len(_shape(stacks[0])) == 3
-    dimensions = 4 if several else len(_shape(stacks))
-    if dimensions not in (3, 4):
-        raise ValueError(
-            f"stacks must have the shape (planes, height, width), or be a sequence of such, got {dimensions} "
-            f"dimension{'s' * (dimensions != 1)}"
-        )
-    return list(stacks) if dimensions == 4 else [stacks]
-
-
-def _shape(held: Any) -> tuple[int, ...]:
-    """Return the shape of an array, or of a container that NumPy makes none of."""
-    return tuple(held.shape) if hasattr(held, "shape") else np.shape(getattr(held, "data", held))
 
 
 def _depths(depth: Any, radius: float, count: int) -> list[float]:

@@ -65,7 +65,7 @@ class Counts:
         sides : tuple of int
             Numbers of axes that it may have, `shape` in words.
         mask : array_like of bool, optional
-            True for pixels that are not to be used, of the shape of `images` or of one of them.
+            True for pixels that are not to be used, of the shape of `images`, of one stack or of one image of them.
         saturation : float, optional
             Value from which on pixels are full; by default see :func:`lommel.recorded.saturation.full_value`.
         empty : bool, default False
@@ -88,7 +88,7 @@ class Counts:
             left |= hidden
         if mask is not None:
             out = validation.array("mask", mask)
-            if out.dtype != bool or out.shape not in (values.shape, values.shape[-2:]):
+            if out.dtype != bool or out.ndim < 2 or out.shape != values.shape[-out.ndim :]:
                 raise ValueError(
                     f"mask must be True or False for each pixel of {name} {values.shape}, got {out.dtype} of "
                     f"{out.shape}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from lommel.base.units import format_length
 from lommel.fit.findings import Finding, Findings, Severity
 from lommel.fit.goodness_of_fit import excess_test
 from lommel.localize.detection import DEFECT, Spots
-from lommel.localize.fitting import Molecules, fit, in_electrons
+from lommel.localize.fitting import Molecules, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations
 from lommel.localize.molecule_files import Recording
 from lommel.localize.table import Table
@@ -29,16 +30,18 @@ from lommel.recorded.noise import Noise
 class Checks:
     """What blocks of frames tell, one after the other."""
 
-    def __init__(self, recording: Recording, table: Table, noise: Noise, options: dict[str, Any]) -> None:
-        self._recording, self._table, self._noise, self._options = recording, table, noise, options
+    def __init__(
+        self, recording: Recording, table: Table, noise: Noise, again: partial[Molecules], background: str
+    ) -> None:
+        self._recording, self._table, self._noise = recording, table, noise
+        self._again, self._background = again, background
         self._told: dict[str, Finding] = {}
-        self._seen = Recurrence(recording)
+        self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
-        self._tested = 0  # molecules, of their noise
-        self._rivals = {} if recording.along == "none" else rivals(table, options["threads"])
+        self._rivals = {} if recording.along == "none" else rivals(table, again.keywords["threads"])
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
         self._tried = 0
         pupil, pixel = table.pupil, recording.pixel
@@ -77,11 +80,12 @@ class Checks:
             return 0.0
         if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
-            self._test_noise()
+            residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
+            self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
             slope, error = slope * self._noise.excess, error * self._noise.excess
-            flat = self._options["background"] == "flat"
+            flat = self._background == "flat"
             text = (
                 f"the background is tilted, by {slope:.2g} +- {error:.1g} electrons from pixel to pixel "
                 f"({sigmas:.0f} standard deviations)"
@@ -97,19 +101,19 @@ class Checks:
         if not self._rivals or self._tried >= _MOLECULES or not len(spots):
             return
         self._tried += len(spots)
-        made: dict[str, Any] = {name: self._options[name] for name in ("starts", "threads")}
-        made |= {"noise": self._noise, "corners": spots.corners[kept], "saturation": math.inf}
-        made["background"] = background
-        one = fit(self._table, spots.images[kept], **made)
+        again = partial(self._again, images=spots.images[kept], corners=spots.corners[kept], background=background)
+        one = again(self._table)
         for name, table in self._rivals.items():
-            other = fit(table, spots.images[kept], **made)
+            other = again(table)
             # Crowded molecules tell nothing of the PSF.
             both = one.converged & other.converged & (np.minimum(one.discrepancy, other.discrepancy) < DOUBTFUL)
             self._gains[name] += (other.log_likelihood - one.log_likelihood)[both].tolist()
 
     def count(self, part: Localizations) -> None:
         """Add the localisations of a block."""
-        self._seen.count(part)
+        at = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
+        places = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
+        np.add.at(self._counts, tuple(places), 1)
         kept = part.table["discrepancy"][part.kept]
         for name in self._sums:
             self._sums[name] += int((kept >= DOUBTFUL).sum()) if name == "doubtful" else getattr(part, name)
@@ -143,13 +147,6 @@ class Checks:
             [*self._excess, *self._of_rivals(), *self._of_fits(), *self._told.values(), *self._of_spots()]
         )
 
-    def _test_noise(self) -> None:
-        """Test for excess noise, of short blocks only where there are more molecules by half."""
-        count = sum(len(one) for one, _, _ in self._residuals)
-        if count >= 1.5 * self._tested:
-            residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
-            self._excess, self._tested = excess_test(residual, mean, read).findings(self._noise.excess), count
-
     def _of_rivals(self) -> Iterator[Finding]:
         """Yield the table with which molecules are far likelier.
 
@@ -163,8 +160,7 @@ class Checks:
                 likelier[name] = gain, len(each), error
         if not likelier:
             return
-        name = max(likelier, key=lambda one: likelier[one][0])
-        gain, count, error = likelier[name]
+        name, (gain, count, error) = max(likelier.items(), key=lambda one: one[1])
         numbers: dict[str, Any] = {"molecules": count, "log_likelihood": gain, "error": error}
         told = f"{count} molecules of the first frames are likelier"
         text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
@@ -216,7 +212,7 @@ class Checks:
         if told := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
             text = f"pixels of boxes that do not count: {', '.join(told)}"
             yield Finding("left_out", "note", text, {name: sums[name] for name in words})
-        if places := self._seen.places():
+        if places := self._recurring():
             row, column, count = places[0]
             many = "a spot is" if len(places) == 1 else f"{len(places)} spots are"
             text = (
@@ -230,6 +226,16 @@ class Checks:
                 f"{sums['ends']} of {sums['spots']} spots are at an end of the range of z: a wider one may hold them"
             )
             yield Finding("z_range", "note", text, {"ends": sums["ends"], "spots": sums["spots"]})
+
+    def _recurring(self) -> list[tuple[int, int, int]]:
+        """Return row, column and number of spots within a pixel where they are in many frames, most first."""
+        counts, often = self._counts, _OFTEN * self._recording.frames
+        if self._recording.frames < _LEAST_FRAMES or counts.sum() < often:
+            return []
+        near = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
+        row, column = np.nonzero((near >= often) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
+        order = np.argsort(-near[row, column], kind="stable")
+        return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
 
 
 class Score(NamedTuple):
@@ -322,30 +328,6 @@ def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, Objectiv
             focus = focus - brightest(pupil.layers, depth).brightest
             deeper = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
             yield f"{shift:+.1e}", deeper, shift if moving else 0.0
-
-
-class Recurrence:
-    """Places where spots are found again and again: beads, and hot pixels."""
-
-    def __init__(self, recording: Recording) -> None:
-        self._counts, self._frames = np.zeros((recording.rows, recording.columns), np.int64), recording.frames
-        self._pixel = recording.pixel
-
-    def count(self, part: Localizations) -> None:
-        """Add the spots of a block of frames."""
-        at = (np.floor(part.table[name] / self._pixel).astype(np.int64) for name in "yx")
-        row, column = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
-        np.add.at(self._counts, (row, column), 1)
-
-    def places(self) -> list[tuple[int, int, int]]:
-        """Return row, column and number of spots within a pixel where they are in many frames, most first."""
-        if self._frames < _LEAST_FRAMES or self._counts.sum() < _OFTEN * self._frames:
-            return []
-        near = ndimage.convolve(self._counts, np.ones((3, 3), np.int64), mode="constant")
-        often = (near >= _OFTEN * self._frames) & (self._counts == ndimage.maximum_filter(self._counts, 5))
-        row, column = np.nonzero(often & (self._counts > 0))
-        order = np.argsort(-near[row, column], kind="stable")
-        return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
 
 
 TILTED = 5.0

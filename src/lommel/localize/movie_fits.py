@@ -146,22 +146,13 @@ def localize_blocks(
     if width is None:
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     with _opened(movie, block) as (shape, blocks, name):
-        if (np.array(shape[1:]) < table.shape).any():
-            sides, box = (" x ".join(map(str, each)) for each in (shape[1:], table.shape))
-            raise ValueError(f"{name or 'movie'} must have frames of at least {box} pixels, the box, got {sides}")
-        left = None if mask is None else validation.array("mask", mask)
-        if left is not None and (left.dtype != bool or left.shape != shape[1:] or left.all()):
-            raise ValueError(
-                f"mask must be bool of the shape of a frame, {shape[1:]}, False where pixels are used, got "
-                f"{validation.shown(mask)}"
-            )
         pixel = table.pixel / table.pupil.magnification
         along = "none" if validation.truth("flat", flat) else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
-        options = {"background": kind, "starts": starts, "threads": threads}
-        checks, done = Checks(recording, table, noise or Noise(read=0.0), options), 0
+        again = partial(fit, noise=noise, saturation=math.inf, starts=starts, threads=threads)
+        checks, done = Checks(recording, table, noise or Noise(read=0.0), again, kind), 0
         for frames in blocks:
-            counts = frame_counts(frames, table.shape, saturation=saturation, mask=left)
+            counts = frame_counts(frames, table.shape, saturation=saturation, mask=mask)
             if not done:
                 checks.first(counts)
             if counts.assumed:
@@ -169,13 +160,12 @@ def localize_blocks(
             spots = find(
                 counts, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
             )
-            again = partial(fit, table, noise=noise, saturation=math.inf, starts=starts, threads=threads)
             values, which, corners = counts.marked(), spots.frame - done, spots.corners
             begun = "flat" if kind == "auto" else kind
-            found = _recentred(values, which, corners, table, partial(again, background=begun))
+            found = _recentred(values, which, corners, table, partial(again, table, background=begun))
             if begun == "flat" and checks.tilt(spots, found) > TILTED and kind == "auto":
                 kind = "tilted"
-                found = _recentred(values, which, corners, table, partial(again, background=kind))
+                found = _recentred(values, which, corners, table, partial(again, table, background=kind))
             checks.compare(spots, "tilted" if kind == "tilted" else "flat")
             part = _localizations(spots, found, recording, widths, table)
             checks.count(part)

@@ -231,7 +231,11 @@ def find_spots(
     kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
     spread = kernel.squared(variance)
     row, column, score = kernel.maxima(light, spread, level)
-    candidate = None if row.size else _highest(*kernel.maxima(light, spread, _CANDIDATE))
+    candidate = None
+    if not row.size:
+        lower = zip(*(each.tolist() for each in kernel.maxima(light, spread, _CANDIDATE)), strict=True)
+        below = [Refused(*one, "below the threshold") for one in lower]
+        candidate = max(below, key=lambda one: one.score, default=None)
     own = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
     row, column, score = row[own], column[own], score[own]
     background = _level(light, box)
@@ -303,14 +307,6 @@ def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) ->
         else:
             found.append("masked" if max(part.mean(), inner.mean()) >= _HIT else "")
     return found
-
-
-def _highest(row: Values, column: Values, score: Array) -> Refused | None:
-    """Return the highest of maxima that are no spots."""
-    if not score.size:
-        return None
-    k = int(np.argmax(score))
-    return Refused(int(row[k]), int(column[k]), float(score[k]), "below the threshold")
 
 
 def _level(light: Array, box: tuple[int, int]) -> Array:

@@ -122,10 +122,8 @@ class Setup:
 
     def having(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError where there is no such microscope."""
-        if name in _OWN:
-            given: dict[str, Any] = {name: value}
-            return replace(self, **given)
-        return replace(self, objective=changed(self.objective, name, value))
+        given: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
+        return replace(self, **given)
 
     def with_constants(self, values: Mapping[str, float]) -> Setup:
         """Return the microscope with other values of constants."""

@@ -161,13 +161,12 @@ class BeadModel:
 
         Constants `more`, of all beads alike, follow what is shared.
         """
-        names, parts = (*self.names, *more), []
+        names, parts = (*self.names, *more), list[Part]()
         k, size = len(names), self.size + len(more)
         information, slope = np.zeros((size, size)), np.zeros(size)
-        each = zip(self.stacks, state.places, values, state.light, strict=True)
-        for j, (stack, place, psf, light) in enumerate(each):
-            slopes, chain = self._slopes(state, place, stack, names, light, psf)
-            parts.append(bead_images.part_of(psf, slopes, chain, stack, light, self.images.threads))
+        for j, psf in enumerate(values):
+            slopes, chain = self._slopes(state, j, names, psf)
+            parts.append(bead_images.part_of(psf, slopes, chain, self.stacks[j], state.light[j], self.images.threads))
             at = [*range(k), *self.columns(j, k)]
             information[np.ix_(at, at)] += parts[-1].information.sum(axis=0)
             slope[at] += parts[-1].slope.sum(axis=0)
@@ -177,11 +176,10 @@ class BeadModel:
             information[column, column] += square
         return parts, information, slope
 
-    def _slopes(
-        self, state: State, place: Place, stack: Stack, names: Sequence[object], light: Array, psf: Array
-    ) -> tuple[Array, Array]:
+    def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
         """Return derivatives of images, and of images by parameters by these in each plane."""
         images, setup, waves = self.images, state.setup, state.waves
+        stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
         amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
         found, ones = [*images.slopes(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
         order = (*images.solved, "focus", "row", "column", *amplitudes)

@@ -41,7 +41,6 @@ def depth_precision(
     photons: ArrayLike | None = None,
     contrast: float = 0.35,
     window: float = 4.0,
-    known_texture: bool = False,
 ) -> Numbers:
     """Return the Cramér-Rao bound on the depth of a textured surface, as a standard error.
 
@@ -62,9 +61,6 @@ def depth_precision(
         falls as the inverse square of the frequency, as in natural scenes.
     window : float, default 4.0
         Rms width of the Gaussian window of constant depth, pixels, at least 1.
-    known_texture : bool, default False
-        Whether the power spectrum of the texture is known, so that one photograph determines its blur. By default
-        photographs are compared, as by :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
     -------
@@ -84,7 +80,8 @@ def depth_precision(
     -----
     The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by finite differences over 0.08
     rad of defocus, with a relative error below 1e-3. A sensor samples a continuous scene: texture beyond its Nyquist
-    frequency is as noise. Strong edges hold more information than such textures.
+    frequency is as noise. Strong edges hold more information than such textures. Photographs are compared, as by
+    :func:`lommel.imaging.depth_from_defocus`: the power spectrum of the texture is unknown, and one has no depth.
 
     Examples
     --------
@@ -96,7 +93,7 @@ def depth_precision(
     """
     pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
-    surface = _surface(len(lenses), noise, photons, contrast, window, known_texture)
+    surface = _surface(len(lenses), noise, photons, contrast, window)
     found = [_error(lenses, float(each), pitch, surface) for each in metres.ravel()]
     return numbers(np.array(found), metres.shape)
 
@@ -129,7 +126,6 @@ def best_foci(
     photons: float | None = None,
     contrast: float = 0.35,
     window: float = 4.0,
-    known_texture: bool = False,
 ) -> Foci:
     """Return the two focus distances that give the best depth precision for a surface.
 
@@ -139,7 +135,7 @@ def best_foci(
         Its own focus distance is ignored.
     distance : float
         Distance of the surface, metres.
-    pixel, noise, photons, contrast, window, known_texture
+    pixel, noise, photons, contrast, window
         As of :func:`depth_precision`.
 
     Returns
@@ -164,7 +160,7 @@ def best_foci(
 
     pitch = pixel_of([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
-    surface = _surface(2, noise, photons, contrast, window, known_texture)
+    surface = _surface(2, noise, photons, contrast, window)
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
     def focused(spans: Array) -> list[Lens] | None:
@@ -191,18 +187,15 @@ def best_foci(
 
 
 class _Surface(NamedTuple):
-    """Electrons of a pixel of each photograph, read noise, contrast, window, and whether the texture is known."""
+    """Electrons of a pixel of each photograph, read noise, contrast and window."""
 
     light: Array
     read: float
     contrast: float
     window: float
-    known: bool
 
 
-def _surface(
-    count: int, noise: Noise, photons: ArrayLike | None, contrast: float, window: float, known: bool
-) -> _Surface:
+def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: float, window: float) -> _Surface:
     validation.instance("noise", noise, Noise)
     read = noise.read
     if not isinstance(read, float) or not isinstance(noise.white, float | None):
@@ -218,7 +211,7 @@ def _surface(
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
     # Of light over the excess, and the read noise over it, photons have Poisson's variance.
     light = np.broadcast_to(light / noise.excess, count)
-    return _Surface(light, read / noise.excess, contrast, window, validation.truth("known_texture", known))
+    return _Surface(light, read / noise.excess, contrast, window)
 
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
@@ -241,7 +234,7 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
     if np.abs(h[:2] - h[3:1:-1]).max() <= _ALIKE:
         return math.inf
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
-    total = float(model.at(slice(4, 5)).information(slope[None], known_texture=surface.known)[0])
+    total = float(model.at(slice(4, 5)).information(slope[None])[0])
     most = model.texture * (slope * slope).sum(0)
     if total <= _ROUNDING * float(most @ model.band.share):
         return math.inf

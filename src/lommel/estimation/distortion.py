@@ -85,9 +85,6 @@ class Distortion(FitReport):
         across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
         return with_errors(*self._sensor.relative(across, down), self.degree, self.coefficients, self.covariance)
 
-    def __repr__(self) -> str:
-        return f"<Distortion: {self.message}>"
-
 
 def checked_ideal(ideal: ArrayLike, pose: str, places: Array) -> Array:
     """Return ideal places (n, 2), NaN where unknown; ValueError unless they are those of the images, roughly."""

@@ -315,9 +315,6 @@ class FieldFit(FitReport):
             maps, (x, y, self.field.unit), marks, (self.images, self.model), unit, self.message
         )
 
-    def __repr__(self) -> str:
-        return f"<FieldFit: {self.message}>"
-
 
 def fit_field(
     windows: ArrayLike,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Self, cast
 
@@ -81,14 +82,12 @@ class Information:
         zero = length <= error
         unit = np.where(zero, 1.0, length)
         relative = error / unit
-        _, size, direction = np.linalg.svd(
-            np.where(zero, 0.0, 1.0)[..., None, :] * root / unit[..., None, :], full_matrices=False
-        )
+        scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / unit[..., None, :]
+        _, size, direction = np.linalg.svd(scaled, full_matrices=False)
         lost = size <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
         least = np.where(lost, math.inf, size)
-        unknown, inverse = (
-            np.swapaxes(direction, -1, -2) @ (weight[..., None] * direction) for weight in (1.0 * lost, least**-2.0)
-        )
+        turned = np.swapaxes(direction, -1, -2)
+        unknown, inverse = (turned @ (weight[..., None] * direction) for weight in (1.0 * lost, least**-2.0))
         lean = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / least.min(axis=-1)
         # Some parameter has a larger component along any direction.
         lean = np.minimum(lean, 0.5 / math.sqrt(len(names)))[..., None, None]
@@ -127,9 +126,8 @@ class Information:
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]
         width = max(len(str(name)) for name in self.names)
-        lines = [
-            f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}" for name, value in self.errors.items()
-        ]
+        errors = self.errors.items()
+        lines = [f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}" for name, value in errors]
         return "\n  ".join([f"<{type(self).__name__}{f' of a stack of {stack}' if stack else ''}", *lines]) + ">"
 
 
@@ -286,13 +284,10 @@ def fisher(
 def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
     """Return the PSF and its derivatives by the first of the plans whose tolerance can be met."""
     wanted = tuple(name for name in names if name not in _OWN)
-    *exact, last = plans
-    for plan in exact:
-        try:
+    for plan in plans[:-1]:
+        with suppress(ToleranceError):
             return plan(pupil, derivatives=wanted)
-        except ToleranceError:
-            continue
-    return last(pupil, derivatives=wanted)
+    return plans[-1](pupil, derivatives=wanted)
 
 
 def _root(

@@ -201,17 +201,14 @@ class FocalModel:
         """Return ``h.h`` over the noise, (vergences, frequencies)."""
         return np.asarray((self.transfer**2 / self.noise).sum(axis=1))
 
-    def information(self, slope: Array, *, known_texture: bool = False) -> Array:
+    def information(self, slope: Array) -> Array:
         """Return J of each vergence, from the derivatives of `transfer` by vergence."""
         root = np.sqrt(self.noise)
         h, d = self.transfer / root, slope / root
         hh, along, whole = (h * h).sum(axis=1), (h * d).sum(axis=1), (d * d).sum(axis=1)
         across = np.maximum(whole - along**2 / np.maximum(hh, 1e-300), 0.0)
         signal = 1.0 + self.texture * hh
-        terms = self.texture**2 * hh * across / signal
-        if known_texture:
-            terms += 2.0 * (self.texture * along / signal) ** 2
-        return np.asarray(terms @ self.band.share)
+        return np.asarray((self.texture**2 * hh * across / signal) @ self.band.share)
 
 
 def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float) -> Callable[[Array], Array]:

@@ -200,6 +200,9 @@ class FitReport(Judged):
         verdict = f"{words}: {self.summary}"
         return f"{verdict}; {self.findings.text}" if self.findings else verdict
 
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.message}>"
+
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain data, as JSON has it, without images.
 

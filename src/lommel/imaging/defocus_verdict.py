@@ -195,9 +195,6 @@ class DefocusVerdict(FitReport):
         """Whether nothing that was tested disagrees or is in doubt."""
         return self.reliable
 
-    def __repr__(self) -> str:
-        return f"<DefocusVerdict: {self.message}>"
-
 
 def judged(
     engine: FocalEngine,

@@ -234,7 +234,7 @@ def find_spots(
     candidate = None
     if not row.size:
         lower = zip(*(each.tolist() for each in kernel.maxima(light, spread, _CANDIDATE)), strict=True)
-        below = [Refused(*one, "below the threshold") for one in lower]
+        below = [Refused(row, column, high, "below the threshold") for row, column, high in lower]
         candidate = max(below, key=lambda one: one.score, default=None)
     own = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
     row, column, score = row[own], column[own], score[own]

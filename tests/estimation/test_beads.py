@@ -427,7 +427,7 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"terms": ["noll 4", "noll 5"]}, "no stack tells from the place of the bead"),
         ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),
         ({"priors": {"index": 0.1}}, "priors must be"),
-        ({"priors": {"sample": 0.0}}, "standard error above 0"),
+        ({"priors": {"sample": 0.0}}, "the error of priors.*sample.* must be > 0"),
         ({"priors": {"immersion": math.inf, "coverslip": math.inf}}, "depend on their sum only"),
         ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA where all beads are deeper than a wavelength"),
         ({"priors": {"depth": (1e-6, 1e-9)}}, "a standard error alone"),

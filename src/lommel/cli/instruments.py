@@ -369,9 +369,15 @@ class CameraOptions(Group, heading="Camera and noise"):
 class CameraMaps(CameraOptions, heading="Camera"):
     """The same, of which gain, read noise and offset may be maps in files."""
 
-    white: Any
-    read: Any
-    offset: Any
+    # fmt: off
+    white: Any = option("--gain", metavar="NUMBER|FILE",
+        help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
+        "for each pixel, also of --read and --offset.")
+    read: Any = option("--read", metavar="NUMBER|FILE",
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+    offset: Any = option("--offset", metavar="NUMBER|FILE",
+        help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0.")
+    # fmt: on
 
     def values(self) -> Facts:
         """Return gain, read noise, offset and excess, None where they are left out."""

@@ -44,16 +44,7 @@ _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 class MovieCamera(CameraMaps, heading="Camera"):
     """The camera of a movie."""
 
-    # fmt: off
-    white: Any = option("--gain", metavar="NUMBER|FILE",
-        help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
-        "for each pixel, also of --read and --offset.")
-    read: Any = option("--read", metavar="NUMBER|FILE",
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
-    offset: Any = option("--offset", metavar="NUMBER|FILE",
-        help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0.")
     masked: Path | None = option("--mask", type=PATH, help="Image of the pixels to leave out: not 0 there.")
-    # fmt: on
 
 
 class Molecules(Group, heading="Molecules"):

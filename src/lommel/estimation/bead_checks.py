@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -44,17 +45,15 @@ def available_constants(setup: Setup) -> list[str]:
 
 def possible(setup: Setup, name: str, value: float) -> bool:
     """Return whether there is a microscope with this value of a constant."""
-    if name == "depth":
-        return value >= lowest(setup)
-    if name in ("diameter", "blur", "coverslip"):
-        return value >= 0.0
+    least = {"depth": lowest(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
+    if name in least:
+        return value >= least[name]
     if name in ("pixel", "step"):
         return value > 0.0
-    try:
+    with suppress(ValueError):
         setup.having(name, value)
-    except ValueError:
-        return False
-    return True
+        return True
+    return False
 
 
 def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[ScoreTest, ...]:
@@ -202,28 +201,22 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
     return [Finding("reversed_z", "error", text, {"chi2": turned_chi2, "log_likelihood": gain})]
 
 
-def held_out_chi2(joint: BeadModel, found: Evaluated) -> tuple[float, float]:
-    """Return chi2 of the last bead with what a fit of the others finds, and its standard deviation."""
+def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
+    """Return chi2 of the last bead with what a fit of the others finds, and the finding of one that differs."""
     count, state = len(joint.stacks), found.state
     if count < _HELD:
-        return math.nan, 0.0
+        return math.nan, []
     others, out = joint.having(range(count - 1)), joint.having([count - 1])
     try:
         start = replace(state, places=state.places[:-1], light=state.light[:-1])
         rest = climb(others, start, _STEPS).state
         held = replace(out, images=joint.images.without_terms(rest.waves), priors={})
-        return climb(held, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS).quality
+        end = climb(held, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS)
     except (Declined, ValueError):
-        return math.nan, 0.0
-
-
-def held_out_findings(chi2: float, spread: float) -> list[Finding]:
-    """Return the finding of a bead that does not follow the others."""
-    if not chi2 >= goodness_of_fit.most(spread):
-        return []
-    limit = float(goodness_of_fit.most(spread))
+        return math.nan, []
+    chi2, limit = end.quality[0], float(goodness_of_fit.most(end.quality[1]))
     text = f"noise alone keeps chi2 of the held-out bead below {limit:.4g}: beads differ, in size or depth"
-    return [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})]
+    return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:

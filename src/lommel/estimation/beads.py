@@ -468,11 +468,8 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
     if given.shape not in ((), (count,)):
         raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {given.shape}")
     found = [length("depth", float(one), DEPTH_MOST) for one in np.broadcast_to(given, (count,))]
-    for one in found:
-        if one < radius * (1.0 - 1e-9):
-            raise ValueError(
-                f"depth is that of the centre of a bead, at least its radius {radius:g} metres, got {one:g}"
-            )
+    if (least := min(found)) < radius * (1.0 - 1e-9):
+        raise ValueError(f"depth is that of the centre of a bead, at least its radius {radius:g} m, got {least:g}")
     return found
 
 
@@ -492,14 +489,12 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
         validation.choice("priors", name, CONSTANTS)
         if name not in known:
             raise ValueError(
-                f"priors must be without {name!r}, which this objective or bead does not have, or is that of air"
+                f"priors must be without {name!r}, which this objective or bead lacks, or is that of air"
             )
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
-        stated, error = pair[0], float(pair[1])
-        if not error > 0.0:
-            raise ValueError(f"priors[{name!r}] must have a standard error above 0, got {error:g}")
+        stated, error = pair[0], validation.real(f"the error of priors[{name!r}]", pair[1], above=0.0, infinite=True)
         if name != "depth":
             value = setup.value(name) if stated is None else validation.real(f"priors[{name!r}]", stated)
             found[name], setup = Prior(value, error), setup.having(name, value)
@@ -530,7 +525,7 @@ def _build_bead_fit(
     whole, shared = _inverse(found.scores.information[0]), len(joint.names)
     inverse = whole[:shared, :shared]
     chi2, spread = found.quality
-    held_out = bead_checks.held_out_chi2(joint, found)
+    held_out, of_others = bead_checks.held_out(joint, found)
     beads = _beads(search.model, found, whole, used, recorded, noise)
     error = bead_checks.model_error(joint, state)
     causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
@@ -557,15 +552,15 @@ def _build_bead_fit(
             findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
     if not found.settled:
         findings.append(Finding("not_settled", "error", f"more than {search.most} steps may be needed"))
-    findings += bead_checks.held_out_findings(*held_out)
+    findings += of_others
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
         findings.append(Finding("left_out", "note", f"left out, beside which the others do not fit: bead {left}"))
     findings += [*stated, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
-    if math.isfinite(held_out[0]):
-        summary += f", held-out bead {held_out[0]:.4g}"
+    if math.isfinite(held_out):
+        summary += f", held-out bead {held_out:.4g}"
     setup, edge = state.setup, joint.images.edge(state.waves)
     values = [*map(float, state.waves), *map(setup.value, joint.priors)]
     return BeadFit(
@@ -583,7 +578,7 @@ def _build_bead_fit(
         beads=beads,
         tests=tests,
         chi2=chi2,
-        held_out=held_out[0],
+        held_out=held_out,
         model_error=error,
         steps=search.steps,
         _state=state,
@@ -603,9 +598,8 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
         )
         found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
     if error >= _OFF:
-        text = f"images of the search are {error:.2g} of the peak off those that are certified"
-        if math.isinf(error):
-            text = "aberrations are too strong for certified images"
+        off = f"images of the search are {error:.2g} of the peak off those that are certified"
+        text = off if math.isfinite(error) else "aberrations are too strong for certified images"
         found.append(Finding("model_error", "doubt", text, {"error": error}))
     return found
 

@@ -191,13 +191,11 @@ def fit_distortion(
     model = _PlaceModel(basis[good], off, part)
     most = max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
     solution, covariance, chi2 = model.fit(0.0)
-    scatter = 0.0
-    if (above := chi2) > 1.0:
-        low, high = 0.0, most
-        for _ in range(_HALVINGS):
-            scatter = 0.5 * (low + high)
-            solution, covariance, above = model.fit(scatter)
-            low, high = (scatter, high) if above > 1.0 else (low, scatter)
+    low, scatter, high = 0.0, 0.0, most
+    for _ in range(_HALVINGS if chi2 > 1.0 else 0):
+        scatter = 0.5 * (low + high)
+        solution, covariance, above = model.fit(scatter)
+        low, high = (scatter, high) if above > 1.0 else (low, scatter)
     rest = np.eye(2 * m) - held.T @ held
     coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)

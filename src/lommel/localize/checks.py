@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -143,9 +144,8 @@ class Checks:
     @property
     def findings(self) -> Findings:
         """What was found so far."""
-        return Findings(
-            [*self._excess, *self._of_rivals(), *self._of_fits(), *self._told.values(), *self._of_spots()]
-        )
+        each = self._excess, self._of_rivals(), self._of_fits(), self._told.values(), self._of_spots()
+        return Findings(chain(*each))
 
     def _of_rivals(self) -> Iterator[Finding]:
         """Yield the table with which molecules are far likelier.
@@ -222,10 +222,9 @@ class Checks:
             )
             yield Finding("recurring", "note", text, {"places": places})
         if self._recording.along != "none" and sums["ends"] > _MANY * sums["spots"]:
-            text = (
-                f"{sums['ends']} of {sums['spots']} spots are at an end of the range of z: a wider one may hold them"
-            )
-            yield Finding("z_range", "note", text, {"ends": sums["ends"], "spots": sums["spots"]})
+            ends, spots = sums["ends"], sums["spots"]
+            text = f"{ends} of {spots} spots are at an end of the range of z: a wider one may hold them"
+            yield Finding("z_range", "note", text, {"ends": ends, "spots": spots})
 
     def _recurring(self) -> list[tuple[int, int, int]]:
         """Return row, column and number of spots within a pixel where they are in many frames, most first."""

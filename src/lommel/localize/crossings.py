@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -153,8 +154,11 @@ def find_crossings(
         reasons[k] = "neighbor"
     order = _spread(center, usable[kept], count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
+    indices = np.full_like(center, np.nan)
+    with suppress(ValueError):
+        indices = grid_indices(center)
     return Crossings(
-        indices=_indices(center)[order],
+        indices=indices[order],
         contrast=contrast[order],
         square=square,
         **target_windows(counts, single, center, order, box, score, reasons, light),
@@ -208,14 +212,6 @@ def _spread(center: Array, kept: NDArray[np.intp], most: int | None) -> NDArray[
         away = ((places - places[chosen[-1]]) ** 2).sum(axis=1)
         far = np.minimum(far, away) if k else away
     return kept[chosen]
-
-
-def _indices(center: Array) -> Array:
-    """Return the row and column of each crossing on the board, NaN where there is none."""
-    try:
-        return grid_indices(center)
-    except ValueError:
-        return np.full_like(center, np.nan)
 
 
 def _nearest(center: Array) -> Array:

@@ -119,9 +119,8 @@ class Molecules:
         return found
 
     def __repr__(self) -> str:
-        count = ", ".join(
-            f"{n} {name}" for name, n in zip(STATES, np.bincount(self.state, minlength=4), strict=True) if n
-        )
+        counts = zip(STATES, np.bincount(self.state, minlength=4), strict=True)
+        count = ", ".join(f"{n} {name}" for name, n in counts if n)
         return f"<Molecules: {len(self)}{': ' if count else ''}{count}>"
 
 

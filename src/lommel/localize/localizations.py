@@ -171,16 +171,14 @@ class Localizations(FitReport):
 
         one = self.recording
         side = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
-        return molecules.picture(
-            self.table[self.kept], (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
-        )
+        sides = one.rows * one.pixel, one.columns * one.pixel
+        return molecules.picture(self.table[self.kept], sides, side, one.along, ax)
 
 
 def columns() -> np.dtype[np.void]:
     """Return the type of a row of ``Localizations.table``."""
-    return np.dtype(
-        [("frame", np.int64), *((name, np.float64) for name in (*_COLUMNS, *_OTHERS)), ("state", np.int32)]
-    )
+    numbers = [(name, np.float64) for name in (*_COLUMNS, *_OTHERS)]
+    return np.dtype([("frame", np.int64), *numbers, ("state", np.int32)])
 
 
 def joined(parts: Sequence[Localizations]) -> Localizations:

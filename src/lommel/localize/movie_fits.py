@@ -264,7 +264,7 @@ def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
     variances = np.full((2, _HEIGHTS), 2.0)
     for _ in range(_TURNS):
         tall, wide = (
-            np.exp(-0.5 * over**2 / one[:, None]) for over, one in zip((down, across), variances, strict=True)
+            np.exp(-0.5 * over**2 / one[:, None]) for over, one in ((down, variances[0]), (across, variances[1]))
         )
         sums = np.einsum("zyx,zy,zx->z", images, tall, wide)
         moments = (

@@ -151,9 +151,8 @@ class Table:
         waves, step = along_z.Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
         per = max(2, math.ceil(2.0 * step / _BAND))
         if per > 4:
-            raise ValueError(
-                f"pixel must be at most {3.5 * self.pixel / step:.3g} m with this pupil, got {self.pixel:g}"
-            )
+            most = 3.5 * self.pixel / step
+            raise ValueError(f"pixel must be at most {most:.3g} m with this pupil, got {self.pixel:g}")
         render = partial(psf, normalize="strehl", threads=threads or None)
         peak = self._likely_peak(waves, render)
         before = math.inf

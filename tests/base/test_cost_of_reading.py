@@ -60,7 +60,7 @@ ARGUED = {
     ("recorded/frames.py", "open"): "a folder whose descriptions were parsed by reading",
     ("microscopy/restoration.py", "open"): "a folder that it wrote itself",
     ("io/videos.py", "open"): "frame by frame, and to write",
-    ("localize/molecule_files.py", "File"): "to write, in memory",
+    ("localize/localizations.py", "File"): "to write, in memory",
     ("stacks/compute.py", "open"): "a store, by its own reader",
     ("stacks/stack.py", "open"): "a store, by its own reader",
     ("stacks/store.py", "open"): "an array of a folder of known files",

@@ -179,7 +179,7 @@ class OfWaves(Table):
     waves = (2.0, 2.0, 1.0)  # over v, v and the largest rate along z
     shifts = (0.3, 0.4, 0.5)
 
-    def _samples(self, sampling, shape, center, exact, render):
+    def _samples(self, sampling, shape, center, exact):
         v, waves, places = self.step / sampling.per, sampling.waves, sampling.planes.places
         y, x = (np.arange(side) - middle for side, middle in zip(shape, center, strict=True))
         along = [np.exp(1j * w * v * at) for w, at in zip(self.waves[:2], (y, x), strict=True)]

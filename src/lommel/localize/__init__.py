@@ -2,8 +2,7 @@
 
 from lommel.localize.detection import Spots, find
 from lommel.localize.fitting import Molecules, fit
-from lommel.localize.localizations import Localizations, writer
-from lommel.localize.molecule_files import Recording
+from lommel.localize.localizations import Localizations, Recording, writer
 from lommel.localize.movie_fits import localize_blocks, localize_movie
 from lommel.localize.table import Table
 from lommel.recorded.movies import Movie, MovieError, open_movie

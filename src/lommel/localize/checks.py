@@ -18,8 +18,7 @@ from lommel.fit.findings import Finding, Findings, Severity
 from lommel.fit.goodness_of_fit import excess_test
 from lommel.localize.detection import DEFECT, Spots
 from lommel.localize.fitting import Molecules, in_electrons
-from lommel.localize.localizations import DOUBTFUL, Localizations
-from lommel.localize.molecule_files import Recording
+from lommel.localize.localizations import DOUBTFUL, Localizations, Recording
 from lommel.localize.table import Table
 from lommel.optics.layers.objective import brightest
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -31,11 +30,9 @@ from lommel.recorded.noise import Noise
 class Checks:
     """What blocks of frames tell, one after the other."""
 
-    def __init__(
-        self, recording: Recording, table: Table, noise: Noise, again: partial[Molecules], background: str
-    ) -> None:
-        self._recording, self._table, self._noise = recording, table, noise
-        self._again, self._background = again, background
+    def __init__(self, recording: Recording, table: Table, again: partial[Molecules], background: str) -> None:
+        self._recording, self._table, self._again, self._background = recording, table, again, background
+        self._noise: Noise = again.keywords["noise"]
         self._told: dict[str, Finding] = {}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)

@@ -161,7 +161,8 @@ def find_crossings(
         indices=indices[order],
         contrast=contrast[order],
         square=square,
-        **target_windows(counts, single, center, order, box, score, reasons, light),
+        _image=np.where(counts.hidden.any(axis=0), np.nan, light),
+        **target_windows(counts, single, center, order, box, score, reasons),
     )
 
 

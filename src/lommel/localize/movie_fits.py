@@ -18,8 +18,7 @@ from lommel.base.arrays import Array, Values
 from lommel.localize.checks import TILTED, Checks
 from lommel.localize.detection import Spots, box_pixels, find, frame_counts
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
-from lommel.localize.localizations import Localizations, columns, joined
-from lommel.localize.molecule_files import Recording
+from lommel.localize.localizations import Localizations, Recording, columns, joined
 from lommel.localize.table import Table
 from lommel.recorded.movies import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
@@ -141,31 +140,32 @@ def localize_blocks(
     """
     validation.instance("table", table, Table)
     validation.function("progress", progress, required=False)
+    validation.optional("noise", noise, Noise)
+    camera = noise or Noise(read=0.0)
     kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
     widths = gaussian_widths(table)
     if width is None:
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
+    search = partial(find, box=table.shape, noise=camera, threshold=threshold, width=width, threads=threads)
     with _opened(movie, block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification
         along = "none" if validation.truth("flat", flat) else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
-        again = partial(fit, noise=noise, saturation=math.inf, starts=starts, threads=threads)
-        checks, done = Checks(recording, table, noise or Noise(read=0.0), again, kind), 0
+        again = partial(fit, noise=camera, saturation=math.inf, starts=starts, threads=threads)
+        checks, done = Checks(recording, table, again, kind), 0
         for frames in blocks:
             counts = frame_counts(frames, table.shape, saturation=saturation, mask=mask)
             if not done:
                 checks.first(counts)
             if counts.assumed:
                 saturation = counts.saturation  # of the frames that follow, too
-            spots = find(
-                counts, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
-            )
-            values, which, corners = counts.marked(), spots.frame - done, spots.corners
+            spots = search(counts, first=done)
+            values = counts.marked()
             begun = "flat" if kind == "auto" else kind
-            found = _recentred(values, which, corners, table, partial(again, table, background=begun))
+            found = _recentred(values, spots, done, table, partial(again, table, background=begun))
             if begun == "flat" and checks.tilt(spots, found) > TILTED and kind == "auto":
                 kind = "tilted"
-                found = _recentred(values, which, corners, table, partial(again, table, background=kind))
+                found = _recentred(values, spots, done, table, partial(again, table, background=kind))
             checks.compare(spots, "tilted" if kind == "tilted" else "flat")
             part = _localizations(spots, found, recording, widths, table)
             checks.count(part)
@@ -178,21 +178,16 @@ def localize_blocks(
 _ROUNDS = 3  # of boxes moved
 
 
-def _recentred(
-    frames: Values,
-    which: NDArray[np.int64],
-    corners: NDArray[np.int64],
-    table: Table,
-    again: Callable[..., Molecules],
-) -> Molecules:
+def _recentred(frames: Values, spots: Spots, first: int, table: Table, again: Callable[..., Molecules]) -> Molecules:
     """Return fits of boxes in frames; of molecules off the middle, as with coma, of boxes around their estimates."""
 
     def boxes(of: NDArray[np.int64], at: NDArray[np.int64]) -> Values:
         return np.asarray(frames[of[:, None, None], *box_pixels(at, table.shape)])
 
+    which, corners = spots.frame - first, spots.corners
     found = again(boxes(which, corners), corners=corners)
     most, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
-    corners, moved = corners.copy(), np.arange(len(which))
+    moved = np.arange(len(which))
     for _ in range(_ROUNDS):
         places = np.round(np.stack([found.row[moved], found.column[moved]], axis=1)).astype(np.int64) - middle
         places = np.clip(places, 0, most)

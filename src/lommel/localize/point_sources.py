@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -248,12 +247,13 @@ def find_spots(
     reasons = unusable(middle, counts, box)
     for k, share in enumerate(peak.tolist()):
         reasons[k] = reasons[k] or ("defect" if share > _ONE_PIXEL else "neighbor" if near[k] else "")
-    order = [k for k in np.argsort(-score, kind="stable").tolist() if not reasons[k]][:count]
+    order = np.array([k for k in np.argsort(-score, kind="stable").tolist() if not reasons[k]][:count], np.intp)
     return PointSources(
         score=score[order],
         flux=noise.excess * flux[order],
         candidate=candidate,
-        **target_windows(counts, single, center, order, box, score, reasons, noise.excess * light),
+        _image=np.where(counts.hidden.any(axis=0), np.nan, noise.excess * light),
+        **target_windows(counts, single, center, order, box, score, reasons),
     )
 
 
@@ -266,14 +266,7 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
 
 
 def target_windows(
-    counts: Counts,
-    single: bool,
-    center: Array,
-    order: Sequence[int] | NDArray[np.intp],
-    box: tuple[int, int],
-    score: Array,
-    reasons: Sequence[str],
-    light: Array,
+    counts: Counts, single: bool, center: Array, order: Values, box: tuple[int, int], score: Array, reasons: list[str]
 ) -> dict[str, Any]:
     """Return what :class:`Targets` have: windows around those of an order, masked if pixels are left out anywhere."""
     (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
@@ -289,7 +282,6 @@ def target_windows(
         "refused": tuple(sorted(refused, key=lambda one: -one.score)),
         "shape": left.shape[1:],
         "left_out": int(left.sum()),
-        "_image": np.where(left.any(axis=0), np.nan, light),
     }
 
 

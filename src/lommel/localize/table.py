@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -19,7 +18,7 @@ from lommel.core.answers import not_met
 from lommel.localize import along as along_z
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.psf import PSF, psf
+from lommel.psf import psf
 from lommel.special import interpolation
 
 Floats = NDArray[np.float32]
@@ -153,9 +152,10 @@ class Table:
         if per > 4:
             most = 3.5 * self.pixel / step
             raise ValueError(f"pixel must be at most {most:.3g} m with this pupil, got {self.pixel:g}")
-        render = partial(psf, normalize="strehl", threads=threads or None)
-        peak = self._likely_peak(waves, render)
-        before = math.inf
+        self._render = partial(psf, normalize="strehl", threads=threads or None)
+        rough = self._render(waves.at(np.linspace(*self.z, 9)), self.shape, self.pixel, tol=1e-2, integrate=True)
+        # About the largest average of the dimmest plane, over the light collected as intensities are.
+        peak, before = 0.95 * float(rough.values.max(axis=(1, 2)).min()), math.inf
         while True:
             # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
             allowed = self.tol * peak
@@ -165,7 +165,7 @@ class Table:
             except ValueError as failure:
                 raise ValueError(f"tol={self.tol:g} cannot be met: {failure}") from None
             exact = 0.3 * allowed / (taps.gain**2 * planes.gain.value)
-            made = self._filled(_Sampling(waves, taps, planes, step, per), exact, render)
+            made = self._filled(_Sampling(waves, taps, planes, step, per), exact)
             if self.error_bound <= self.tol:
                 return
             if self.error_bound > 0.9 * before:
@@ -174,13 +174,7 @@ class Table:
             peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
 
-    def _likely_peak(self, waves: along_z.Waves, render: Callable[..., PSF]) -> float:
-        """Return about the largest average of the dimmest plane, over the light collected as intensities are."""
-        places = np.linspace(*self.z, 9)
-        rough = render(waves.at(places), self.shape, self.pixel, tol=1e-2, integrate=True)
-        return 0.95 * float(rough.values.reshape(len(places), -1).max(axis=1).min())
-
-    def _filled(self, sampling: _Sampling, exact: float, render: Callable[..., PSF]) -> float:
+    def _filled(self, sampling: _Sampling, exact: float) -> float:
         """Make the coefficients and their bounds; return the peak that these are relative to."""
         _, taps, planes, _, per = sampling
         margin = len(taps.filter) - 1
@@ -190,10 +184,9 @@ class Table:
         last = [math.ceil(per * (n - 1 - at + self.reach)) + half for n, at in zip(self.shape, middle, strict=True)]
         rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
         wide = math.ceil(columns / per)
-        while wide * per % 16:
-            wide += 1
+        wide += -wide % (16 // math.gcd(16, per))
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
-        samples, error = self._samples(sampling, shape, center, exact, render)
+        samples, error = self._samples(sampling, shape, center, exact)
         whole = np.concatenate([taps.filter[:0:-1], taps.filter])
         filtered = _along(_along(samples, whole, 1), whole, 2)
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
@@ -207,12 +200,11 @@ class Table:
             raise ValueError(f"z must span less, or shape and reach be smaller: {large}")
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
-        low, high = self.limits
         self._parts: dict[str, Any] = {
             "coefficients": flat,
             "polynomials": np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size]),
             "sizes": [len(planes.matrix), rows, per, wide, *self.shape],
-            "numbers": [*map(float, first), *self.z, low[0], high[0], low[1], high[1]],
+            "numbers": [*map(float, first), *self.z, *self.limits[:, :2].T.ravel().tolist()],
         }
         self.core = engine.MoleculeTable(**self._parts)
         sizes = np.abs(series)
@@ -221,12 +213,7 @@ class Table:
         return self._bound(sampling, error, (largest, summed), light)
 
     def _samples(
-        self,
-        sampling: _Sampling,
-        shape: tuple[int, int],
-        center: tuple[int, int],
-        exact: float,
-        render: Callable[..., PSF],
+        self, sampling: _Sampling, shape: tuple[int, int], center: tuple[int, int], exact: float
     ) -> tuple[Array, float]:
         """Return samples over the light collected, (planes, rows, columns), and a bound on their errors.
 
@@ -239,7 +226,7 @@ class Table:
         for k in range(0, len(places), at_once):
             tol = 1e-3
             while True:
-                made = render(pupil[k : k + at_once], shape, pixel, center=middle, tol=tol, **options)
+                made = self._render(pupil[k : k + at_once], shape, pixel, center=middle, tol=tol, **options)
                 assert made.error_bound is not None
                 off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
                 if off <= exact:
@@ -271,11 +258,9 @@ class Table:
         steep = waves.steepest * kernel + both * (planes.error.slope + planes.gain.slope * error)
         steep += rounding * sums * (terms - 1) ** 2 / half
         # The dimmest of many planes, the molecule in the middle of a pixel.
-        middle = [float(side // 2) for side in self.shape]
-        planes_z = np.linspace(*self.z, 4 * engine.MoleculeTable.terms * len(planes.matrix) + 1)
-        places = np.stack([np.full(planes_z.shape, middle[0]), np.full(planes_z.shape, middle[1]), planes_z], axis=1)
-        images = self.core.images(places, 0)[:, 0].reshape(len(planes_z), -1)
-        peak = float(images.max(axis=1).min()) / light - value
+        row, column = (side // 2 for side in self.shape)
+        images = np.asarray(self(row, column, np.linspace(*self.z, 4 * terms * len(planes.matrix) + 1)))
+        peak = float(images.max(axis=(1, 2)).min()) / light - value
         if peak <= 0.0:
             self.error_bound, self.slope_bounds = math.inf, {}
             return max(peak, 0.0)

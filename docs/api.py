@@ -144,7 +144,7 @@ SECTIONS = [
         "Fisher information and phase retrieval",
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
-        ("estimation", "localize.point_sources", "localize.crossings"),
+        ("estimation", "localize.targets"),
     ),
     Section(
         "Recorded images",

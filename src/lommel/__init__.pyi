@@ -57,12 +57,13 @@ from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
-from lommel.localize.crossings import (
+from lommel.localize.targets import (
     Crossings as Crossings,
+    PointSources as PointSources,
     find_crossings as find_crossings,
+    find_spots as find_spots,
     grid_indices as grid_indices,
 )
-from lommel.localize.point_sources import PointSources as PointSources, find_spots as find_spots
 from lommel.measures.aperture_means import (
     centroid as centroid,
     marechal as marechal,

@@ -19,7 +19,7 @@ from lommel.cli.progress import progress
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
-from lommel.localize.point_sources import find_spots
+from lommel.localize.targets import find_spots
 from lommel.recorded.frames import read_each
 from lommel.recorded.metadata import of_all
 

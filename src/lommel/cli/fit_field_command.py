@@ -21,8 +21,7 @@ from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
 from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
-from lommel.localize.crossings import Crossings, find_crossings, grid_indices
-from lommel.localize.point_sources import find_spots
+from lommel.localize.targets import Crossings, find_crossings, find_spots, grid_indices
 from lommel.recorded.frames import read_images
 
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Array
     from lommel.estimation.field_fit import FieldFit
-    from lommel.localize.point_sources import PointSources
+    from lommel.localize.targets import PointSources
 
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0

@@ -154,9 +154,7 @@ class BeadModel:
         scores = Scores(np.array([total]), slope[None], information[None], chi2, spread)
         return Evaluated(state, values, parts, scores)
 
-    def normal(
-        self, state: State, values: Sequence[Array], more: Sequence[str] = ()
-    ) -> tuple[list[Part], Array, Array]:
+    def normal(self, state: State, values: list[Array], more: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
         """Return what stacks say, and information and slope of all parameters, with priors.
 
         Constants `more`, of all beads alike, follow what is shared.

@@ -441,8 +441,7 @@ def fit_beads(
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, count, most, progress)
-    found, used = search.all()
-    return _build_bead_fit(search, found, used, recorded, noise, notes)
+    return _build_bead_fit(search, recorded, noise, notes)
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -517,10 +516,9 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     return setup, found, of_depth, notes
 
 
-def _build_bead_fit(
-    search: Search, found: Evaluated, used: list[bool], recorded: list[Counts], noise: Noise, stated: list[Finding]
-) -> BeadFit:
+def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated: list[Finding]) -> BeadFit:
     """Return the result of a search, with what its checks find."""
+    found, used = search.all()
     joint, state = search.model.having(np.flatnonzero(used).tolist()), found.state
     whole, shared = _inverse(found.scores.information[0]), len(joint.names)
     inverse = whole[:shared, :shared]

@@ -179,16 +179,16 @@ def find(
     row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
     kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
     overlapping = int(score.size - kept.sum())
-    inside = (row >= rows // 2) & (column >= columns // 2)
-    inside &= (row + (rows - rows // 2) <= light.shape[1]) & (column + (columns - columns // 2) <= light.shape[2])
+    corners = np.column_stack([row - rows // 2, column - columns // 2])
+    inside = ((corners >= 0) & (corners + box <= light.shape[1:])).all(axis=1)
     borders = int((kept & ~inside).sum())
     kept &= inside
-    frame, row, column = frame[kept], row[kept] - rows // 2, column[kept] - columns // 2
-    boxes = frame[:, None, None], *box_pixels(np.column_stack([row, column]), box)
+    frame, corners = frame[kept], corners[kept]
+    boxes = frame[:, None, None], *box_pixels(corners, box)
     return Spots(
         frame + start,
-        row,
-        column,
+        corners[:, 0],
+        corners[:, 1],
         score[kept],
         counts.marked()[boxes],
         borders,

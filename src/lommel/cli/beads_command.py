@@ -109,8 +109,6 @@ def beads(
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
             cut += _beads(file, values, camera, noise, saturation)
         planes = len(cut[0].window)
-        if any(len(one.window) != planes for one in cut):
-            raise ValueError("stacks must have the same number of planes, all --step apart")
         started("fitting")
         found = fit_beads(
             [one.window for one in cut[:_MOST]],

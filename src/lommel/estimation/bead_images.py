@@ -125,13 +125,6 @@ class Setup:
         given: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
         return replace(self, **given)
 
-    def with_constants(self, values: Mapping[str, float]) -> Setup:
-        """Return the microscope with other values of constants."""
-        setup = self
-        for name, value in values.items():
-            setup = setup.having(name, value)
-        return setup
-
     def pupil(
         self, aberrations: Wavefront | None, depth: ArrayLike, z: ArrayLike = 0.0, origin: str = "brightest"
     ) -> ObjectivePupil:

@@ -229,17 +229,15 @@ class BeadModel:
         longest = [math.sqrt(float(step[:k] @ step[:k])) / _FAR, *(np.abs(step[k:shared]) / reach)]
         longest += [*(np.abs(each) / [_REACH[name] for name in self.own]).ravel()]
         cut = 1.0 / max(1.0, *longest)
-        changed = (constants + cut * step[k:shared]).tolist()
-        setup = setup.with_constants(dict(zip(self.priors, changed, strict=True)))
+        for name, value in zip(self.priors, (constants + cut * step[k:shared]).tolist(), strict=True):
+            setup = setup.having(name, value)
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("no such blur or bead")
         places = []
         for stack, place, own in zip(self.stacks, state.places, cut * each, strict=True):
             to = place._replace(**{n: getattr(place, n) + by for n, by in zip(self.own, own.tolist(), strict=True)})
-            row, column = (
-                float(np.clip(at, -0.5 * side, 0.5 * side))
-                for at, side in zip((to.row, to.column), stack.shape, strict=True)
-            )
+            half = 0.5 * np.array(stack.shape)
+            row, column = np.clip([to.row, to.column], -half, half).tolist()
             places.append(to._replace(row=row, column=column, depth=max(to.depth, lowest(setup))))
         return replace(state, setup=setup, waves=state.waves + cut * step[:k], places=tuple(places))
 

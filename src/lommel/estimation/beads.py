@@ -219,17 +219,17 @@ class BeadFit(FitReport):
         stack = Stack(np.ones((4, at.size, height * width)), (height, width), at)
         waves, images = self._state.waves, self._images
 
-        def values(one: Setup) -> Array:
+        def values(name: str, value: float) -> Array:
+            one = setup.having(name, value)
             return images.values(one, waves, _focused(one, deep), stack)
 
         jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
-        for name in self.coefficients:
+        for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
                 jacobian.append(np.zeros((at.size, height, width)))
-            elif isinstance(name, str):
+            else:
                 low, high = setup.beside(name)
-                ends = values(setup.having(name, low)), values(setup.having(name, high))
-                jacobian.append((ends[1] - ends[0]) / (high - low))
+                jacobian.append((values(name, high) - values(name, low)) / (high - low))
         rows = np.reshape(jacobian, (len(jacobian), -1)).astype(np.float64)
         square = np.einsum("ip,ij,jp->p", rows, self.covariance, rows)
         errors: Array = np.sqrt(np.maximum(square, 0.0))
@@ -448,9 +448,7 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=200)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
-    found = tuple(
-        term for name in checked(cast("Sequence[Any]", terms), "terms", ()) if (term := term_of(name)) is not None
-    )
+    found = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
     if len({*found}) < len(found):
         raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
     for term in ((2, 0), *SHIFTS.values()):

@@ -53,9 +53,8 @@ class Waves:
     def rate(self) -> float:
         """Largest rate of a phase difference, radians a metre."""
         layers = self.pupil.layers
-        if self.along == "z":
-            return layers.wavenumber * (layers.immersion - math.sqrt(layers.immersion**2 - layers.NA**2))
-        return layers.wavenumber * (layers.sample - math.sqrt(max(0.0, layers.sample**2 - layers.NA**2)))
+        index = layers.immersion if self.along == "z" else layers.sample
+        return layers.wavenumber * (index - math.sqrt(max(0.0, index**2 - layers.NA**2)))
 
     @cached_property
     def fading(self) -> float:
@@ -91,8 +90,6 @@ class Waves:
     def steepest(self) -> float:
         """Bound on the sum of moduli of the derivative, 1/metres, over the light collected."""
         # Of waves exp((i a - b) d), and of 1 over the light, which changes by the part that fades.
-        if self.along == "z":
-            return self.rate
         return (self.rate + self.fading) + self.fading
 
 

@@ -161,12 +161,8 @@ def localize(
 
 def _brief(part: Localizations) -> Localizations:
     """Return localisations with what the report needs alone, for long movies."""
-    names = ["state", *MEDIANS]
-    kinds = [(name, np.int32 if name == "state" else np.float32) for name in names]
-    kept = np.empty(len(part), np.dtype(kinds))
-    for name in names:
-        kept[name] = part.table[name]
-    return dataclasses.replace(part, table=kept)
+    kinds = np.dtype([("state", np.int32), *((name, np.float32) for name in MEDIANS)])
+    return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
 
 
 def _parts(facts: Facts, camera: str) -> list[RenderableType]:

@@ -109,16 +109,9 @@ class Setup:
         """Return values of a constant on either side, for differences, within what it may be."""
         given, at, one = CONSTANTS[name], self.value(name), self.objective
         h = given.step * (at if given.relative else 1.0)
-        low, high = at - h, at + h
-        if name == "diameter":
-            low = max(low, 0.25 * at)
-        elif name == "NA":  # which is below the indices
-            high = min(high, at + 0.5 * (min(one.immersion, one.design.immersion) - at))
-        elif name == "immersion":
-            low = max(low, 1.0, at - 0.5 * (at - one.NA))
-        elif name == "sample":
-            low = max(low, 1.0)
-        return low, high
+        least = {"diameter": 0.25 * at, "immersion": max(1.0, at - 0.5 * (at - one.NA)), "sample": 1.0}
+        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # below the indices
+        return max(at - h, least.get(name, -math.inf)), min(at + h, most.get(name, math.inf))
 
     def having(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError where there is no such microscope."""

@@ -473,8 +473,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup at the values of priors, these, the standard error of depths, and what is to be said."""
     known, notes = bead_checks.available_constants(setup), list[Finding]()
-    near = min(deep) <= setup.wavelength
-    blind = not near and setup.objective.sample < setup.objective.NA
+    blind = min(deep) > setup.wavelength and setup.objective.sample < setup.objective.NA
     if given is None:
         given = {name: CONSTANTS[name].usual * setup.scale(name) for name in known if CONSTANTS[name].usual}
         if blind:
@@ -485,9 +484,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     for name, prior in given.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in known:
-            raise ValueError(
-                f"priors must be without {name!r}, which this objective or bead lacks, or is that of air"
-            )
+            raise ValueError(f"priors must be without {name!r}, which objective or bead lack, or is that of air")
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
@@ -501,7 +498,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
             raise ValueError("priors['depth'] must be a standard error alone: values are those of depth")
     if all(name in found and math.isinf(found[name].error) for name in ("immersion", "coverslip")):
         raise ValueError(
-            "priors must state one of immersion and coverslip: images depend on their sum only, give a standard "
+            "priors must state one of immersion and coverslip: images depend on their sum only, give a "
             "standard error such as 5e-6 metres of the cover glass"
         )
     if "NA" in found and blind:

@@ -221,12 +221,14 @@ def fit(
     if not tables or not all(isinstance(each, Table) for each in tables):
         raise TypeError(f"table must be a Table or a sequence of these, got {validation.shown(table)}")
     several = not isinstance(table, Table)
-    cameras = _cameras(len(tables), noise)
+    cameras = _cameras(tables, noise, placed=corners is not None)
     boxes = _boxes(tables, images if several else [images], saturation)
     total = len(boxes[0])
     places = _corners(corners, len(boxes), total, several)
     matrices, shifts = _transforms(transforms, len(boxes))
-    offsets = _offsets(matrices, shifts, places, total)
+    # What is added to matrix times (row, column) in the first box, for the box of each channel.
+    moved = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), places[0]) + shifts[:, None] - places
+    offsets = np.ascontiguousarray(moved.swapaxes(0, 1))
     tilted = validation.choice("background", background, BACKGROUNDS) == "tilted"
     per = 4 if tilted else 2
     unknown = 3 + per * len(boxes)
@@ -235,17 +237,14 @@ def fit(
     fitter = _fitter(tuple(tables), matrices.tobytes())
     for first in range(0, total, _AT_ONCE):
         part = slice(first, first + _AT_ONCE)
-        pairs = [
-            in_electrons(box[part], camera, None if places is None else places[c][part])
-            for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True))
-        ]
-        light, read = (list(each) for each in zip(*pairs, strict=True))
+        each = zip(boxes, cameras, places, strict=True)
+        pairs = [in_electrons(box[part], camera, at[part]) for box, camera, at in each]
+        light, read = map(list, zip(*pairs, strict=True))
         made = fitter.fit(light, read, offsets[part], starts, tilted, count)
         values[part], errors[part], likely[part], state[part] = made
         if progress is not None:
             progress(min(part.stop, total), total)
-    if places is not None:
-        values[:, :2] += places[0]
+    values[:, :2] += places[0]
     for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
         for light_of in (values, errors):
             light_of[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
@@ -310,19 +309,23 @@ def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[V
     return boxes
 
 
-def _cameras(channels: int, noise: Any) -> list[Noise]:
+def _cameras(tables: list[Table], noise: Any, *, placed: bool) -> list[Noise]:
+    channels = len(tables)
     given = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
     for each in given if isinstance(given, Sequence) else [given]:
         validation.optional("noise", each, Noise)
     if len(given) != channels:
         raise ValueError(f"noise must be one, or one for each of {channels} channels, got {len(given)}")
-    return [Noise(read=0.0) if each is None else each for each in given]
+    cameras = [Noise(read=0.0) if each is None else each for each in given]
+    for camera, table in zip(cameras, tables, strict=True):
+        shapes = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
+        if not placed and shapes - {table.shape}:
+            raise ValueError(f"corners must tell where boxes are on a camera with maps of shape {max(shapes)}")
+    return cameras
 
 
-def _corners(corners: Any, channels: int, count: int, several: bool) -> Array | None:
-    if corners is None:
-        return None
-    found = validation.real_array("corners", corners)
+def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
+    found = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
     if found.ndim == 2:
         found = np.broadcast_to(found, (channels, *found.shape))
     if found.shape != (channels, count, 2):
@@ -347,24 +350,12 @@ def _transforms(transforms: Any, channels: int) -> tuple[Array, Array]:
     return np.ascontiguousarray(whole[:, :, :2]).reshape(channels, 4), whole[:, :, 2]
 
 
-def _offsets(matrices: Array, shifts: Array, places: Array | None, count: int) -> Array:
-    """Return what is added to matrix times (row, column) in the first box, for the box of each channel."""
-    corner = np.zeros((len(matrices), count, 2)) if places is None else places
-    at = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), corner[0]) + shifts[:, None] - corner
-    return np.ascontiguousarray(at.swapaxes(0, 1))
-
-
-def in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tuple[Any, Any]:
+def in_electrons(box: NDArray[Any], camera: Noise, corners: Array) -> tuple[Any, Any]:
     """Return boxes in electrons and the variance of reading, of each or of all, as float32."""
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
-    maps = {name: part for name, part in parts.items() if isinstance(part, np.ndarray)}
-    if maps and corners is None:
-        one = next(iter(maps.values()))
-        if any(part.shape != box.shape[1:] for part in maps.values()):
-            raise ValueError(f"corners must tell where boxes are on a camera with maps of shape {one.shape}")
-    elif corners is not None:
-        pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
-        for name, part in maps.items():
+    pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
+    for name, part in parts.items():
+        if isinstance(part, np.ndarray):
             ends = zip(pixels, part.shape, strict=True)
             if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
                 raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")

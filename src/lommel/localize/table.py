@@ -81,8 +81,6 @@ class Table:
         Proven bound on the error of values, over the same value as `tol`; at most `tol`.
     slope_bounds : dict
         The same of slopes by "row" and "column", per pixel, and by "z" or "depth", per metre.
-    nbytes : int
-        Size of the coefficients.
 
     Raises
     ------
@@ -143,11 +141,14 @@ class Table:
         if self.along == "depth" and low < 0.0:
             raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
+        first, last = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
+        self.limits = np.array([[*first, low], [*last, high]])  # least and largest row, column and z of places
         count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._make(count)
 
     def _make(self, threads: int) -> None:
         waves, step = along_z.Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
+        self.rate = waves.rate  # radians per metre: the fastest change along z of what images are made of
         per = max(2, math.ceil(2.0 * step / _BAND))
         if per > 4:
             most = 3.5 * self.pixel / step
@@ -221,12 +222,12 @@ class Table:
         """
         places, pixel = sampling.planes.places, self.pixel / sampling.per
         pupil, at_once = sampling.waves.at(places), max(1, _AT_ONCE // (shape[0] * shape[1]))
-        middle, options = (float(center[0]), float(center[1])), {"integrate": False, "dtype": np.float64}
+        render = partial(self._render, center=tuple(map(float, center)), integrate=False, dtype=np.float64)
         values, error = np.empty((len(places), *shape)), 0.0
         for k in range(0, len(places), at_once):
             tol = 1e-3
             while True:
-                made = self._render(pupil[k : k + at_once], shape, pixel, center=middle, tol=tol, **options)
+                made = render(pupil[k : k + at_once], shape, pixel, tol=tol)
                 assert made.error_bound is not None
                 off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
                 if off <= exact:
@@ -268,16 +269,6 @@ class Table:
         self.slope_bounds = {"row": lateral / peak, "column": lateral / peak, self.along: steep / peak}
         return peak
 
-    @property
-    def rate(self) -> float:
-        """Largest rate of change along z, radians per metre, of the waves that images are made of."""
-        return along_z.Waves(self.pupil, self.along).rate
-
-    @property
-    def nbytes(self) -> int:
-        """Size of the coefficients, bytes."""
-        return int(self._parts["coefficients"].nbytes)
-
     def __call__(
         self, row: ArrayLike, column: ArrayLike, z: ArrayLike, *, derivatives: bool = False
     ) -> Floats | tuple[Floats, dict[str, Floats]]:
@@ -316,12 +307,6 @@ class Table:
         made = self.core.images(np.ascontiguousarray(places), 0)
         values, *slopes = (made[:, k].reshape(*parts[0].shape, *self.shape) for k in range(4))
         return (values, dict(zip(("row", "column", self.along), slopes, strict=True))) if derivatives else values
-
-    @property
-    def limits(self) -> Array:
-        """Least and largest row, column and z of places, shape (2, 3)."""
-        low, high = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
-        return np.array([[*low, self.z[0]], [*high, self.z[1]]])
 
     def __repr__(self) -> str:
         low, high = (format_length(end, like=max(map(abs, self.z)), digits=3) for end in self.z)

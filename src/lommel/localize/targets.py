@@ -538,12 +538,10 @@ def _spread(center: Array, kept: NDArray[np.intp], most: int | None) -> NDArray[
     if most is None or most >= len(kept):
         return kept
     places = center[kept]
-    far = ((places - places.mean(axis=0)) ** 2).sum(axis=1)
-    chosen = []
-    for k in range(most):
+    chosen, far = [int(np.argmax(((places - places.mean(axis=0)) ** 2).sum(axis=1)))], np.full(len(kept), math.inf)
+    while len(chosen) < most:
+        far = np.minimum(far, ((places - places[chosen[-1]]) ** 2).sum(axis=1))
         chosen.append(int(np.argmax(far)))
-        away = ((places - places[chosen[-1]]) ** 2).sum(axis=1)
-        far = np.minimum(far, away) if k else away
     return kept[chosen]
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.localize import Table, along
+from lommel.localize.table import Table, Waves
 
 OBJECTIVE = lm.Objective(NA=1.49, magnification=100, immersion=1.518, sample=1.33)
 ASTIGMATISM = lm.Wavefront.zernike({6: 0.1}, order="noll", unit="waves")
@@ -164,7 +164,7 @@ def test_samples_are_as_exact_as_they_are_said_to_be(made):
 
 
 def test_waves_of_the_depth_are_refused_where_light_could_vanish():
-    waves = along.Waves(OBJECTIVE.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
+    waves = Waves(OBJECTIVE.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
     most = waves.most_of_quotients(0.0, 0.4e-6)
     turned = FADING * 0.2e-6 * np.sinh(ETA) <= 0.5 * math.pi
     np.testing.assert_array_equal(np.isfinite(most), turned)

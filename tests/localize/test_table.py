@@ -287,7 +287,7 @@ BAD = [
         ValueError,
         "pupil must be of one plane, got a",
     ),
-    ({"shape": 65}, ValueError, "shape must be at most 64 pixels a side, got (65, 65)"),
+    ({"shape": 65}, ValueError, "shape must be 5 to 64 pixels a side, 15 is usual, got (65, 65)"),
     ({"pixel": 16e-6}, ValueError, "pixel must be at most 1.5e-05 m with this pupil, got 1.6e-05"),
     ({"pixel": math.nan}, ValueError, "pixel must be"),
     ({"z": (1e-6, 0.0)}, ValueError, "z must be (lowest, highest) in metres, 1 nm to 100 um apart, got 1 um and 0 m"),

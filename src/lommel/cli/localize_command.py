@@ -116,12 +116,6 @@ def localize(
         require_folder(path)
     require_order("MOVIE LENS, the movie first", movie, lens)
     shape, z, along = molecules.shape, molecules.z or _Z[molecules.along], molecules.along
-    side = shape if isinstance(shape, int) else min(shape)
-    if side < _LEAST_SIDE:
-        raise ValueError(
-            f"--box must be at least {_LEAST_SIDE} pixels a side, got {side}: smaller boxes do not hold "
-            "the image of a molecule; 15 is the default"
-        )
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     begun = time.perf_counter()
     parts: list[Localizations] = []
@@ -190,7 +184,6 @@ def _parts(facts: Facts, camera: str) -> list[RenderableType]:
     return [Text(facts["name"], "bold"), list_of(lines), *notes]
 
 
-_LEAST_SIDE = 5  # pixels of a box
 _OTHERS = {
     "z": "at an end of the range of z (--z)",
     "reach": "farther from the middle of their box than --reach",

@@ -202,11 +202,9 @@ def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: floa
         raise ValueError("noise must be the same for all pixels: white and read must be numbers")
     if (given := noise.white if photons is None else photons) is None:
         raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
-    light = validation.real_array("photons", given, least=0.0)
+    light = validation.real_array("photons", given, least=0.0, most=_MOST_PHOTONS)
     if light.shape not in ((), (count,)):
         raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
-    if light.max() > _MOST_PHOTONS:
-        raise ValueError(f"photons must be at most {_MOST_PHOTONS:g}, got {light.max():g}")
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
     # Of light over the excess, and the read noise over it, photons have Poisson's variance.

@@ -7,16 +7,14 @@ import pytest
 
 import lommel as lm
 from lommel.core import engine
-from lommel.localize import along
+from lommel.localize.table import Pieces, Waves, pieces
 from objectives import OIL
 
 TIRF = lm.Objective(NA=1.49, magnification=100, immersion=1.518, sample=1.33)
 TERMS = engine.MoleculeTable.terms
 
 
-def of(
-    made: along.Pieces, values: np.ndarray, low: float, high: float, z: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def of(made: Pieces, values: np.ndarray, low: float, high: float, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """What pieces make of values at their places, and the slope."""
     count = len(made.matrix)
     length = (high - low) / count
@@ -34,9 +32,9 @@ def of(
 
 @pytest.mark.parametrize("error", [1e-3, 1e-5, 1e-8])
 def test_waves_up_to_the_rate_are_within_the_error(error):
-    waves = along.Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
+    waves = Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
     low, high = -0.7e-6, 0.4e-6
-    made = along.pieces(waves, low, high, error)
+    made = pieces(waves, low, high, error)
     z = np.linspace(low, high, 777)
     w = waves.rate * np.append(np.linspace(-1.0, 1.0, 41), 0.999)
     values, slopes = of(made, np.exp(1j * np.outer(made.places, w)), low, high, z)
@@ -53,20 +51,20 @@ def test_rates_are_those_of_the_phase_across_the_pupil():
     rho = np.linspace(0.0, 1.0, 2001)
     pupil = TIRF.pupil(depth=0.2e-6, wavelength=600e-9)
     by_depth, by_focus = TIRF.phase_derivatives(rho, wavelength=600e-9)
-    assert along.Waves(pupil, "z").rate == pytest.approx(np.ptp(by_focus))
-    depth = along.Waves(pupil, "depth")
+    assert Waves(pupil, "z").rate == pytest.approx(np.ptp(by_focus))
+    depth = Waves(pupil, "depth")
     assert depth.rate == pytest.approx(np.ptp(by_depth.real))
     assert depth.fading == pytest.approx(2.0 * by_depth.imag.max())
-    assert along.Waves(pupil, "z").fading == 0.0
+    assert Waves(pupil, "z").fading == 0.0
 
 
 @pytest.mark.parametrize("low", [0.0, 0.15e-6])
 @pytest.mark.parametrize("error", [1e-4, 1e-6])
 def test_light_that_fades_with_the_depth_is_within_the_error(low, error):
     # Of one pair of waves, propagating and fading, over the light of all: what intensities are sums of.
-    waves = along.Waves(TIRF.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
+    waves = Waves(TIRF.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
     high = low + 0.5e-6
-    made = along.pieces(waves, low, high, error)
+    made = pieces(waves, low, high, error)
     z = np.linspace(low, high, 501)
     k = 2.0 * np.pi / 600e-9 * 1.33
     kappa = np.sqrt((1.49 / 1.33) ** 2 - 1.0)
@@ -85,17 +83,17 @@ def test_light_that_fades_with_the_depth_is_within_the_error(low, error):
 
 
 def test_light_falls_to_that_far_from_the_glass():
-    waves = along.Waves(TIRF.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
+    waves = Waves(TIRF.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
     light = waves.light(np.array([0.0, 0.1e-6, 5e-6]))
     assert light[0] > light[1] > 1.0
     assert light[2] == pytest.approx(1.0, abs=1e-3)
-    assert along.Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z").light(np.zeros(3)).tolist() == [1.0, 1.0, 1.0]
+    assert Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z").light(np.zeros(3)).tolist() == [1.0, 1.0, 1.0]
 
 
 def test_gains_bound_what_errors_of_values_become():
-    waves = along.Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
+    waves = Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
     low, high = -0.5e-6, 0.5e-6
-    made = along.pieces(waves, low, high, 1e-5)
+    made = pieces(waves, low, high, 1e-5)
     z = np.linspace(low, high, 999)
     worst = np.zeros(2)
     rng = np.random.default_rng(0)
@@ -107,6 +105,6 @@ def test_gains_bound_what_errors_of_values_become():
 
 
 def test_a_range_too_long_is_refused():
-    waves = along.Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
+    waves = Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
     with pytest.raises(ValueError, match=r"z must span less: 0\.0001 m take more than 200 pieces"):
-        along.pieces(waves, -5e-5, 5e-5, 1e-6)
+        pieces(waves, -5e-5, 5e-5, 1e-6)

@@ -38,13 +38,11 @@ _MILLIWAVES = 1e3 / (2.0 * math.pi)  # of a radian
 class BeadCamera(CameraOptions, heading="Camera and noise"):
     """The camera of bead stacks, and where in a field the beads are."""
 
-    window: int = option(
-        "--window",
-        type=click.IntRange(9, 101),
-        default=31,
-        help="Side in pixels of the windows around beads, where a file shows a field of them.",
-    )
+    # fmt: off
+    window: int = option("--window", type=click.IntRange(9, 101), default=31,
+        help="Side in pixels of the windows around beads, where a file shows a field of them.")
     threshold: float = documented(find_spots, "threshold", type=float)
+    # fmt: on
 
 
 @command(JSON)

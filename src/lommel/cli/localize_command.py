@@ -125,19 +125,12 @@ def localize(
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)
-        names = ("flat", "threshold", "width", "starts", "background", "threads", "block")
-        chosen = vars(molecules) | vars(fits)
-        blocks = localize_blocks(
-            frames,
-            table,
-            noise=noise,
-            mask=mask,
-            saturation=saturation,
-            progress=lambda count, total: step(f"frame {count} of {total}", count / total),
-            **{name: chosen[name] for name in names},
-        )
+        given: Facts = {"noise": noise, "mask": mask, "saturation": saturation}
+        given["progress"] = lambda count, total: step(f"frame {count} of {total}", count / total)
+        for name in ("flat", "threshold", "width", "starts", "background", "threads", "block"):
+            given[name] = (vars(molecules) | vars(fits))[name]
         with writer(*outputs) as write:
-            for part in blocks:
+            for part in localize_blocks(frames, table, **given):
                 write(part)
                 parts.append(part if figure is not None else _brief(part))
     found = joined(parts)

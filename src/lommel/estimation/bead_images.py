@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -269,18 +269,12 @@ class BeadImages:
         depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
         focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
         planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
-        found = light_by_rule.light(
-            layers,
-            setup.emitter,
-            planes,
-            samples,
-            rule,
-            self.terms,
-            by=() if by is None else (*self.solved, *SHIFTS.values()),
-            by_focus=by is not None,
-            by_amplitude=tuple(AMPLITUDES[name] for name in amplitudes),
-            threads=self.threads,
-        )
+        light = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
+        if by is None:
+            found = light(threads=self.threads)
+        else:
+            terms, degrees = (*self.solved, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
+            found = light(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
         power = light_by_rule.collected(layers, setup.emitter, depths)
         scale = across**2 / (4.0 * math.pi * float(shares @ power))
         total: Array | float = 0.0

@@ -94,15 +94,12 @@ class Information:
         never = np.sqrt(np.diagonal(unknown, axis1=-2, axis2=-1)) > lean[..., 0]
         both, one = never[..., None] & never[..., None, :], never[..., None] | never[..., None, :]
         together = both & ((np.abs(unknown) > lean) | np.eye(len(names), dtype=bool))
-        covariance = inverse / (unit[..., None] * unit[..., None, :])
-        matrix = np.swapaxes(root, -1, -2) @ root
-        return cls(
-            names,
-            units,
-            0.5 * (matrix + np.swapaxes(matrix, -1, -2)),
-            np.where(together, np.copysign(math.inf, unknown), covariance),
-            np.where(both, _over_deviations(unknown), np.where(one, 0.0, _over_deviations(inverse))),
+        covariance = np.where(
+            together, np.copysign(math.inf, unknown), inverse / (unit[..., None] * unit[..., None, :])
         )
+        correlation = np.where(both, _over_deviations(unknown), np.where(one, 0.0, _over_deviations(inverse)))
+        matrix = np.swapaxes(root, -1, -2) @ root
+        return cls(names, units, 0.5 * (matrix + np.swapaxes(matrix, -1, -2)), covariance, correlation)
 
     @property
     def errors(self) -> dict[Name, Numbers]:

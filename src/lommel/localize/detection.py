@@ -171,8 +171,10 @@ def find(
     kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
 
+    known = smoothed(1.0 - defects, narrow)
+
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
-        return kernel.maxima(filled(frame[None], defects[None], narrow)[0], variance, level)
+        return kernel.maxima(filled(frame[None], defects[None], narrow, known)[0], variance, level)
 
     found = side_by_side(maxima, list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
@@ -185,18 +187,10 @@ def find(
     kept &= inside
     frame, corners = frame[kept], corners[kept]
     boxes = frame[:, None, None], *box_pixels(corners, box)
-    return Spots(
-        frame + start,
-        corners[:, 0],
-        corners[:, 1],
-        score[kept],
-        counts.marked()[boxes],
-        borders,
-        overlapping,
-        int(counts.full[boxes].sum()),
-        int(counts.hidden[boxes].sum()),
-        _density(level, narrow, wide) * light.shape[1] * light.shape[2],
-    )
+    saturated, left_out = (int(pixels[boxes].sum()) for pixels in (counts.full, counts.hidden))
+    false_spots = _density(level, narrow, wide) * light.shape[1] * light.shape[2]
+    (row, column), left = corners.T, (borders, overlapping, saturated, left_out)
+    return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *left, false_spots)
 
 
 def frame_counts(frames: ArrayLike, box: tuple[int, int], **given: Any) -> Counts:
@@ -221,16 +215,20 @@ def image_counts(
     return (made[None] if single else made), single
 
 
-def filled(planes: Values, left: NDArray[np.bool_], width: float) -> Values:
-    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out."""
+def filled(planes: Values, left: NDArray[np.bool_], width: float, known: Array | None = None) -> Values:
+    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out.
+
+    `known` is the share of pixels that are not, around each, where it is the same in all images.
+    """
     if not left.any():
         return planes
     made = np.where(left, 0.0, planes).astype(np.float64)
     for image, out in zip(made, left, strict=True):
         if out.any():
-            share = smoothed(1.0 - out, width)
-            around = smoothed(image, width) / np.maximum(share, 1e-300)
-            image[out] = np.where(share > _FAR, around, np.median(image[~out]))[out]
+            share = smoothed(1.0 - out, width) if known is None else known
+            image[out] = (smoothed(image, width) / np.maximum(share, 1e-300))[out]
+            if (lost := out & (share <= _FAR)).any():
+                image[lost] = np.median(image[~out])
     return made
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shlex
@@ -587,3 +588,33 @@ def test_the_first_pages_are_short_and_without_demands_on_speed():
     assert readme.count("\n") <= 120
     assert contributing.count("\n") <= 140
     assert not re.search(r"verdict|MISSED|\| aim", readme + benchmarks)
+
+
+# Rows of README's table of speeds: the table of results, and how the row that they come from begins.
+SPEEDS = [
+    ("targets", "512², float32, tol 1e-6, abs(C_d), abs(C_s) ≤ 50"),
+    ("targets", "512², float32, tol 1e-6, pixels of 0.5 λN, coma, astigmatism, trefoil"),
+    ("targets", "1000 of 33², 15 Zernike terms of 1 rad rms together, float32, tol 1e-4"),
+    ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
+    ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
+    ("microscopes", "64 planes of 64²"),
+]
+
+
+def test_the_speeds_of_the_readme_are_those_of_the_results():
+    table = (ROOT / "README.md").read_text(encoding="utf-8").partition("## How fast")[2].partition("\n## ")[0]
+    rows = [line.strip("|").split("|") for line in table.splitlines() if line.startswith("|")][2:]
+    results = [
+        json.loads((ROOT / "benchmarks" / f"{name}.json").read_text("utf-8")) for name in ("results", "second")
+    ]
+    assert len(rows) == len(SPEEDS)
+    for (*_, against, first, second), (key, words) in zip(rows, SPEEDS, strict=True):
+        for cell, result in zip((first.strip(), second.strip()), results, strict=True):
+            tables = [each["rows"] for each in result["tables"] if each["key"] == key]
+            if cell == "–":
+                assert not tables, words
+                continue
+            row = next(row for row in tables[0] if next(iter(row.values())).startswith(words))
+            spreads = [value["median"] for value in row.values() if isinstance(value, dict)]
+            measured = spreads[1] if "of that error" in against or key == "microscopes" else spreads[0]
+            assert float(cell) == pytest.approx(measured, rel=0.01), words

@@ -121,10 +121,6 @@ class ClosedFormField {
     struct Rule {
         std::array<double, count> nodes, weights;
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
-        static const Rule& get() {
-            static const Rule rule;
-            return rule;
-        }
     };
 
     // Within the transition, by Gauss quadrature of the power series on panels of at most four radians, or, where the phase hardly varies
@@ -139,9 +135,9 @@ class ClosedFormField {
             throw LimitExceeded("phases and radii this large take more panels of quadrature than there may be");
         }
         if (turn < 0.1 && series_.size() <= 3) {
-            return add_panels(isa, Rule<6>::get(), 1, alpha, beta, v, low, high, re, im);
+            return add_panels(isa, few_, 1, alpha, beta, v, low, high, re, im);
         }
-        add_panels(isa, Rule<12>::get(), static_cast<std::size_t>(span / 4.0) + 1, alpha, beta, v, low, high, re, im);
+        add_panels(isa, many_, static_cast<std::size_t>(span / 4.0) + 1, alpha, beta, v, low, high, re, im);
     }
     template <class I, std::size_t count>
     LOMMEL_INLINE void add_panels(I isa, const Rule<count>& rule, std::size_t panels, double alpha, double beta,
@@ -190,6 +186,8 @@ class ClosedFormField {
     BesselPieces bessel_;
     const Auxiliary& auxiliary_;
     std::vector<double> series_;  // 1 / m!^2
+    const Rule<6> few_;
+    const Rule<12> many_;
 };
 
 // Calls use(auxiliary) with the one that is meant.

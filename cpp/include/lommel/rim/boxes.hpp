@@ -31,6 +31,8 @@ class RimBoxes {
     static constexpr std::size_t probed = 16;  // pupils that stand for a stack
     // Pixels from corner to corner, per root of the pupils that share tables, of v = 1: larger pixels have more points each.
     static constexpr double reach = 200.0;
+    static constexpr double shorter = 0.5;  // times that, with an obscuration: three times as many numbers of a pixel
+    static constexpr double shortest = 48.0;  // for small windows gain most
     static constexpr double further = 4.0;  // pupils at least, for few are likely to be followed by others
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;  // pairs of nodes that take as long
     static constexpr std::int64_t together = 8;  // pupils of one box at the least, where others have a larger one
@@ -73,7 +75,8 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
                        last_column = width_ - 1 - column;
     // Tables grow with the way to the farthest pixel.
     const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
-    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > reach * std::sqrt(std::max(further, count()) / step_)) {
+    const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
+    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
         return 0;
     }
     const std::int64_t beside = std::min({row, last_row, column, last_column}),

@@ -195,7 +195,7 @@ struct RimTable {
         }
         return sum * sizeof(float) + pixels.size() * sizeof(RimPixels);
     }
-    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
     std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
     std::size_t radii() const { return rule.places.size(); }

@@ -596,6 +596,7 @@ SPEEDS = [
     ("targets", "512², float32, tol 1e-6, pixels of 0.5 λN, coma, astigmatism, trefoil"),
     ("targets", "1000 of 33², 15 Zernike terms of 1 rad rms together, float32, tol 1e-4"),
     ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
+    ("camera", "f/2.8, 4 µm (2.6 λN), 0.2 waves rms, 1000 PSFs"),
     ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
     ("microscopes", "64 planes of 64²"),
 ]
@@ -616,5 +617,5 @@ def test_the_speeds_of_the_readme_are_those_of_the_results():
                 continue
             row = next(row for row in tables[0] if next(iter(row.values())).startswith(words))
             spreads = [value["median"] for value in row.values() if isinstance(value, dict)]
-            measured = spreads[1] if "of that error" in against or key == "microscopes" else spreads[0]
-            assert float(cell) == pytest.approx(measured, rel=0.01), words
+            measured = spreads[1] if "complex64" in against or key == "microscopes" else spreads[0]
+            assert float(cell) == pytest.approx(measured, abs=0.05, rel=0.005), words

@@ -102,6 +102,11 @@ def path(name: str, value: object) -> Path:
     return Path(value)
 
 
+def _is_quantity(value: object) -> bool:
+    """Return whether a value is text such as "550 nm"."""
+    return isinstance(value, str) and value.strip()[:1].isdigit()
+
+
 def real(
     name: str,
     value: object,
@@ -122,7 +127,8 @@ def real(
         except OverflowError:
             raise ValueError(f"{name} must be finite, got an integer beyond the range of numbers") from None
     else:
-        raise TypeError(f"{name} must be a real number, got {shown(value)}")
+        hint = ": text with a unit is for files and the command line" if _is_quantity(value) else ""
+        raise TypeError(f"{name} must be a real number, got {shown(value)}{hint}")
     if math.isnan(number) or (math.isinf(number) and not infinite):
         raise ValueError(f"{name} must be finite, got {number}")
     if not (above < number < below and least <= number <= most) and not (infinite and math.isinf(number)):
@@ -344,7 +350,8 @@ def position(name: str, value: object) -> tuple[float, float]:
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape where either is an array."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
-        raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}")
+        turned = f": give tuple({name}.T)" if np.ndim(value) == 2 and np.shape(value)[1] == 2 else ""
+        raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
     if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
         return position(name, value)
     parts = (real_array(f"{name}[{k}]", part) + 0.0 for k, part in enumerate(value))  # no -0

@@ -238,9 +238,10 @@ class BasePupil(display.Shown):
 
 def not_a_pupil(thing: object) -> TypeError:
     """Return the error for an argument that is not a pupil, with the hint of a class that makes or has one."""
-    return TypeError(
-        f"pupil must be a Pupil, got {getattr(type(thing), 'pupil_hint', None) or validation.shown(thing)}"
-    )
+    hint = getattr(type(thing), "pupil_hint", None) or validation.shown(thing)
+    if isinstance(thing, list | tuple) and thing and isinstance(thing[0], BasePupil):
+        hint += ": a stack is one Pupil of a Wavefront whose coefficients are arrays"
+    return TypeError(f"pupil must be a Pupil, got {hint}")
 
 
 def imaged(pupil: object) -> BasePupil:

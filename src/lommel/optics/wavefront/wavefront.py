@@ -299,7 +299,8 @@ class Wavefront(EqualByContent, display.Shown):
             pairs = [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
         except (TypeError, ValueError):
             raise TypeError(
-                f"terms must map indices to coefficients, or be pairs of them, got {validation.shown(terms)}"
+                "terms must map indices to coefficients, or be pairs of them, "
+                f"got {validation.shown(terms)}: zip(range(4, 16), coefficients) are such pairs"
             ) from None
         found: dict[Term, Array] = {}
         for index, value in pairs:

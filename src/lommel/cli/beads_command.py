@@ -13,7 +13,7 @@ import numpy as np
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
 from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, require_microscope
-from lommel.cli.options import JSON, MICROMETRES, NANOMETRES, OUTPUT, command, documented, option, plot_option
+from lommel.cli.options import JSON, OUTPUT, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.bead_images import CONSTANTS, UNITS
@@ -39,7 +39,7 @@ class BeadCamera(CameraOptions, heading="Camera and noise"):
     """The camera of bead stacks, and where in a field the beads are."""
 
     # fmt: off
-    window: int = option("--window", type=click.IntRange(9, 101), default=31,
+    window: int = option(type=click.IntRange(9, 101), default=31,
         help="Side in pixels of the windows around beads, where a file shows a field of them.")
     threshold: float = documented(find_spots, "threshold", type=float)
     # fmt: on
@@ -49,21 +49,21 @@ class BeadCamera(CameraOptions, heading="Camera and noise"):
 def beads(
     stacks: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
-    step: float = option("--step", type=NANOMETRES, required=True,
+    step: float = option(length="nm", required=True,
         help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
         "the other way."),
-    diameter: float = option("--bead", type=MICROMETRES, default="0.1um",
+    diameter: float = option("--bead", length="um", default="0.1um",
         help="Diameter of the beads, such as 0.1um."),
-    depth: float | None = option("--depth", type=MICROMETRES,
+    depth: float | None = option(length="um",
         help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
-    terms: int = option("--terms", type=click.IntRange(1, 200), default=18,
+    terms: int = option(type=click.IntRange(1, 200), default=18,
         help="Number of Zernike terms from Noll 5 on."),
     apodization: int = documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
     fixed: bool = option("--fixed/--free", default=False,
         help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
         "uncertainties."),
     drift: bool = documented(fit_beads, "drift", is_flag=True),
-    wavelength: float | None = option("--wavelength", type=NANOMETRES,
+    wavelength: float | None = option(length="nm",
         help="Emission wavelength of the beads; by default that of LENS."),
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Microscope file (.toml) with what was found, for all other commands."),

@@ -13,16 +13,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import (
-    LENS,
-    SQUARE_PIXEL,
-    STACK_FILE,
-    CameraMaps,
-    camera_option,
-    noise_of,
-    require_microscope,
-    require_order,
-)
+from lommel.cli.instruments import LENS, STACK_FILE, CameraMaps, camera_option, require_microscope, require_order
 from lommel.cli.options import JSON, LENGTHS, OUTPUT_PATH, Group, command, documented, judged, option, plot_option
 from lommel.cli.output import Facts, Report, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -33,12 +24,12 @@ from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import INTERRUPTED, MISFIT, between
 from lommel.recorded import recordings
-from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from rich.table import Table
 
     from lommel.lensfiles.camera import Camera
+    from lommel.recorded.noise import Noise
 
 METHODS = ("richardson-lucy", "total-variation")
 
@@ -52,7 +43,6 @@ class Recorded(Group, heading="Microscope"):
         "the objective.")
     wavelength: tuple[float, ...] | None = option(type=LENGTHS, metavar="LENGTHS",
         help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default that of the stack.")
-    pixel: float | None = SQUARE_PIXEL
     step: float | None = option(length="nm",
         help="Step between planes, such as 200nm; by default that of the stack.")
     modality: str = option(type=click.Choice(MODALITIES), default="widefield", help="Kind of microscope.")
@@ -74,10 +64,7 @@ class StackCamera(CameraMaps, heading="Camera"):
     white: Any = option("--gain", metavar="NUMBER|FILE",
         help="Electrons per count; by default estimated from the stack. A file (.tif, .npy) is a map, also of --read "
         "and --offset.")
-    read: Any = option(metavar="NUMBER|FILE", help="Read noise, rms electrons.")
     offset: Any = option(metavar="NUMBER|FILE", help="Counts of a pixel without electrons, such as 100.")
-    saturation: float | None = option(type=float, help="Counts from which on pixels are saturated.")
-    pixel: float | None = None
     # fmt: on
 
     def noise(self) -> Noise | None:
@@ -89,7 +76,7 @@ class StackCamera(CameraMaps, heading="Camera"):
             raise ValueError(
                 "--read must be given with --gain, --offset or --excess: electrons of read noise, 0 for none"
             )
-        return noise_of(maps, self.camera)
+        return self.settled({}, self.camera)[0]
 
 
 class Restoring(Group, heading="Restoration"):
@@ -177,7 +164,7 @@ def deconvolve(
     if camera.masked is not None:
         with recordings.open_recording(stack, time=restoring.time, axes=restoring.axes) as opened:
             mask = camera.mask(np.broadcast_to(False, opened.shape[1:]))
-    given = vars(recorded) | restoring.arguments()
+    given = vars(recorded) | {"pixel": camera.pixel} | restoring.arguments()
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()
     try:

@@ -14,19 +14,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.cli.instruments import DEPTH, LENS, STACK_FILE, CameraMaps, differing, require_microscope, require_order
-from lommel.cli.options import (
-    JSON,
-    MICROMETRES,
-    OUTPUT,
-    PATH,
-    WINDOW,
-    Group,
-    command,
-    documented,
-    notes_of,
-    option,
-    plot_option,
-)
+from lommel.cli.options import JSON, OUTPUT, PATH, WINDOW, Group, command, documented, notes_of, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.io import registry
@@ -51,10 +39,10 @@ class Molecules(Group, heading="Molecules"):
     """What a molecule looks like, and how it is found."""
 
     # fmt: off
-    z: tuple[float, float] | None = option("--z", type=MICROMETRES, nargs=2, metavar="FROM TO",
+    z: tuple[float, float] | None = option(length="um", nargs=2, metavar="FROM TO",
         help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um.")
     along: str = documented(Table, "along", type=click.Choice(("z", "depth")))
-    flat: bool = option("--flat", is_flag=True,
+    flat: bool = option(is_flag=True,
         help="Estimate x and y alone, for images that do not tell z, as without astigmatism.")
     depth: float | None = DEPTH
     shape: int | tuple[int, int] = option("--box", type=WINDOW, default="15",
@@ -73,7 +61,7 @@ class Fits(Group, heading="Fits"):
     reach: float = documented(Table, "reach", type=float, default=3.0)
     tol: float = documented(Table, "tol", type=float)
     starts: int = documented(fit, "starts", type=int)
-    background: str = option("--background", type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
+    background: str = option(type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
         help="Background of each box: the same in all pixels, or with slopes; auto asks the data.")
     threads: int | None = documented(fit, "threads", type=int)
     block: int | None = documented(localize_blocks, "block", type=int,

@@ -88,9 +88,9 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     require_file(output, ".toml")
-    microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
-    if wavelength is not None:
-        microscope = dataclasses.replace(microscope, wavelength=wavelength)
+    given = {"pixel": camera.pixel, "camera": camera.camera, "wavelength": wavelength}
+    microscope = require_microscope("beads", lens, **given)
+    optics = {key: getattr(microscope, key) for key in ("objective", "wavelength", "pixel", "emitter", "aberrations")}
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     camera.require()
     with progress("reading") as started:
@@ -110,16 +110,12 @@ def beads(
         started("fitting")
         found = fit_beads(
             [one.window for one in cut[:_MOST]],
-            objective=microscope.objective,
+            **optics,
             z=(np.arange(planes) - planes // 2) * step,
-            wavelength=microscope.wavelength,
-            pixel=microscope.pixel,
             noise=noise,
             diameter=diameter,
             depth=depth,
-            emitter=microscope.emitter,
             terms=terms,
-            aberrations=microscope.aberrations,
             priors={} if fixed else None,
             apodization=apodization,
             drift=drift,
@@ -179,10 +175,7 @@ def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
         (constants if constant else terms).append(cells)
     factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
     for name, one, bead in zip(facts["beads"], facts["places"], found.beads, strict=True):
-        shown = [
-            _beside(factor * float(np.mean(one[key])), factor * bead.errors.get(key, 0.0))
-            for key, factor in factors.items()
-        ]
+        shown = [_beside(factor, np.mean(one[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()]
         beads.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))
     return paragraphs(
         [Wrapped(found.message, "bold")],
@@ -193,6 +186,6 @@ def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
     )
 
 
-def _beside(value: float, error: float) -> str:
-    """Return a number and its standard error, or the number alone where it was not estimated."""
-    return "+-".join(with_error(value, error, most=3)) if error else f"{value:.4g}"
+def _beside(factor: float, value: float, error: float) -> str:
+    """Return a factor times a number and its standard error, or the number alone where it was not estimated."""
+    return "+-".join(with_error(factor * value, factor * error, most=3)) if error else f"{factor * value:.4g}"

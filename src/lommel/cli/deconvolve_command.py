@@ -69,10 +69,9 @@ class StackCamera(CameraMaps, heading="Camera"):
 
     def noise(self) -> Noise | None:
         """Return the noise, None where nothing is stated of it."""
-        maps = self.values()
-        if self.camera is None and all(each is None for each in maps.values()):
-            return None
-        if self.camera is None and maps["read"] is None:
+        if self.camera is None and self.read is None:
+            if self.white is self.offset is self.excess is None:
+                return None
             raise ValueError(
                 "--read must be given with --gain, --offset or --excess: electrons of read noise, 0 for none"
             )
@@ -217,5 +216,4 @@ def _table(facts: Facts) -> Table:
             ("stopped", _STOPPED.get(each["stopped"], each["stopped"])),
             ("depth in focus", f"{between(*each['depths'])}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
         ]
-    lines.append(("time", f"{facts['seconds']:.3g} s"))
-    return list_of(lines)
+    return list_of([*lines, ("time", f"{facts['seconds']:.3g} s")])

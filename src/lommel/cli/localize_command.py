@@ -148,11 +148,9 @@ def _parts(facts: Facts, camera: str) -> list[RenderableType]:
     others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
     low, high = (format_length(end, like=1e-6) for end in facts["z"])
     what = {"depth": "depth", "none": "not told"}.get(facts["along"], "position of the stage")
+    size = f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel"
     lines = [
-        (
-            "movie",
-            f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
-        ),
+        ("movie", size),
         ("camera", camera),
         ("spots", f"{facts['spots']}; {left}"),
         ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
@@ -161,8 +159,7 @@ def _parts(facts: Facts, camera: str) -> list[RenderableType]:
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
-    notes = [*notes_of(facts), Wrapped("Drift is not corrected.", "dim")]
-    return [Text(facts["name"], "bold"), list_of(lines), *notes]
+    return [Text(facts["name"], "bold"), list_of(lines), *notes_of(facts), Wrapped("Drift is not corrected.", "dim")]
 
 
 _OTHERS = {

@@ -117,11 +117,9 @@ def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
 
     x, y = along(""), along("_y")
     pairs = zip(x, y, strict=True)
-    return (
-        x
-        if x == y
-        else [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
-    )
+    if x == y:
+        return x
+    return [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
 
 
 def _diameters(facts: Facts, pixel: float) -> RenderableType:

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy import special
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
@@ -199,18 +200,12 @@ class Stack:
         return Stack(star, (shape[1], shape[2]), z)
 
 
+@lru_cache(maxsize=16)
 def heights(radius: float) -> tuple[Array, Array]:
     """Return heights of discs of a ball of a radius in v, over the radius, and shares of its volume."""
     if radius == 0.0:
         return np.zeros(1), np.ones(1)
-    return _gauss(max(2, math.ceil(1.0 + 1.35 * radius)))
-
-
-@lru_cache(maxsize=16)
-def _gauss(count: int) -> tuple[Array, Array]:
-    from scipy.special import roots_jacobi
-
-    u, w = roots_jacobi(count, 1.0, 1.0)
+    u, w = special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
     return u, w / w.sum()
 
 

@@ -14,17 +14,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
 from lommel.estimation import bead_images
-from lommel.estimation.bead_images import (
-    AMPLITUDES,
-    CONSTANTS,
-    GRADIENT,
-    NONLINEAR,
-    BeadImages,
-    Part,
-    Place,
-    Setup,
-    Stack,
-)
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, BeadImages, Part, Place, Setup, Stack
 from lommel.fit import goodness_of_fit
 from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
@@ -183,7 +173,7 @@ class BeadModel:
         order = (*images.solved, "focus", "row", "column", *amplitudes)
         at: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
         at |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
-        for name in (*GRADIENT, NONLINEAR):
+        for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
                 at[name] = len(found), 1.0 / light[0]  # no part of the light, which slopes are multiplied by
                 found.append(_of_camera(name, bead_images.expected(light, psf)).astype(found[0].dtype))
@@ -262,7 +252,7 @@ _POLICY = Policy(most=1e7, patience=math.inf)
 
 def _of_camera(name: str, mean: Array) -> Array:
     """Return the derivative of electrons (planes, height, width) by what is of the camera or the background."""
-    if name == NONLINEAR:
+    if name == bead_images.NONLINEAR:
         return -(mean**2) / 1e4
     axis = 1 + GRADIENT.index(name)
     along = np.linspace(-0.5, 0.5, mean.shape[axis])

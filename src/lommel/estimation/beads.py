@@ -218,22 +218,18 @@ class BeadFit(FitReport):
         self.pupil(depth=deep, z=at)  # checks the range
         stack = Stack(np.ones((4, at.size, height * width)), (height, width), at)
         waves, images = self._state.waves, self._images
-
-        def values(name: str, value: float) -> Array:
-            one = setup.having(name, value)
-            return images.values(one, waves, _focused(one, deep), stack)
-
         jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
         for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
                 jacobian.append(np.zeros((at.size, height, width)))
             else:
-                low, high = setup.beside(name)
-                jacobian.append((values(name, high) - values(name, low)) / (high - low))
-        rows = np.reshape(jacobian, (len(jacobian), -1)).astype(np.float64)
-        square = np.einsum("ip,ij,jp->p", rows, self.covariance, rows)
-        errors: Array = np.sqrt(np.maximum(square, 0.0))
-        return errors.reshape(at.size, height, width)
+                ends = setup.beside(name)
+                beside = (setup.having(name, value) for value in ends)
+                low, high = (images.values(one, waves, _focused(one, deep), stack) for one in beside)
+                jacobian.append((high - low) / (ends[1] - ends[0]))
+        rows = np.asarray(jacobian, dtype=np.float64)
+        square = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
+        return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
     def plot(self, *, bead: int = 0, unit: str = "waves") -> Figure:
         """Return a matplotlib figure of planes of a bead, model, residual, and coefficients with standard errors.
@@ -451,12 +447,11 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
     found = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
     if len({*found}) < len(found):
         raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
-    for term in ((2, 0), *SHIFTS.values()):
-        if term in found:
-            raise ValueError(
-                f"terms must be without {label(term)}, which no stack tells from the place of the bead: z, row and "
-                "column stand for it"
-            )
+    if of_place := [term for term in ((2, 0), *SHIFTS.values()) if term in found]:
+        raise ValueError(
+            f"terms must be without {label(of_place[0])}, which no stack tells from the place of the bead: z, row "
+            "and column stand for it"
+        )
     return found
 
 
@@ -560,11 +555,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
         findings=Findings(findings),
         summary=summary,
         aberrations=Wavefront.zernike(edge, normalization="edge"),
-        objective=setup.objective,
-        wavelength=setup.wavelength,
-        pixel=setup.pixel,
-        diameter=setup.diameter,
-        emitter=setup.emitter,
+        **{name: getattr(setup, name) for name in ("objective", "wavelength", "pixel", "diameter", "emitter")},
         coefficients=dict(zip(joint.names, values, strict=True)),
         errors=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
         covariance=inverse,
@@ -628,7 +619,6 @@ def _beads(
         mean, row = expected(light, image), part.slope.shape[1] - len(model.own)
         counted, read, valid = stack.planes
         variance = np.maximum(mean + read, 0.25 * read)
-        flux_errors, background_errors = noise.excess * np.sqrt(scatter.T)
         found.append(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
@@ -639,8 +629,8 @@ def _beads(
                 drift=place.drift,
                 flux=noise.excess * light[0],
                 background=noise.excess * light[1],
-                flux_errors=flux_errors,
-                background_errors=background_errors,
+                flux_errors=noise.excess * np.sqrt(scatter[:, 0]),
+                background_errors=noise.excess * np.sqrt(scatter[:, 1]),
                 moved=bead_checks.moved_planes(*part.shifts([row, row + 1])),
                 chi2=alone.chi2_of([part])[0],
                 used=used[j],

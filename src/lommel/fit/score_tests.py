@@ -65,9 +65,7 @@ class ScoreTest:
 
     def __str__(self) -> str:
         """Return such as "sample: 0.057 +- 0.004 (14 sigma, ln B 95)"."""
-        each = ", ".join(
-            " +- ".join(with_error(one, error)) for one, error in zip(self.size, self.errors, strict=True)
-        )
+        each = ", ".join(" +- ".join(pair) for pair in map(with_error, self.size, self.errors))
         return f"{self.name}: {each} ({abs(self.sigmas):.2g} sigma, ln B {self.log_bayes:.3g})"
 
 
@@ -137,10 +135,8 @@ def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Find
     text = f"the data favour {first}"
     if others:
         text += f", or as well {' or '.join(others[:3])}, which they cannot tell apart"
-    numbers = {
-        one.name: {"size": one.size, "errors": one.errors, "sigmas": one.sigmas, "log_bayes": one.log_bayes}
-        for one in rivals
-    }
+    keys = ("size", "errors", "sigmas", "log_bayes")
+    numbers = {one.name: {key: getattr(one, key) for key in keys} for one in rivals}
     return Finding("other_explanation", "doubt", text, numbers)
 
 

@@ -89,8 +89,8 @@ class Checks:
                 f"({sigmas:.0f} standard deviations)"
             )
             text += ': positions are shifted; `background` "tilted" or "auto" fits it' if flat else ": it was fitted"
-            severity: Severity = "doubt" if flat else "note"
-            self._tell("tilted_background", severity, text, slope=slope, error=error, sigmas=sigmas)
+            numbers = {"slope": slope, "error": error, "sigmas": sigmas}
+            self._tell("tilted_background", "doubt" if flat else "note", text, **numbers)
         return sigmas
 
     def compare(self, spots: Spots, background: str) -> None:
@@ -254,13 +254,12 @@ class Score(NamedTuple):
         place += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
         tests = []
         for parts in (np.zeros_like(place), place):
-            chosen = [parts == k for k in np.unique(parts)]
-            each = [(self.slope[one].sum(axis=0), self.information[one].sum(axis=0)) for one in chosen]
-            square = sum(float(v @ np.linalg.solve(s, v)) for v, s in each)
-            sizes = np.array([np.linalg.solve(s, v) for v, s in each])
-            errors = np.array([np.sqrt(np.diag(np.linalg.inv(s))) for _, s in each])
+            chosen = (parts == np.unique(parts)[:, None]).astype(float)
+            slopes, information = chosen @ self.slope, np.tensordot(chosen, self.information, 1)
+            sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
+            errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
             most = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
-            chance = float(special.gammaincc(len(each), 0.5 * square))
+            chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
             tests.append((chance, abs(float(sizes[most])), float(errors[most])))
         chance, size, error = min(tests)
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
@@ -277,8 +276,7 @@ def scored(spots: Spots, found: Molecules, table: Table, camera: Noise) -> Score
     # Neighbours look like slopes.
     kept = np.flatnonzero(good & (found.discrepancy < np.median(found.discrepancy[good]) + DOUBTFUL))[:_MOLECULES]
     light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
-    row, column = at[kept].T
-    values, slopes = table(row, column, found.z[kept], derivatives=True)
+    values, slopes = table(at[kept, 0], at[kept, 1], found.z[kept], derivatives=True)
     photons, level = (each[kept, None, None] / camera.excess for each in (found.photons, found.background))
     ramps = np.mgrid[:height, :width] - 0.5 * np.array([height - 1, width - 1])[:, None, None]
     z = "depth" if "depth" in slopes else "z"

@@ -248,24 +248,20 @@ def fit(
     for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
         for light_of in (values, errors):
             light_of[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
-    return _molecules(values, errors, likely, state, several, per)
-
-
-def _molecules(
-    values: Array, errors: Array, likely: Array, state: NDArray[np.int32], several: bool, per: int
-) -> Molecules:
-    def parts(of: Array) -> dict[str, Any]:
-        light = [of[:, k::per] if several else of[:, k] for k in (3, 4)]
-        return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*of[:, :3].T, *light)), strict=True))
-
     return Molecules(
-        **parts(values),
-        errors=MoleculeErrors(**parts(errors)),
+        **_named(values, several, per),
+        errors=MoleculeErrors(**_named(errors, several, per)),
         log_likelihood=-0.5 * likely[:, 0],
         discrepancy=likely[:, 1].copy(),
         state=state[:, 0].copy(),
         steps=state[:, 1].copy(),
     )
+
+
+def _named(of: Array, several: bool, per: int) -> dict[str, Any]:
+    """Return estimates or their errors (n, unknowns) by name; the light of each of `several` channels."""
+    light = [of[:, k::per] if several else of[:, k] for k in (3, 4)]
+    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*of[:, :3].T, *light)), strict=True))
 
 
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> Any:
@@ -338,8 +334,7 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
 
 def _transforms(transforms: Any, channels: int) -> tuple[Array, Array]:
     """Return the matrix of each channel, (channels, 4), and its shift, (channels, 2)."""
-    whole = np.zeros((channels, 2, 3))
-    whole[:, 0, 0] = whole[:, 1, 1] = 1.0
+    whole = np.tile(np.eye(2, 3), (channels, 1, 1))
     if transforms is not None:
         found = validation.real_array("transforms", transforms)
         if found.shape != (channels - 1, 2, 3):

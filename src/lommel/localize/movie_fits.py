@@ -215,10 +215,9 @@ def _opened(
     else:
         values, hidden = validation.parted("movie", movie)
         frames = values if hidden is None else np.ma.masked_array(values, mask=hidden)
-        shape = frames.shape
-        if len(shape) != 3 or 0 in shape:
-            raise ValueError(f"movie must have the shape (frames, rows, columns), got {shape}")
-        count, rows, across = shape
+        if frames.ndim != 3 or not frames.size:
+            raise ValueError(f"movie must have the shape (frames, rows, columns), got {frames.shape}")
+        count, rows, across = frames.shape
         each = max(1, BLOCK // (rows * across)) if block is None else block
         validation.integer("block", each, least=1, most=validation.MAX_VALUES)
         yield (count, rows, across), (frames[k : k + each] for k in range(0, count, each)), ""
@@ -253,18 +252,13 @@ def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
     moments of a Gaussian are half its own.
     """
     heights = np.linspace(*table.z, _HEIGHTS)
-    middle = [side // 2 for side in table.shape]
-    images = np.asarray(table(middle[0], middle[1], heights), np.float64)
-    down, across = (np.arange(side) - at for side, at in zip(table.shape, middle, strict=True))
+    row, column = (side // 2 for side in table.shape)
+    images = np.asarray(table(row, column, heights), np.float64)
+    sides = np.arange(table.shape[0]) - row, np.arange(table.shape[1]) - column
     variances = np.full((2, _HEIGHTS), 2.0)
     for _ in range(_TURNS):
-        tall, wide = (
-            np.exp(-0.5 * over**2 / one[:, None]) for over, one in ((down, variances[0]), (across, variances[1]))
-        )
-        sums = np.einsum("zyx,zy,zx->z", images, tall, wide)
-        moments = (
-            np.einsum("zyx,zy,zx,y->z", images, tall, wide, down**2.0),
-            np.einsum("zyx,zy,zx,x->z", images, tall, wide, across**2.0),
-        )
+        tall, wide = (np.exp(-0.5 * at**2 / one[:, None]) for at, one in zip(sides, variances, strict=True))
+        pairs = (tall, wide), (tall * sides[0] ** 2, wide), (tall, wide * sides[1] ** 2)
+        sums, *moments = (np.einsum("zyx,zy,zx->z", images, *pair) for pair in pairs)
         variances = np.clip(2.0 * np.stack(moments) / sums, 0.1, max(table.shape) ** 2)
     return heights, *np.sqrt(variances)

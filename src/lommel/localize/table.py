@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy import ndimage
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -306,8 +307,7 @@ class Table:
         self.z = (low, high)
         first, last = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
         self.limits = np.array([[*first, low], [*last, high]])  # least and largest row, column and z of places
-        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._make(count)
+        self._make(0 if threads is None else validation.integer("threads", threads, least=1, most=1024))
 
     def _make(self, threads: int) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
@@ -352,7 +352,8 @@ class Table:
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact)
         whole = np.concatenate([taps.filter[:0:-1], taps.filter])
-        filtered = _along(_along(samples, whole, 1), whole, 2)
+        filtered = ndimage.correlate1d(ndimage.correlate1d(samples, whole, axis=1), whole, axis=2)
+        filtered = filtered[:, margin : margin + rows, margin : margin + columns]
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
         # A value is the light of a pixel over all that is collected, as of lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
@@ -475,12 +476,3 @@ class Table:
         low, high = (format_length(end, like=max(map(abs, self.z)), digits=3) for end in self.z)
         sides = "x".join(map(str, self.shape))
         return f"<Table of {sides} pixels, {self.along} {low} to {high}, within {self.error_bound:.2g} of the peak>"
-
-
-def _along(values: Array, taps: Array, axis: int) -> Array:
-    """Return sums of neighbours along an axis, where all are there."""
-    count = values.shape[axis] - len(taps) + 1
-    made = np.zeros(tuple(count if k == axis else n for k, n in enumerate(values.shape)))
-    for k, tap in enumerate(taps):
-        made += tap * values[tuple(slice(k, k + count) if j == axis else slice(None) for j in range(values.ndim))]
-    return made

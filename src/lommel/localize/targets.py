@@ -148,10 +148,8 @@ class PointSources(Targets):
         """How many were found, and how many refused for each reason."""
         said = self._told("spot")
         if (best := self.candidate) is not None:
-            said += (
-                f"; the highest maximum, at row {best.row}, column {best.column}, is {best.score:.3g} standard "
-                "deviations high"
-            )
+            where = f"at row {best.row}, column {best.column}"
+            said += f"; the highest maximum, {where}, is {best.score:.3g} standard deviations high"
         return said
 
 

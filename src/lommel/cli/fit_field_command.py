@@ -13,8 +13,8 @@ import numpy as np
 from lommel.base.plain import plain
 from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
-from lommel.cli.instruments import IMAGES, LENS, instrument_of
-from lommel.cli.options import JSON, MICROMETRES, OUTPUT, Group, command, documented, option, plot_option
+from lommel.cli.instruments import IMAGES, LENS
+from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
@@ -41,14 +41,14 @@ class Targets(Group, heading="Stars and crossings"):
     """What is fitted, and where in the images it is."""
 
     # fmt: off
-    window: int | None = option("--window", type=click.IntRange(9, 401),
+    window: int | None = option(type=click.IntRange(9, 401),
         help="Side of the window around each, pixels; by default 33, or more as --defocus and --size need, and 9 to "
         "21 for crossings, as squares allow.")
     threshold: float = documented(find_spots, "threshold", type=float)
-    width: float | None = option("--width", type=float,
+    width: float | None = option(type=float,
         help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius of "
         "defocused stars (rings) and pinholes.")
-    most: int | None = option("--most", type=click.IntRange(1),
+    most: int | None = option(type=click.IntRange(1),
         help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of these.")
     # fmt: on
 
@@ -58,30 +58,28 @@ def fit_field(
     images: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
     targets: str = documented(fit, "targets", type=click.Choice(KINDS)),
-    size: float | None = option("--size", type=MICROMETRES,
+    size: float | None = option(length="um",
         help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
         "measured by default."),
     degree: int = documented(fit, "degree", type=click.IntRange(0, 6)),
-    distortion: int | None = option("--distortion", type=click.IntRange(0, 9), metavar="DEGREE",
+    distortion: int | None = option(type=click.IntRange(0, 9), metavar="DEGREE",
         help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
         "of pinholes or squares."),
-    terms: int = option("--terms", type=click.IntRange(1, 60), default=11,
-        help="Number of Zernike terms from Noll 4 on."),
-    defocus: str | None = option("--defocus", metavar="NUMBERS",
+    terms: int = option(type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
+    defocus: str | None = option(metavar="NUMBERS",
         help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
         "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
-    known_blur: float | None = option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
+    known_blur: float | None = option(type=click.FloatRange(0.0), metavar="PIXELS",
         help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
         "estimated."),
-    seeing: float | None = option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+    seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
         help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known."),
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Table for `[field] file =` of the lens file: .csv."),
-    twin: Path | None = option("--twin", type=OUTPUT,
+    twin: Path | None = option(type=OUTPUT,
         help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
     figure: Path | None = plot_option("Figure of the terms over the sensor, stars, models and residuals"),
-    spots: Path | None = option("--spots", type=OUTPUT,
-        help="Figure of the image with the windows used and what was refused."),
+    spots: Path | None = option(type=OUTPUT, help="Figure of the image with the windows used and what was refused."),
     shown: Targets = Targets(),
     camera: StarCamera = StarCamera(),
 ) -> Report:  # fmt: skip
@@ -119,9 +117,7 @@ def fit_field(
         )
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
-    given = {"camera": camera.camera, "object_distance": camera.object_distance, "pixel": camera.pixel}
-    instrument = instrument_of(lens, **given)
-    camera.require()
+    instrument = camera.on(lens)
     with progress("reading") as started:
         read = read_images(list(images))
         exposures = read.values

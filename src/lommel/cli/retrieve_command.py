@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.estimation.phase_retrieval import Retrieval
+    from lommel.lensfiles.instrument import Instrument
 
 _UNITS = ("radians", "waves", "nm", "um")
 
@@ -58,44 +59,48 @@ class StarCamera(CameraOptions, heading="Camera and noise"):
     """The camera of star images, which may be in electrons."""
 
     # fmt: off
-    white: float | None = option(
-        "--white", type=float,
+    white: float | None = option(type=float,
         help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
         "By default that of the camera, or 1, images in electrons.")
     object_distance: float | None = OBJECT_DISTANCE
     # fmt: on
+
+    def on(self, lens: Path) -> Instrument:
+        """Return the instrument of a lens file with this camera, whose noise is in range."""
+        found = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
+        self.require()
+        return found
 
 
 class Search(Group, heading="Search"):
     """Restarts of the search."""
 
     starts: int = documented(fit, "starts", type=int, help="Maximum number of random restarts.")
-    seed: int = option("--seed", type=click.IntRange(0), default=0, help="Seed of the random restarts.")
+    seed: int = option(type=click.IntRange(0), default=0, help="Seed of the random restarts.")
 
 
 @command(JSON, kind=SeveralNumbers)
 def retrieve(
     images: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
-    defocus: str | None = option("--defocus", metavar="NUMBERS",
+    defocus: str | None = option(metavar="NUMBERS",
         help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
         "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
         "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
-    defocus_unit: str = option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
+    defocus_unit: str = option(type=click.Choice(("radians", "waves")), default="radians",
         help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
-    terms: str = option("--terms", default="15",
+    terms: str = option(default="15",
         help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
         '"noll 5, noll 6", or as printed, "coma x, coma y".'),
-    also: str = option("--also", default="center",
+    also: str = option(default="center",
         help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
-    blur: bool = option("--blur", is_flag=True,
+    blur: bool = option(is_flag=True,
         help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image: of stars from the "
         "ground."),
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     figure: Path | None = plot_option("Figure of images, model, residuals and terms"),
-    unit: str = option("--unit", type=click.Choice(_UNITS), default="radians",
-        help="Unit of the printed coefficients."),
+    unit: str = option(type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),
     camera: StarCamera = StarCamera(),
     search: Search = Search(),
 ) -> Report:  # fmt: skip
@@ -119,9 +124,7 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    given = {"camera": camera.camera, "pixel": camera.pixel, "object_distance": camera.object_distance}
-    instrument = instrument_of(lens, **given)
-    camera.require()
+    instrument = camera.on(lens)
     with progress("reading") as started:
         read = read_images(_files(images))
         stars = read.values

@@ -9,22 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
+from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
-from lommel.estimation.star_checks import (
-    BLURS,
-    GRADIENT,
-    Lacking,
-    apodized,
-    candidates_of,
-    lacking_blurs,
-    lacking_constants,
-    lacking_gain,
-    lacking_light,
-    lacking_phases,
-    lacking_slopes,
-    uneven_blur,
-)
+from lommel.estimation.star_checks import BLURS, GRADIENT, Lacking
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
@@ -68,7 +56,7 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
         for j, name in enumerate(stars.one.unknowns.terms)
     ]
     free, prior = list(estimated), [0.0] * len(estimated)
-    for one in candidates_of(lacking, at):
+    for one in star_checks.candidates_of(lacking, at):
         candidates.append(one)
         if one.name == GRADIENT or (one.name in BLURS and stars.widths):  # a blur that is stated is as it is
             free += one.columns
@@ -89,22 +77,22 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     """Return what stars of a field may lack, but for polynomials of a higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())
-    constants = lacking_constants(stars.one.pupil, stars.known, ())
+    constants = star_checks.lacking_constants(stars.one.pupil, stars.known, ())
     every = *terms, *constants
     made = stars.having(further=every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     by = [flux * image for image in made[1 : 1 + len(every)]]
-    found = [*lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
-    if (pupil := apodized(stars.lens)) is not None:
+    found = [*star_checks.lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
+    if (pupil := star_checks.apodized(stars.lens)) is not None:
         other = stars.having(lens=pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
-        found.append(lacking_light(flux * made[0], flux * other))
+        found.append(star_checks.lacking_light(flux * made[0], flux * other))
     if blurred := made[1 + len(every) :]:
         blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
-        found += lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
-        found.append(uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
+        found += star_checks.lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
+        found.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:
-        found.append(lacking_slopes(r * e, stars.shape, e))
-    found.append(lacking_gain(stars.expected(made[0], parts[2]).reshape(made[0].shape)))
+        found.append(star_checks.lacking_slopes(r * e, stars.shape, e))
+    found.append(star_checks.lacking_gain(stars.expected(made[0], parts[2]).reshape(made[0].shape)))
     return found
 
 
@@ -115,7 +103,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
         return []
     values, slopes = model.images(x)
     r, e = len(chosen), stars.exposures
-    others = lacking_slopes(r * e, stars.shape, e).images
+    others = star_checks.lacking_slopes(r * e, stars.shape, e).images
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], others)[1]
     first = model.waves + e * stars.widths
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)

@@ -43,7 +43,6 @@ if TYPE_CHECKING:
 
 _MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
-_GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
 KINDS = "star", "pinhole", "crossing"
 """What windows may show."""
 _AXES = "rows", "columns"
@@ -213,9 +212,8 @@ class FieldFit(FitReport):
         # C_d is half the phase at the edge; Noll 4 is a sqrt(3) (2 rho^2 - 1).
         metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
         known = self._defocus[0]
-        sign_open = self.twin is not None and known == 0.0
         shift, error = metres * (known + math.sqrt(3.0) * values[j]), metres * math.sqrt(3.0) * errors[j]
-        return FocusShift(float(shift), float(error), sign_open)
+        return FocusShift(float(shift), float(error), self.twin is not None and known == 0.0)
 
     def _place(self, term: Term) -> int | None:
         """Return where a term is among those estimated."""
@@ -261,7 +259,7 @@ class FieldFit(FitReport):
                 "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
                 "metres"
             )
-        x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
+        x, y = _positions(self._sensor, self.degree, self.distortion)
         across, down = (part.ravel() for part in np.meshgrid(x, y))
         added = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
         waves = added.to_zernike(order="noll", unit="waves")
@@ -642,7 +640,7 @@ def _answer(
     search.stars, one = stars, stars.one
     polynomials, degree = found.polynomials(), search.degree
     distortion = _distortion(found, chip, places, grid)
-    x, y = chip.grid(_GRID[_splines(degree, distortion)])
+    x, y = _positions(chip, degree, distortion)
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
     # What is fixed beside polynomials: of the pupil one wavefront, of a map those of its positions.
@@ -803,9 +801,9 @@ def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool
     return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
 
 
-def _splines(degree: int, distortion: Distortion | None) -> bool:
-    """Return whether cubic splines reproduce the polynomials of a map."""
-    return max(degree, 0 if distortion is None else distortion.degree) <= 3
+def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
+    """Return x and y of the grid of a map: cubic splines are exact up to degree 3, beyond it has to be finer."""
+    return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
 def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]) -> Distortion | None:

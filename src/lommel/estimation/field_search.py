@@ -128,11 +128,9 @@ class Outcome:
                 f"{-self.rival.cost:+.1f}): add exposures at other defoci, or give start"
             )
             found.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
-        if chi2 < _QUIET:  # chi2 of few electrons is below that of noise by chance more often
-            found = [replace(each, severity="error") if each.code == "too_quiet" else each for each in found]
-        else:
-            found = [each for each in found if each.code != "too_quiet"]
-        return Findings([*found, *self.slopes])
+        quiet = [replace(each, severity="error") for each in found if each.code == "too_quiet" and chi2 < _QUIET]
+        # Above, chi2 of few electrons is below that of noise by chance more often.
+        return Findings([*quiet, *(each for each in found if each.code != "too_quiet"), *self.slopes])
 
     @property
     def cost(self) -> float:

@@ -98,8 +98,7 @@ class FieldStars:
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
         self._kept: dict[tuple[tuple[int, int], tuple[Name, ...]], SampledPupil] = {}
-        tested = self.star[3].sum(axis=(1, 2)) - self.size
-        self.tested = int(tested.mean())
+        self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
         """Return the same stars behind another blur of unknown widths."""

@@ -17,17 +17,8 @@ from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
-from lommel.estimation.star_checks import star_findings
-from lommel.estimation.star_images import (
-    StarImages,
-    Unknowns,
-    centroids,
-    changes,
-    known_defocus,
-    label,
-    single,
-    uncertainty,
-)
+from lommel.estimation.star_checks import error_findings, star_findings
+from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.scoring import Scores, covariance, search_rows
@@ -50,11 +41,7 @@ _AT_ONCE = 2  # random starts in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, none of the others ended lower.
 _AGREEING = 3
 _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
-# Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
-_CERTAIN = 0.25
 _DECIDED = 2.0  # times as far from the given wavefront: a twin that the start decides against
-# Factor by which a standard error may change within one standard deviation of the answer.
-_STEADY = 1.125
 _NORMALIZED = 0.05  # by which the sum of a normalised image may differ from 1
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
@@ -509,7 +496,7 @@ def _retrieval(
     if not Findings(found).converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
         text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or state white"
         found.append(Finding("unit_sum", "note", text))
-    found += _error_findings(model, x, inverse) if Findings(found).converged else []
+    found += error_findings(model, x, inverse) if Findings(found).converged else []
     if not np.isfinite(errors).all():
         blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
         text = f"the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
@@ -545,18 +532,16 @@ def _of_blurred(
 ) -> Retrieval:
     """Return the result of a field of one star, whose images are blurred."""
     errors = np.sqrt(np.diag(found.covariance))
-    wavefront, twin = (None if each is None else each.pupil(0.0, 0.0).wavefront for each in (found.field, found.twin))
-    assert wavefront is not None
+    wavefront = found.field.pupil(0.0, 0.0).wavefront
     center, mean = found.stars.centers[0], found.model[0]
     lens = pupil.carrying(wavefront, None)
     # Tilts move the light to where the stars are.
     tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
     at = dict(zip(SHIFTS.values(), tilts, strict=True))
     edge = lens.wavefront + Wavefront.zernike(at, normalization="edge")
-    images = found.images[0]
     return Retrieval(
         wavefront=wavefront,
-        twin=twin,
+        twin=None if found.twin is None else found.twin.pupil(0.0, 0.0).wavefront,
         pupil=lens,
         coefficients=dict(zip(found.names, found.coefficients[:, 0].tolist(), strict=True)),
         errors=dict(zip(found.names, errors.tolist(), strict=True)),
@@ -573,7 +558,7 @@ def _of_blurred(
         blur_errors=found.blur_errors,
         images=np.where(counts.known, counts.values, np.nan),
         model=noise.image(mean),
-        residual=(images - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
+        residual=(found.images[0] - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
     )
 
 
@@ -598,25 +583,3 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
         text += ": the answer near the given wavefront and defocus was taken"
         return [Finding("sign_open", "note", text, numbers)]
     return [Finding("sign_open", "doubt", f"{text}: add a second one, or give a wavefront that is near", numbers)]
-
-
-def _error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
-    """Return why the standard errors at the answer `x` do not hold."""
-    error, axes = uncertainty(model, inverse)
-    if error > _CERTAIN:
-        text = (
-            f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
-            "image, and other wavefronts may fit as well"
-        )
-        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _CERTAIN})]
-    factors = changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-factors) if factors[k] > _STEADY]
-    if not worst:
-        return []
-    names = ", ".join(label(model.names[k]) for k in worst[:3])
-    more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
-    text = (
-        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
-        f"they change by a factor of up to {factors[worst[0]]:.3g}"
-    )
-    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in worst})]

@@ -1,4 +1,4 @@
-"""Score tests of images of stars: what a model of them may lack, and how that is said."""
+"""Checks of images of stars: what a model of them may lack, and whether standard errors hold."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.star_images import StarImages, label, next_terms, slants
+from lommel.estimation.star_images import StarImages, changes, label, next_terms, slants, uncertainty
 from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
@@ -28,6 +28,10 @@ _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that i
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
 _MOST_FOCI = 9  # of which that is tested
+# Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
+_CERTAIN = 0.25
+# Factor by which a standard error may change within one standard deviation of the answer.
+_STEADY = 1.125
 APODIZED = 0.1  # exponent of the amplitude at the edge of the pupil, minus its logarithm
 _SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
@@ -73,11 +77,7 @@ def lacking_constants(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> 
 
 
 def lacking_phases(
-    terms: Sequence[Term],
-    constants: Sequence[Name],
-    slopes: Sequence[Array],
-    pupil: Pupil,
-    known: Array,
+    terms: Sequence[Term], constants: Sequence[Name], slopes: Sequence[Array], pupil: Pupil, known: Array
 ) -> Iterator[Lacking]:
     """Yield Zernike terms and constants, of derivatives of electrons by radians at the edge, and by constants.
 
@@ -194,3 +194,25 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     found = products[0]
     candidates = candidates_of(lacking, model.size)
     return missing_findings(score_tests(found[:-1, :-1], found[:-1, -1], range(model.size), candidates)) + untested
+
+
+def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
+    """Return why the standard errors at the answer `x` do not hold."""
+    error, axes = uncertainty(model, inverse)
+    if error > _CERTAIN:
+        text = (
+            f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
+            "image, and other wavefronts may fit as well"
+        )
+        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _CERTAIN})]
+    factors = changes(model, x, inverse, axes)
+    worst = [k for k in np.argsort(-factors) if factors[k] > _STEADY]
+    if not worst:
+        return []
+    names = ", ".join(label(model.names[k]) for k in worst[:3])
+    more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
+    text = (
+        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
+        f"they change by a factor of up to {factors[worst[0]]:.3g}"
+    )
+    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in worst})]

@@ -157,8 +157,7 @@ def retrieve(
     if figure is not None:
         save_figure(found.plot(unit=unit, names=names), figure)
     made = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    parts = _parts(found, unit, names)
-    parts += [Wrapped(note) for note in notes]
+    parts = [*_parts(found, unit, names), *map(Wrapped, notes)]
     return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
 
 

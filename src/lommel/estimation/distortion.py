@@ -86,7 +86,7 @@ class Distortion(FitReport):
         return with_errors(*self._sensor.relative(across, down), self.degree, self.coefficients, self.covariance)
 
 
-def checked_ideal(ideal: ArrayLike, pose: str, places: Array) -> Array:
+def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
     """Return ideal places (n, 2), NaN where unknown; ValueError unless they are those of the images, roughly."""
     found = validation.number_array("ideal", ideal).astype(np.float64)
     if found.shape != places.shape:
@@ -94,7 +94,6 @@ def checked_ideal(ideal: ArrayLike, pose: str, places: Array) -> Array:
     known = np.isfinite(found).all(axis=1)
     if np.isinf(found).any() or known.sum() < 4:
         raise ValueError(f"ideal must be at least 4 finite places, and NaN for those not known, got {known.sum()}")
-    free = validation.choice("pose", pose, POSES) == "free"
     if free and np.linalg.matrix_rank(found[known] - found[known].mean(axis=0)) < 2:
         raise ValueError("ideal must be places that are not all on one line")
     at = _moved(_similarity(found[known], places[known]) if free else np.eye(2, 3), found[known])
@@ -203,8 +202,7 @@ def fit_distortion(
     limit, findings = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom))), []
     if chi2 > limit:
         text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
-        numbers = {"scatter": scatter, "chi2": chi2, "limit": limit}
-        findings.append(Finding("scatter", "note", text, numbers))
+        findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
     if lost := len(at) - len(kept):
         findings.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
     return Distortion(

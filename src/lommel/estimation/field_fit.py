@@ -483,9 +483,8 @@ def fit_field(
     most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
     far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
-    holes = None if ideal is None else checked_ideal(ideal, pose, at)
-    if ideal is None:
-        validation.choice("pose", pose, POSES)
+    free = validation.choice("pose", pose, POSES) == "free"
+    holes = None if ideal is None else checked_ideal(ideal, at, free=free)
     validation.function("progress", progress, required=False)
     draw = random_numbers(seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)

@@ -565,10 +565,9 @@ def _of_blurred(
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
     """Return the finding of the image whose star is within the noise."""
     visible = flux / errors
-    if visible.min() >= _VISIBLE:
-        return []
     k = int(np.argmin(visible))
-    return [Finding("no_light", "error", f"the flux of image {k} is within the noise", {"image": k})]
+    text = f"the flux of image {k} is within the noise"
+    return [] if visible[k] >= _VISIBLE else [Finding("no_light", "error", text, {"image": k})]
 
 
 def _sign_findings(model: StarImages, x: Array) -> list[Finding]:

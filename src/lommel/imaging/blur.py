@@ -19,12 +19,12 @@ from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.base.units import format_length
 from lommel.core import engine
-from lommel.estimation.round_lenses import require_round
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
+from lommel.optics.round_lenses import require_round
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator

@@ -20,7 +20,6 @@ from lommel.base.encoding import from_light, to_light
 from lommel.base.plain import plain
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
-from lommel.estimation.round_lenses import pixel_of
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
 from lommel.imaging.focal_frames import Registration, relative_exposures
@@ -28,6 +27,7 @@ from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depth_maps import write_depth
 from lommel.optics.lens import Lens
+from lommel.optics.round_lenses import pixel_of
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 from lommel.show import estimates

@@ -14,12 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.estimation.focal_model import FocalLight
-from lommel.estimation.round_lenses import pixel_of
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
 from lommel.imaging.focal_frames import FrameForm, Registration, relative_exposures
 from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens
+from lommel.optics.round_lenses import pixel_of
 from lommel.recorded.noise import Noise
 
 _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons of a pixel that tables are made for

@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.estimation.focal_model import FocalLight, FocalModel
-from lommel.estimation.round_lenses import pixel_of
 from lommel.imaging.focal_engine import BLOCK, CONTRAST, processors, ranged
 from lommel.imaging.focal_frames import FrameForm
 from lommel.imaging.focal_tables import SharpTables, Taps
 from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens
+from lommel.optics.round_lenses import pixel_of
 from lommel.recorded.noise import Noise
 
 _MOST = 961  # candidates

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.optional import library
-from lommel.estimation.round_lenses import require_round
 from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
 from lommel.imaging.defocus_layers import chebyshev, chebyshev_nodes, defocus_layers
@@ -24,6 +23,7 @@ from lommel.imaging.traced_windows import AberratedWindows, Term
 from lommel.methods.pixels.rule import cells_alike, octant
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
+from lommel.optics.round_lenses import require_round
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _SCALES = (4, 6, 8, 12, 16, 24, 32)  # windows of other sizes, as many as are needed of these

@@ -383,3 +383,15 @@ def test_a_message_is_one_line_and_short_whatever_is_given(value):
             call()
         assert len(str(caught.value).splitlines()) == 1
         assert len(str(caught.value)) < 300
+
+
+def test_refused_arguments_of_a_stack_say_how_it_is_given():
+    pupil, axes = lm.Pupil(), np.zeros((5, 2))
+    with pytest.raises(TypeError, match="a stack is one Pupil of a Wavefront whose coefficients are arrays"):
+        lm.psf([pupil, pupil], 9, 0.5)
+    with pytest.raises(ValueError, match=r"give tuple\(center\.T\)"):
+        lm.psf(pupil, 9, 0.5, center=axes)
+    with pytest.raises(TypeError, match="text with a unit is for files and the command line"):
+        lm.psf(pupil, 9, "4 um")
+    with pytest.raises(TypeError, match=r"zip\(range\(4, 16\), coefficients\) are such pairs"):
+        lm.Wavefront.zernike(np.zeros(12), order="noll", unit="waves")

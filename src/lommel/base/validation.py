@@ -350,7 +350,7 @@ def position(name: str, value: object) -> tuple[float, float]:
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape where either is an array."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
-        turned = f": give tuple({name}.T)" if np.ndim(value) == 2 and np.shape(value)[1] == 2 else ""
+        turned = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
     if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
         return position(name, value)

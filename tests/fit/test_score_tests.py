@@ -72,6 +72,15 @@ def test_what_no_datum_tells_is_left_out():
     assert "one" not in {test.name for test in simulated(np.zeros(9), columns=columns)[0]}
 
 
+def test_columns_that_are_multiples_of_each_other_are_left_out():
+    truth = np.zeros(9)
+    for seed in range(20):
+        columns = COLUMNS.copy()
+        columns[:, 6] = (0.1 + seed) * columns[:, 5]
+        tests, _ = simulated(truth, seed, columns=columns)
+        assert {test.name for test in tests} == {"one", "two", "twin"}
+
+
 def test_a_prior_is_not_what_the_data_say():
     known, truth = 0.05, 0.4
     columns, data = COLUMNS[:, :2], COLUMNS[:, :2] @ [1.0, truth] + np.random.default_rng(2).normal(size=400)

@@ -83,7 +83,7 @@ def score_tests(
     squares, slopes = _eliminated(information, slope, unknowns, together)
     first = 0
     for one in candidates:
-        at, scale = list(one.columns), np.diag(information)[list(one.columns)]
+        at, scale = list(one.columns), np.maximum(np.diag(information)[list(one.columns)], 1e-300)
         if one in free:  # what is not estimated is beside the same unknowns
             own = slice(first, first + len(at))
             square, pull = squares[own, own], slopes[own]
@@ -93,7 +93,8 @@ def score_tests(
         if one.known:  # what the prior says is not what the data say
             square = square - np.eye(len(at)) / one.known**2
             pull = pull + one.offset / one.known**2
-        if (np.diag(square) <= _BLIND * scale).any():
+        # Of columns that the data do not tell apart, as of one star how blur varies over the field, rounding is left.
+        if np.linalg.eigvalsh(square / np.sqrt(np.outer(scale, scale)))[0] <= _BLIND:
             continue
         covariance = np.asarray(np.linalg.inv(square))
         size = covariance @ pull + one.offset

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
-from benchmarks.timing import Contender
+from benchmarks.timing import Contender, no_values
 from benchmarks.truth import stack_error
 
 Array = NDArray[np.float64]
@@ -51,7 +51,7 @@ def fft(side: int = 1024) -> Contender:
         f"FFT {side}²",
         lambda _: fft2(padded, norm="ortho", overwrite_x=True, workers=1),
         config,
-        values=_no_values,
+        values=no_values,
     )
 
 
@@ -65,9 +65,7 @@ def faster_ffts(side: int = 1024) -> list[Contender]:
         padded = np.full((side, side), 0.5, dtype)
         options = {"out": padded, "inorm": 1, "nthreads": 1}
         name = np.dtype(dtype).name
-        return Contender(
-            name, lambda _: ducc0.fft.c2c(padded, **options), f"ducc0.fft.c2c, {name}", values=_no_values
-        )
+        return Contender(name, lambda _: ducc0.fft.c2c(padded, **options), f"ducc0.fft.c2c, {name}", values=no_values)
 
     return [one(np.complex128), one(np.complex64)]
 
@@ -76,11 +74,7 @@ def copy(shape: tuple[int, ...], dtype: Any) -> Contender:
     """Copy an array of that shape: what writing the answer costs at least."""
     source, target = np.ones(shape, dtype), np.zeros(shape, dtype)
     config = f"np.copyto of {'×'.join(map(str, shape))} {np.dtype(dtype)}"
-    return Contender("np.copyto", lambda _: np.copyto(target, source), config, values=_no_values)
-
-
-def _no_values(_: Any) -> Array:
-    return np.empty(0)
+    return Contender("np.copyto", lambda _: np.copyto(target, source), config, values=no_values)
 
 
 class Fold:

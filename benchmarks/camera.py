@@ -12,7 +12,7 @@ from scipy.fft import fft, fft2, ifft, irfft, rfft
 import lommel as lm
 from benchmarks.report import Table
 from benchmarks.settings import Settings
-from benchmarks.timing import Contender, Spread, race
+from benchmarks.timing import Contender, Spread, no_values, race
 from benchmarks.truth import intensity
 from lommel.blur.blurs import KOLMOGOROV
 from lommel.special.legendre import gauss_legendre
@@ -185,11 +185,7 @@ def ffts(side: int, dtype: type, count: int) -> Contender:
             fft2(one, workers=1)
 
     config = f"scipy.fft.fft2 of {side}² {np.dtype(dtype)}, {count} times in the cache, the FFT alone"
-    return Contender(f"FFTs {side}²", call, config, values=_none)
-
-
-def _none(_: object) -> NDArray[np.float64]:
-    return np.empty(0)
+    return Contender(f"FFTs {side}²", call, config, values=no_values)
 
 
 class WholeFFT:

@@ -14,7 +14,7 @@ import lommel as lm
 from benchmarks.engine import stack
 from benchmarks.settings import Settings
 from benchmarks.targets import Measured
-from benchmarks.timing import Contender, race
+from benchmarks.timing import Contender, no_values, race
 from benchmarks.truth import stack_error
 from lommel.core.answers import Images, Wanted
 from lommel.special import zernike
@@ -68,12 +68,8 @@ def ffts() -> Contender:
         "FFTs 128²",
         lambda _: fft2(padded, norm="ortho", overwrite_x=True, workers=1),
         config,
-        values=_no_values,
+        values=no_values,
     )
-
-
-def _no_values(_: Any) -> NDArray[np.float64]:
-    return np.empty(0)
 
 
 def against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import partial
+from itertools import takewhile
 
 from benchmarks import averages, axes, chordal, depth, localization, nonradial, starting
 from benchmarks import targets as t
@@ -321,7 +322,6 @@ def _words(target: Target) -> tuple[str | None, ...]:
 
 
 def missed(table: Table) -> list[str]:
-    """Return the rows that did not reach what they must, by their words."""
-    words = [name for name, kind in table.columns.items() if kind == "text"][:2]
-    named = words if "against" in words else words[:1]
+    """Return the rows that did not reach what they must, by what they say before that."""
+    named = list(takewhile(lambda name: name != "must", table.columns))
     return [" against ".join(row[name] for name in named) for row in table.rows if row.get("verdict") == "MISSED"]

@@ -21,6 +21,11 @@ def nothing(count: int) -> Sequence[Any]:
     return (None,) * count
 
 
+def no_values(_: object) -> NDArray[np.float64]:
+    """Return no values: what is judged of a contender that is only timed."""
+    return np.empty(0)
+
+
 @dataclass(frozen=True)
 class Contender:
     """One way to do the work.

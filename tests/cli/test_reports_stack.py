@@ -10,19 +10,11 @@ import pytest
 import lommel as lm
 from lommel.cli.reports import describe_stack
 from lommel.lensfiles.microscope_files import Microscope
-
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.515,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.515, 170e-6),
-    sample=1.33,
-)
+from objectives import MATCHED
 
 
 def microscope(**planes) -> Microscope:
-    return Microscope("oil", "", OIL, 610e-9, 5e-6, 6.5e-6, lm.Scalar(), shape=(5, 6), **planes)
+    return Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Scalar(), shape=(5, 6), **planes)
 
 
 def test_a_stack_is_described_plane_by_plane():

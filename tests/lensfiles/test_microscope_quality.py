@@ -11,19 +11,11 @@ import pytest
 import lommel as lm
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.lensfiles.microscope_quality import DEPTHS, microscope_quality
-
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.515,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.515, 170e-6),
-    sample=1.33,
-)
+from objectives import MATCHED
 
 
 def microscope(**changes) -> Microscope:
-    plain = Microscope("oil", "", OIL, 610e-9, 5e-6, 6.5e-6, lm.Dipole(0.0, 0.0, wobble=1.0), shape=(5, 6))
+    plain = Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Dipole(0.0, 0.0, wobble=1.0), shape=(5, 6))
     return dataclasses.replace(plain, **changes)
 
 
@@ -38,11 +30,11 @@ def test_the_foci_are_those_of_the_objective_and_of_its_published_table(facts):
     at = rows[5e-6]
     assert (at["brightest"], at["ratio"]) == (pytest.approx(6.342e-6, abs=1e-9), pytest.approx(0.788, abs=1e-3))
     assert (at["axial_fwhm"], at["peak"]) == (pytest.approx(1131e-9, abs=1e-9), pytest.approx(0.466, abs=1e-3))
-    found = OIL.focus(5e-6, wavelength=610e-9)
+    found = MATCHED.focus(5e-6, wavelength=610e-9)
     assert (at["paraxial"], at["lateral_fwhm"]) == (found.paraxial, found.lateral_fwhm)
     assert at["peak_of_surface"] == pytest.approx(at["peak"] / rows[0.0]["peak"])
     assert (rows[0.0]["ratio"], rows[0.0]["peak_of_surface"]) == (None, 1.0)
-    assert rows[0.0]["collected"] == OIL.collected(0.0, wavelength=610e-9) > 1.3
+    assert rows[0.0]["collected"] == MATCHED.collected(0.0, wavelength=610e-9) > 1.3
 
 
 def test_angles_and_sampling_are_those_of_the_objective(facts):
@@ -71,7 +63,7 @@ def test_what_is_sampled_too_coarsely_is_named(changes, coarse):
 
 
 def test_depths_out_of_reach_are_left_out_with_the_reason():
-    near = dataclasses.replace(OIL, working_distance=10e-6)
+    near = dataclasses.replace(MATCHED, working_distance=10e-6)
     found = microscope_quality(microscope(objective=near))
     assert [row["depth"] for row in found["focus"]] == [0.0, 1e-6, 5e-6]
     assert len(found["refused"]) == 2
@@ -81,7 +73,7 @@ def test_depths_out_of_reach_are_left_out_with_the_reason():
 
 
 def test_what_differs_from_the_design_is_told():
-    thick = dataclasses.replace(OIL, coverslip=lm.Layer(1.52, 180e-6))
+    thick = dataclasses.replace(MATCHED, coverslip=lm.Layer(1.52, 180e-6))
     found = microscope_quality(microscope(objective=thick))
     assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
     assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}

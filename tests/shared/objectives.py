@@ -21,6 +21,15 @@ def oil(**more: Any) -> lm.Objective:
 
 
 OIL = oil()
+# Of the index of the oil is the cover glass.
+MATCHED = lm.Objective(
+    NA=1.4,
+    magnification=63,
+    immersion=1.515,
+    working_distance=0.19e-3,
+    coverslip=lm.Layer(1.515, 170e-6),
+    sample=1.33,
+)
 OIL_FILE = """name = "mine"
 [objective]
 NA = 1.4

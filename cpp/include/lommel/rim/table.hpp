@@ -482,7 +482,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using I = decltype(isa);
                 using V = typename I::pack;
-                double v[padded], angle[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
+                double v[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
                 std::array<std::array<double, padded>, 8> waves;  // cosine and sine of each frequency
                 for (std::size_t i = 0; i < points; ++i) {
                     // Of a row of points, in vectors what there are vectors for.
@@ -490,9 +490,9 @@ LOMMEL_ONCE void RimTable::make_pixels() {
                     for (std::size_t j = 0; j < points + I::lanes; ++j) {
                         const double z = right + 0.5 * x[std::min(j, points - 1)];
                         v[j] = window.step * std::sqrt(y * y + z * z);
-                        angle[j] = j < points ? std::atan2(y, z) / apart() - 0.5 : 0.0;
-                        before[j] = std::floor(angle[j]);
-                        turn[j] = angles.angle(angle[j] - before[j]);
+                        const double angle = std::atan2(y, z) / apart() - 0.5;
+                        before[j] = std::floor(angle);
+                        turn[j] = angles.angle(angle - before[j]);
                     }
                     const auto turned = [&](const double* of, double times, double* sine, double* cosine) LOMMEL_INLINE_LAMBDA {
                         for (std::size_t j = 0; j < points; j += I::lanes) {

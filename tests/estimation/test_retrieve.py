@@ -10,12 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.linalg import eigh
 from scipy.stats import poisson
 
 import lommel as lm
 from lommel.core.engine import star_likelihood
 from lommel.estimation import phase_retrieval
 from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, changes, uncertainty
+from lommel.fit.score_tests import Marginal
 from lommel.fit.scoring import covariance
 from tests.world import air
 from tests.world.optics import Telescope
@@ -77,7 +79,7 @@ def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons
     assert 0.85 < np.sqrt(np.mean(ratio)) < 1.15
 
 
-def test_the_deviations_are_the_bound_of_fishers_information():
+def test_standard_errors_are_those_of_fishers_information_and_a_little_more():
     true, _ = random_wavefront(0, 1.0)
     found = lm.retrieve(stars(true, seed=0), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
     light = [lm.Pupil(found.wavefront + lm.Wavefront(defocus=d)) for d in DEFOCUS]
@@ -97,7 +99,11 @@ def test_the_deviations_are_the_bound_of_fishers_information():
     jacobian = np.array(rows).reshape(21, -1)
     mean = found.flux[:, None, None] * images + found.background[:, None, None]
     bound = np.linalg.inv((jacobian / (mean.ravel() + 4.0)) @ jacobian.T)
-    assert_allclose(found.covariance, bound[:15, :15], rtol=1e-4, atol=1e-5 * bound[0, 0])
+    # What the model may lack and the images do not show widens them.
+    wider = eigh(found.covariance, bound[:15, :15], eigvals_only=True)
+    assert wider[0] > 1.0 - 1e-3
+    assert wider[-1] < 1.6
+    assert np.median(wider) < 1.05
 
 
 @pytest.mark.parametrize(
@@ -127,7 +133,9 @@ def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
 
 
 def test_a_search_checks_and_chooses_once_rather_than_at_every_step(monkeypatch):
-    monkeypatch.setattr(phase_retrieval, "star_findings", lambda *_: [])  # once, after it
+    monkeypatch.setattr(
+        phase_retrieval, "star_tests", lambda model, x: ([], Marginal(np.zeros(15), np.eye(15)))
+    )  # once, after it
     package = str(Path(lm.__file__).parent)
     true, _ = random_wavefront(0, 0.5)
     measured, profile = stars(true), cProfile.Profile()

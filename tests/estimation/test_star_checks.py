@@ -9,7 +9,7 @@ import lommel as lm
 from lommel.core.answers import Declined
 from lommel.estimation import star_checks
 from tests.world import air
-from tests.world.camera import Camera
+from tests.world.camera import Camera, trailed
 from tests.world.optics import Telescope
 
 WAVES = ((4, 0.3), (5, -0.2), (8, 0.25))
@@ -27,16 +27,20 @@ def recorded(
     dimmed=0.0,
     lost=0.0,
     seed=0,
+    late=0.0,
+    oval=0.0,
     foci=(0.0, 3.0),
+    **light,
 ):
     """Return images of a star at two foci; what is not in the model is said by the arguments."""
-    telescope, draw, mean = Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed), np.random.default_rng(3), []
+    telescope = Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed, squeezed=oval, **light)
+    draw, mean = np.random.default_rng(3), []
     for known in foci:
         transfer = telescope.transfer(waves, defocus=2 * known * longer)
         transfer = transfer.times(air.gaussian(transfer.radius, sigma * 2.4e-6))
         image = 5e4 * transfer.image(29, 2.4e-6, *(14 + draw.uniform(-0.3, 0.3, 2))) + 20.0 + slope * np.arange(29.0)
         mean.append(image - lost * image**2 / 1e4)
-    return Camera(gain=0.0, read=3.0).record(np.array(mean), seed)
+    return Camera(gain=0.0, read=3.0).record(trailed(np.array(mean), late), seed)
 
 
 def found(images, **more):
@@ -68,6 +72,10 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
         ({"squeezed": 1.02}, "f_number", 0.16),
         ({"blocked": 0.23}, "obscuration", 0.03),
         ({"dimmed": 0.1}, "apodization", 0.1),
+        ({"slanted": 0.06}, "light that slopes across the pupil", 0.06),
+        ({"off": 0.05}, "obscuration off the middle", 0.05),
+        ({"oval": 0.06}, "aperture that is not round", 0.03),
+        ({"late": 0.03}, "charge that arrives late in higher rows", 0.03),
         ({"waves": (*WAVES, (22, 0.04))}, "noll 22 secondary spherical", 0.04),
         ({"lost": 0.3}, "non-linear gain", 0.3),
     ],

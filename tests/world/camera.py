@@ -73,6 +73,13 @@ class Camera:
         return replace(self, **other)  # type: ignore[arg-type]
 
 
+def trailed(mean: np.ndarray, share: float, length: float = 2.0) -> np.ndarray:
+    """Return light of which a share arrives late along columns: charge that its transfer leaves behind."""
+    rows = np.arange(mean.shape[-2])
+    late = np.where(rows[:, None] > rows, np.exp((rows - rows[:, None] + 1.0) / length), 0.0)
+    return mean + share * (np.tensordot(mean, late * (1 - np.exp(-1 / length)), (-2, 1)).swapaxes(-1, -2) - mean)
+
+
 def scientific(shape: tuple[int, int], seed: int) -> Camera:
     """Return an sCMOS camera: maps of gain, offset and read noise with some noisy pixels."""
     draw = np.random.default_rng(seed)

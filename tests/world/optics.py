@@ -96,7 +96,8 @@ def autocorrelation(fields: Iterable[tuple[float, np.ndarray]], share: np.ndarra
 class Telescope:
     """A round, obscured aperture with crossed vanes, their width in radii; scalar, in focus where C_d is 0.
 
-    Its amplitude falls by exp(-dimmed rho^2).
+    Its amplitude falls by exp(-dimmed rho^2), and along rows by exp(-slanted y). The obscuration is `off` the middle
+    by radii along rows, and the edge `squeezed` there by a part of the radius.
     """
 
     wavelength: float = 1.0
@@ -105,6 +106,9 @@ class Telescope:
     vanes: float = 0.0
     side: int = 128
     dimmed: float = 0.0
+    slanted: float = 0.0
+    off: float = 0.0
+    squeezed: float = 0.0
 
     @property
     def cutoff(self) -> float:
@@ -113,17 +117,25 @@ class Telescope:
 
     def transfer(self, waves: Waves = (), defocus: float = 0.0, screen: np.ndarray | float = 0.0) -> Transfer:
         """Return the transfer function of a wavefront, C_d (radians at the edge) and a screen of phases."""
-        share, rho, theta = aperture(self.side, self.obscuration, self.vanes)
+        share, rho, theta = self.aperture
         phase = sum((size * zernike(j, rho, theta) for j, size in waves), start=defocus * rho**2 + screen)
-        return autocorrelation([(1.0, np.exp(1j * phase - self.dimmed * rho**2))], share, self.cutoff)
+        fall = self.dimmed * rho**2 + self.slanted * rho * np.sin(theta)
+        return autocorrelation([(1.0, np.exp(1j * phase - fall))], share, self.cutoff)
+
+    @property
+    def aperture(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """How much of each cell is open, and radius and angle of the middle of what is open."""
+        return aperture(self.side, self.obscuration, self.vanes, self.off, self.squeezed)
 
 
 @cache
-def aperture(side: int, obscuration: float = 0.0, vanes: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def aperture(
+    side: int, obscuration: float = 0.0, vanes: float = 0.0, off: float = 0.0, squeezed: float = 0.0
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return how much of each cell is open, and radius and angle of the middle of what is open."""
     x = cells(FINE * side)
-    square = x[:, None] ** 2 + x[None] ** 2
-    inside = (square < 1) & (square >= obscuration**2)
+    y = x[:, None]
+    inside = ((y / (1 - squeezed)) ** 2 + x**2 < 1) & ((y - off) ** 2 + x**2 >= obscuration**2)
     inside &= (np.abs(x)[:, None] >= vanes / 2) & (np.abs(x)[None] >= vanes / 2)
     share, row, column = (
         (inside * part).reshape(side, FINE, side, FINE).mean((1, 3)) for part in (1.0, x[:, None], x[None])

@@ -14,7 +14,7 @@ from scipy import ndimage
 import lommel as lm
 from tests.world import air, camera, scene, stage
 from tests.world.camera import Camera
-from tests.world.optics import Objective, Telescope, Transfer, Waves, as_waves, disc, noll
+from tests.world.optics import Objective, Telescope, Transfer, Waves, as_waves, disc, noll, zernike
 from tests.world.verdicts import Scenario, Trial
 
 EVEN = (4, 5, 6, 11, 12, 13, 14, 15, 22)
@@ -63,6 +63,15 @@ def through(transfer: Transfer, blur: Blur, focal: float = FOCAL, pixel: float =
 @cache
 def seen(blur: Blur, waves: Waves, telescope: Telescope) -> Transfer:
     """Return the transfer function of a telescope and the air above it."""
+    if blur and blur[0][0] == "zone":
+        share, rho, theta = telescope.aperture
+        made = np.exp(-(((rho - 0.7) / 0.08) ** 2))
+        # What the terms of a fit could have taken up is left out: these stay as they are.
+        every = np.stack([zernike(j, rho, theta) for j in range(1, 9)], axis=-1)
+        weight = np.sqrt(share)
+        made -= every @ np.linalg.lstsq(weight.ravel()[:, None] * every.reshape(-1, 8), (weight * made).ravel())[0]
+        made *= blur[0][1] / np.sqrt((share * made**2).sum() / share.sum())
+        return through(telescope.transfer(waves, screen=made), blur[1:])
     if blur and blur[0][0] == "screens":
         small = Telescope(telescope.wavelength, telescope.f_number, telescope.obscuration, side=64)
         ratio = FOCAL / 8.0 / (air.WIDTH * 600e-9 / (blur[0][1] * air.ARCSECOND))
@@ -81,12 +90,12 @@ def stars(blur: Blur, flux: float, waves: Waves, telescope: Telescope, slope: fl
 
 
 def field(
-    seed: int, blur: Blur, flux: float, *, waves: Waves = COMA, terms: int = 5, vanes: float = 0.0,
-    slope: float = 0.0, messy: bool = False,
+    seed: int, blur: Blur, flux: float, *, waves: Waves = COMA, terms: int = 5, slope: float = 0.0,
+    messy: bool = False, trail: float = 0.0, **telescope: float,
 ) -> Trial:  # fmt: skip
-    """Fit a field of 12 stars, the same wavefront all over it."""
-    mean = stars(blur, flux, waves, Telescope(600e-9, 8.0, 0.3, vanes), slope)
-    recorder = STARS
+    """Fit a field of 12 stars, the same wavefront all over it, of a telescope that may be another than is stated."""
+    mean = stars(blur, flux, waves, Telescope(600e-9, 8.0, 0.3, **telescope), slope)
+    mean, recorder = camera.trailed(mean, trail), STARS
     if messy:
         mean = mean.copy()
         for k, (row, column) in enumerate(((2, 3), (-3, 2))):  # doubles
@@ -126,6 +135,39 @@ def astrograph(seed: int, fwhm: float) -> Trial:
     return Trial(fit, _nearest(found, error, waves(u, v), range(4, 12), fit).ravel(), seconds)
 
 
+def bent(seed: int, kind: str, size: float) -> Trial:
+    """Fit 30 stars, of degree 1 over the field, where one term has a cubic part or a bump in a corner (radians)."""
+    places, mean, waves = _bent(kind, size)
+    fit, seconds = timed(
+        lm.fit_field, STARS.record(mean, seed), places, lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0),
+        sensor=(600, 600), pixel=PIXEL, noise=lm.Noise(read=3.0), degree=1, terms=5, blur=True, tol=1e-4, threads=1,
+    )  # fmt: skip
+    u = np.array([-0.7, 0.0, 0.7])
+    v, u = (one.ravel() for one in np.meshgrid(u, u, indexing="ij"))
+    found, error = fit.at(u * 300 * PIXEL, v * 300 * PIXEL)
+    return Trial(fit, _nearest(found, error, waves(u, v), range(4, 9), fit).ravel(), seconds)
+
+
+@cache
+def _bent(kind: str, size: float) -> tuple[np.ndarray, np.ndarray, Callable[..., np.ndarray]]:
+    draw = np.random.default_rng(50)
+
+    def waves(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        bump = np.exp(-((u - 0.8) ** 2 + (v - 0.8) ** 2) / 0.3**2)
+        added = {"cubic": u**3 - 0.6 * u, "bump": bump, "": 0 * u}[kind]
+        return np.stack([0.3 + 0.1 * u, 0.1 * v, 0.4 + 0 * u, 0.3 * v, 0.3 * u + size * added], axis=-1)
+
+    cells = np.stack(np.divmod(draw.permutation(36)[:30], 6), axis=1)
+    places = np.rint(cells * 100 + 50 + draw.uniform(-30, 30, (30, 2))).astype(int)
+    mean = []
+    for row, column in places:
+        one = waves(np.array((column - 299.5) / 300), np.array((row - 299.5) / 300))
+        transfer = through(F8.transfer(tuple(zip(range(4, 9), one.tolist(), strict=True))), _k(1.0))
+        flux = np.exp(draw.uniform(np.log(1e4), np.log(1e5)))
+        mean.append(flux * transfer.image(25, PIXEL, *(12 + draw.uniform(-0.5, 0.5, 2))) + 50.0)
+    return places, np.array(mean), waves
+
+
 @cache
 def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callable[..., np.ndarray]]:
     draw, telescope = np.random.default_rng(40 + which), Telescope(550e-9, 4.0, 0.35)
@@ -153,15 +195,16 @@ def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callab
 # One star, pixels of half a lambda N.
 def star(
     seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0, missing: Waves = (), slope: float = 0.0,
-    sigma: float = 0.0, longer: float = 1.0,
+    sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, **another: float,
 ) -> Trial:  # fmt: skip
     """Retrieve six terms from images of a star at known defoci, each seed with another wavefront.
 
-    With seeing that is estimated; and, not stated: further terms, a sky that slopes, blur, defoci that are longer.
+    With seeing that is estimated; and, not stated: further terms, a sky that slopes, blur, defoci that are longer,
+    charge that arrives late, another telescope.
     """
     draw, names = np.random.default_rng(seed), (4, 5, 6, 7, 8, 11)
     waves = tuple(zip(names, (draw.normal(size=6) * 0.25).tolist(), strict=True))
-    telescope, mean = Telescope(), []
+    telescope, mean = Telescope(**another), []
     for known in defocus:
         transfer = telescope.transfer((*waves, *missing), defocus=2 * known * longer)
         if fwhm:
@@ -169,7 +212,7 @@ def star(
         transfer = transfer.times(air.gaussian(transfer.radius, sigma))
         sky = 10.0 + slope * np.arange(33.0)
         mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + sky)
-    images = STARS.record(np.array(mean), seed)
+    images = STARS.record(camera.trailed(np.array(mean), trail), seed)
     found, seconds = timed(
         lm.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
         terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=bool(fwhm),
@@ -464,6 +507,24 @@ def _fields() -> list[Scenario]:
     run = partial(field, blur=GAUSS, flux=5e4, vanes=0.08)
     add("20", "spider not in the pupil", run, "T", ("misfit", *OTHER))
     add("21", "sky gradient of 1 e a pixel", partial(field, blur=GAUSS, flux=2e4, slope=1.0))
+    zone = partial(field, blur=(("zone", 0.05), *_k(1.0)), flux=5e4)
+    add("21a", 'zone of a mirror, 0.05 rad, Kolmogorov 1"', zone, "RT", OTHER)
+    for row, name, more in (
+        ("21b", "obscuration off by 3 %", {"off": 0.03}), ("21c", "aperture squeezed by 2 %", {"squeezed": 0.02}),
+        ("21d", "light that falls by a tenth from edge to edge", {"slanted": 0.026}),
+        ("21e", "2 % of the charge late", {"trail": 0.02}),
+    ):  # fmt: skip
+        for fwhm in (1.0, 3.0):
+            run = partial(field, blur=_k(fwhm), flux=5e4, **more)
+            add(f"{row}{fwhm:.0f}", f'{name}, Kolmogorov {fwhm:g}"', run, "RT", OTHER)
+    for row, kind, size in (("21f", "", 0.0), ("21g", "cubic", 0.1), ("21h", "bump", 0.2), ("21i", "bump", 0.1)):
+        add(
+            row,
+            f"degree 1 of 30 stars, {size:g} rad of {kind or 'nothing'}",
+            partial(bent, kind=kind, size=size),
+            "RT",
+            OTHER,
+        )
     return made
 
 
@@ -478,8 +539,11 @@ def _retrievals() -> list[Scenario]:
     told["sky that slopes by 0.6 e a pixel"] = {"slope": 0.6}
     told["blur of 0.15 lambda N not stated"] = {"sigma": 0.15}
     told["defoci longer by 5 %"] = {"longer": 1.05}
-    for row, (name, more) in zip(("24b", "24c", "24d", "24e", "24f"), told.items(), strict=True):
-        add(row, f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
+    told["aperture squeezed by 2 %"] = {"squeezed": 0.02}
+    told["light that falls by a tenth from edge to edge"] = {"slanted": 0.026}
+    told["2 % of the charge late"] = {"trail": 0.02}
+    for row, (name, more) in zip("bcdefghi", told.items(), strict=True):
+        add(f"24{row}", f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
     return made
 
 

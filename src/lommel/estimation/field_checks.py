@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
@@ -12,29 +11,28 @@ from lommel.base.arrays import Array
 from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
-from lommel.estimation.star_checks import BLURS, GRADIENT, Lacking
+from lommel.estimation.star_checks import BLURS, NUISANCES, Lacking
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
+from lommel.estimation.uneven_light import changes_of
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Candidate, ScoreTest, score_tests, sigmas_of
-from lommel.fit.scoring import covariance
+from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_DEGREE = 0.05  # radians rms: the size that polynomials of a higher degree may have
+_DIFFERS = 0.05  # radians rms: the size that polynomials of a higher degree may have, or what one part has more
+_DEGREES = 2  # beyond that of the fit, of which polynomials are tested
+_NEAR = 0.45  # half fields: the radius of a part
+_ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
+_PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
+_DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
 _SURE = 5.0  # standard deviations by which backgrounds of windows slope
-
-
-class Marginal(NamedTuple):
-    """Steps of coefficients (k * m,) and their covariance, where what a model lacks is unknown within its prior."""
-
-    shift: Array
-    covariance: Array
 
 
 def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tuple[tuple[ScoreTest, ...], Marginal]:
     """Return score tests of what a fit at `x` may lack, the likeliest first, and coefficients that allow for it.
 
-    Further terms, polynomials of the next degree in `places` (n, 2), other blurs, slopes of the background, and a
-    gain that is not linear. Blurs and slopes that are too small to be seen move coefficients: they are marginalized.
+    Further terms, polynomials of higher degrees in `places` (n, 2), parts of the field, light of the pupil and charge
+    where they should not be, other blurs, slopes of the background, and a gain that is not linear. What is no
+    wavefront and too small to be seen moves coefficients all the same: it is marginalized.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
     lacking = _lacking(model, x, places)
@@ -43,7 +41,11 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
     shared = k + widths + len(images)
-    wider = monomials(places[chosen, 0], places[chosen, 1], degree + 1)
+    u, v = places[chosen].T
+    higher = monomials(u, v, max(_higher(degree)))
+    # Beside polynomials, what differs in one part of the field.
+    near = np.exp(-((u[:, None] - _ACROSS) ** 2 + (v[:, None] - _DOWN) ** 2) / _NEAR**2)
+    wider = np.concatenate([higher, near], axis=1)
     blocks = Blocks.of_stars(local[:, :, :-1], wider, k, shared, np.zeros(0))
     matrix, inverse = blocks.damped(0.0)
     first = (inverse @ local[:, shared:, -1:])[:, :, 0]
@@ -51,20 +53,23 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     every = wider.shape[1]
     at = k * every + widths
     estimated = [j * every + i for j in range(k) for i in range(m)] + list(range(k * every, at))
+    parts = [(f"of degree {d}", np.arange(d * (d + 1) // 2, (d + 1) * (d + 2) // 2)) for d in _higher(degree)]
+    parts += [(f"more {part}", np.array([higher.shape[1] + i])) for i, part in enumerate(_PARTS)]
     candidates = [
-        Candidate(f"{label(name)} of degree {degree + 1}", tuple(range(j * every + m, (j + 1) * every)), _DEGREE)
+        Candidate(f"{label(name)} {part}", tuple(j * every + columns), _DIFFERS)
         for j, name in enumerate(stars.one.unknowns.terms)
+        for part, columns in parts
     ]
-    free, prior = list(estimated), [0.0] * len(estimated)
-    for one in star_checks.candidates_of(lacking, at):
-        candidates.append(one)
-        if one.name == GRADIENT or (one.name in BLURS and stars.widths):  # a blur that is stated is as it is
-            free += one.columns
-            prior += [1.0 / one.scale**2] * len(one.columns)
-    wide = covariance(matrix[np.ix_(free, free)] + np.diag(prior))[: k * m]
-    known = np.isfinite(np.diag(wide))
-    shift = np.where(known, np.where(known[:, None], wide, 0.0) @ right[free], 0.0)
-    return score_tests(matrix, right, estimated, candidates), Marginal(shift, wide[:, : k * m])
+    missing = star_checks.candidates_of(lacking, at)
+    # A blur that is stated is as it is.
+    unseen = [one for one in missing if one.name in (*NUISANCES, *(BLURS if stars.widths else ()))]
+    marginal = marginalized(matrix, right, estimated, unseen, k * m)
+    return score_tests(matrix, right, estimated, [*candidates, *missing]), marginal
+
+
+def _higher(degree: int) -> range:
+    """Return the degrees of polynomials that are tested."""
+    return range(degree + 1, degree + 1 + _DEGREES)
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
@@ -81,13 +86,17 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     every = *terms, *constants
     made = stars.having(further=every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
-    by = [flux * image for image in made[1 : 1 + len(every)]]
-    found = [*star_checks.lacking_phases(terms, constants, by, stars.one.pupil, stars.known)]
+    image, *by = [flux * each for each in made]
+    found = [*star_checks.lacking_phases(terms, constants, by[: len(every)], stars.one.pupil, stars.known)]
+    changes = changes_of(stars.lens)
+    blurred = by[len(every) + 2 * len(changes) :]
+    found += star_checks.lacking_uneven_light(changes, by[len(every) : len(by) - len(blurred)])
+    found += star_checks.lacking_charge(image)
     if (pupil := star_checks.apodized(stars.lens)) is not None:
         other = stars.having(lens=pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
-        found.append(star_checks.lacking_light(flux * made[0], flux * other))
-    if blurred := made[1 + len(every) :]:
-        blurs = {name: flux * image for name, image in zip(OTHER_BLURS, blurred, strict=True)}
+        found.append(star_checks.lacking_light(image, flux * other))
+    if blurred:
+        blurs = dict(zip(OTHER_BLURS, blurred, strict=True))
         found += star_checks.lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
         found.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:

@@ -434,13 +434,15 @@ def fit_field(
     of corners are divided by a polynomial of degree 4 at most through the white of all.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders (spherical ones up to four), polynomials of the next degree, blur of another shape, in one
-    direction or uneven over the field, a background that slopes, a gain that is not linear, another f-number,
-    obscuration or amplitude at the edge of the pupil, other defoci of all exposures or of one. What the stars favour
-    beyond chance is in doubt ("other_explanation"), but for backgrounds that slope, which are estimated. Blurs and
-    slopes that may be there and are not seen are marginalized: `coefficients` and their errors hold for a variance of
-    0.1 pixels^2 in one direction, 30 % of the light in wings and 1 electron per pixel, one standard deviation each;
-    `model` is without them.
+    to two radial orders (spherical ones up to four), polynomials of the next two degrees, a term that is larger in
+    one of 3 x 3 parts of the field, blur of another shape, in one direction or uneven over the field, a background
+    that slopes, a gain that is not linear, charge that arrives late, another f-number, obscuration or amplitude at
+    the edge of the pupil, light that slopes across it, an obscuration off the middle, an edge that is not round,
+    other defoci of all exposures or of one. What the stars favour beyond chance is in doubt ("other_explanation"),
+    but for backgrounds that slope, which are estimated. What may be there and is not seen is marginalized:
+    `coefficients` and their errors hold for a variance of 0.1 pixels^2 in one direction, 30 % of the light in wings,
+    1 electron per pixel, 3 % of the amplitude from the middle of the pupil to its edge, obscurations off the middle
+    by 0.02 radii, edges longer by 1 %, and 1 % of the charge, one standard deviation each; `model` is without them.
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
     another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").

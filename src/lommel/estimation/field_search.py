@@ -16,13 +16,13 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.field_checks import Marginal, missing_tests, slope_findings
+from lommel.estimation.field_checks import missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings
-from lommel.fit.score_tests import ScoreTest
+from lommel.fit.score_tests import Marginal, ScoreTest
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import term_of
 

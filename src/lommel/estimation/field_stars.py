@@ -20,6 +20,7 @@ from lommel.estimation.sampled_pupil import SampledPupil
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
+from lommel.estimation.uneven_light import UnevenLight, changes_of
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import asked_about, output_type
@@ -124,7 +125,8 @@ class FieldStars:
 
         `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each image list is (r * e, height, width). `slopes`
         may be "own", by tilts and angles, those by the wavefront being 0, or "none": values alone; or "others": by
-        the further terms, and of points by `OTHER_BLURS`, for squares that are the same for all rows.
+        the further terms, `changes_of` a round pupil, and of points by `OTHER_BLURS`, for squares that are the same
+        for all rows.
         """
         reader = self._readout(squares, always=slopes == "others")
         each = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._slopes) + 2)
@@ -170,6 +172,8 @@ class FieldStars:
         if pupil.circular or pupil.mask is not None:
             _, made, rates = asked.images(pupil, by)
             samples = [made.values, *(slope.values for slope in rates)]
+            if slopes == "others" and changes_of(self.lens):
+                samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms).images(edge)
         else:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))

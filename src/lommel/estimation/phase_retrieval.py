@@ -17,7 +17,7 @@ from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
-from lommel.estimation.star_checks import error_findings, star_findings
+from lommel.estimation.star_checks import error_findings, star_tests
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -303,7 +303,8 @@ def retrieve(
     follow until chi2 exceeds 1 by no more than three standard deviations, or by no more than six where three starts
     end at the lowest minimum, within its standard errors. The best fit is accepted up to six.
 
-    Standard errors are the Cramér-Rao bound at the answer. They hold where images are linear in the parameters within
+    Standard errors are the Cramér-Rao bound at the answer, a little wider for what may be there unseen (below). They
+    hold where images are linear in the parameters within
     their uncertainty: not for dim stars on a background, which other wavefronts may fit at the same chi2. Tested with
     900 random wavefronts, 0.3 and 0.7 radians rms, 15 terms, in three images of 25 x 25 pixels at C_d -4, 0, 4 with
     500 to 10^5 electrons each, backgrounds of 0, 5 and 20 a pixel, read noise 2: of 633 reliable fits 4 have a
@@ -317,9 +318,13 @@ def retrieve(
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
     to two radial orders (spherical ones up to four), blur, backgrounds that slope, a gain that is not linear, another
-    f-number, obscuration or amplitude at the edge of the pupil, defoci longer by a share, of three images and more
-    another defocus of each. A wrong sign of all known defoci negates the even terms, and nothing tells it.
-    What the images favour beyond chance is named, and the answer is in doubt ("other_explanation").
+    f-number, obscuration or amplitude at the edge of the pupil, light that slopes across it, an obscuration off the
+    middle, an edge that is not round, charge that arrives late, defoci longer by a share, of three images and more
+    another defocus of each. Of these, slopes of the background and of light (3 % of the amplitude), obscurations off
+    the middle by 0.02 radii, edges longer by 1 %, and 1 % of the charge, one standard deviation each, are
+    marginalized where they are not seen: `coefficients` and their errors allow for them; `model` is without. A wrong
+    sign of all known defoci negates the even terms, and nothing tells it. What the images favour beyond chance is
+    named, and the answer is in doubt ("other_explanation").
 
     Examples
     --------
@@ -463,7 +468,9 @@ def _retrieval(
     inverse = covariance(scores.information[0])
     unknowns, shared, own = model.unknowns, model.shared, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
-    optics: dict[str, Any] = model.optics_of(x)
+    lacking, marginal = star_tests(model, x)
+    likely = model.within(x + np.pad(marginal.shift, (0, model.size - shared)), x)
+    optics: dict[str, Any] = model.optics_of(likely)
     per_pixel = model.tilt_of_pixel
     if "f_number" in optics:  # by which tilts move images farther
         per_pixel /= optics["f_number"] / cast("float", model.pupil.f_number)
@@ -476,7 +483,7 @@ def _retrieval(
         own_errors[place] = own_errors[place] / per_pixel
     dark = _light_findings(own[-2], own_errors["flux"])
     own_errors |= {name: noise.excess * own_errors[name] for name in ("flux", "background")}
-    wavefront = model.wavefront(x[0])
+    wavefront = model.wavefront(likely[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     causes = (
@@ -484,7 +491,6 @@ def _retrieval(
         "blurred (blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    lacking = star_findings(model, x)
     found += [*dark, *_sign_findings(model, x), *lacking]
     if "misfit" in Findings(found).codes and not Findings(lacking).get("other_explanation"):
         read = model.read.reshape(residual.shape)
@@ -504,11 +510,11 @@ def _retrieval(
     found += recording_findings([counts[k] for k in range(model.count)], noise, "image")
     return Retrieval(
         wavefront=wavefront,
-        twin=model.wavefront(model.even_part_negated(x)[0]) if model.sign_ambiguous else None,
+        twin=model.wavefront(model.even_part_negated(likely)[0]) if model.sign_ambiguous else None,
         pupil=replace(model.pupil.carrying(wavefront, None), **optics),
-        coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
-        errors=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
-        covariance=inverse[:shared, :shared],
+        coefficients=dict(zip(names, likely[0, :shared].tolist(), strict=True)),
+        errors=dict(zip(names, np.sqrt(np.diag(marginal.covariance)).tolist(), strict=True)) | own_errors,
+        covariance=marginal.covariance,
         units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *own_errors)},
         chi2=chi2,
         findings=Findings(found),

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from scipy import ndimage
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
@@ -14,8 +15,9 @@ from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.star_images import StarImages, changes, label, next_terms, slants, uncertainty
 from lommel.estimation.star_readout import StarReadout
+from lommel.estimation.uneven_light import OVAL, SHIFT, SLANT, UnevenLight, changes_of
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
+from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, other_explanation, score_tests, seen
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
@@ -26,6 +28,8 @@ _WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a 
 _VARIED = 0.3  # pixels^2 of a blur, by which it may differ from the middle to the edge of the field
 _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
+_UNEVEN_LIGHT = {SLANT: 0.03, SHIFT: 0.02, OVAL: 0.01}  # of the amplitude at the edge; radii
+_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
 _MOST_FOCI = 9  # of which that is tested
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
@@ -38,6 +42,12 @@ _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one 
 _UNEVEN = "blur that varies over the field"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
 GRADIENT = "background gradient"
+_TRAILS = {
+    name: f"charge that arrives late in {name}"
+    for name in ("higher rows", "lower rows", "higher columns", "lower columns")
+}
+NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
+"""What no fit estimates, and moves its answers unseen."""
 _GAIN = "non-linear gain"
 _WORDS = {
     _GAUSSIAN: ("variance of a Gaussian blur besides", " pixels^2"),
@@ -50,6 +60,10 @@ _WORDS = {
     _UNEVEN: ("blur that varies over the field: variance per half of it, columns and rows", " pixels^2"),
     GRADIENT: ("backgrounds that slope", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
+    SLANT: ("light that slopes across the pupil: by exp(-a y - b x), a, b", ""),
+    SHIFT: ("an obscuration off the middle by (rows, columns)", " radii"),
+    OVAL: ("an aperture that is not round: radius longer by s cos 2t + u sin 2t, s, u", ""),
+    **{name: (f"{name}: share", "") for name in _TRAILS.values()},
     "f_number": ("an f-number larger than stated by", ""),
     "obscuration": ("an obscuration larger than stated by", ""),
     "defocus": ("known defoci larger than stated by a share of", ""),
@@ -109,6 +123,20 @@ def lacking_light(image: Array, other: Array) -> Lacking:
     return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
+def lacking_uneven_light(names: Sequence[str], images: Sequence[Array]) -> Iterator[Lacking]:
+    """Yield light of the pupil that is not where its aperture says, of derivatives of electrons, two of each name."""
+    for name, rows, columns in zip(names, images[::2], images[1::2], strict=True):
+        yield Lacking(name, _UNEVEN_LIGHT[name], (rows, columns))
+
+
+def lacking_charge(image: Array) -> Iterator[Lacking]:
+    """Yield charge that arrives late along each axis, of electrons of stars alone (r * e, height, width)."""
+    later = np.exp(-np.arange(_REACH) / _LATE)
+    for name, axis, way in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
+        kernel = np.concatenate([np.zeros(_REACH + 1), later / later.sum()])[::way]
+        yield Lacking(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
+
+
 def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[Lacking]:
     """Yield blurs of each exposure, of derivatives of electrons by these (r * e, height, width)."""
     if gaussian:
@@ -164,8 +192,11 @@ def _in_words(test: ScoreTest) -> str:
     return f"{what} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
 
 
-def star_findings(model: StarImages, x: Array) -> list[Finding]:
-    """Return the findings of score tests of what the images of one star at `x` (1, p) may lack."""
+def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
+    """Return the findings of score tests of what the images of one star at `x` (1, p) may lack.
+
+    And shared parameters that allow for what is no wavefront and too small to be seen.
+    """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     light = model.per_image(x)[0]
     flux = light[-2][:, None, None]
@@ -175,6 +206,12 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     values, slopes = model.images(x)
     _, further = model.images(x, fast=True, by=(*terms, *constants))
     lacking = [*lacking_phases(terms, constants, [flux * slope.values for slope in further], pupil, known)]
+    changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
+    if changes:
+        phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
+        uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms).images(phases)
+        lacking += lacking_uneven_light(changes, [flux * image for image in uneven])
+    lacking += lacking_charge(flux * values)
     if (other := apodized(pupil)) is not None and plan.method is None:
         lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
@@ -192,8 +229,9 @@ def star_findings(model: StarImages, x: Array) -> list[Finding]:
     lacking += [lacking_slopes(model.count, grid.shape, model.count), lacking_gain(mean)]
     _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
     found = products[0]
-    candidates = candidates_of(lacking, model.size)
-    return missing_findings(score_tests(found[:-1, :-1], found[:-1, -1], range(model.size), candidates)) + untested
+    candidates, asked = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
+    unseen = [one for one in candidates if one.name in NUISANCES]
+    return missing_findings(score_tests(*asked, candidates)) + untested, marginalized(*asked, unseen, model.shared)
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy import special
@@ -19,6 +20,7 @@ from scipy import special
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.fit.findings import Finding
+from lommel.fit.scoring import covariance
 
 SEEN = 3.0  # ln of the Bayes factor, besides that of the number of candidates
 RIVAL = 5.0  # of ln of the Bayes factor: candidates so near to the best explain the data as well
@@ -96,14 +98,33 @@ def score_tests(
         # Of columns that the data do not tell apart, as of one star how blur varies over the field, rounding is left.
         if np.linalg.eigvalsh(square / np.sqrt(np.outer(scale, scale)))[0] <= _BLIND:
             continue
-        covariance = np.asarray(np.linalg.inv(square))
-        size = covariance @ pull + one.offset
-        near = covariance + np.eye(len(at)) * one.known**2
+        spread = np.asarray(np.linalg.inv(square))
+        size = spread @ pull + one.offset
+        near = spread + np.eye(len(at)) * one.known**2
         away = float(size @ np.linalg.solve(near, size))
         sigmas = math.copysign(math.sqrt(away), size[0]) if len(at) == 1 else sigmas_of(away, len(at))
-        evidence = log_bayes_factor(size, covariance, one.known, one.scale)
-        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(covariance)), sigmas, evidence))
+        evidence = log_bayes_factor(size, spread, one.known, one.scale)
+        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(spread)), sigmas, evidence))
     return tuple(sorted(found, key=lambda test: -test.log_bayes))
+
+
+class Marginal(NamedTuple):
+    """Steps of unknowns (u,) and their covariance (u, u), where what a model lacks is unknown within its scale."""
+
+    shift: Array
+    covariance: Array
+
+
+def marginalized(
+    information: Array, slope: Array, unknowns: Sequence[int], lacking: Sequence[Candidate], count: int
+) -> Marginal:
+    """Return the steps and the covariance of the first `count` unknowns, which allow for what the model lacks."""
+    free = [*unknowns, *(column for one in lacking for column in one.columns)]
+    known = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
+    wide = covariance(information[np.ix_(free, free)] + np.diag(known))[:count]
+    told = np.isfinite(np.diag(wide))
+    shift = np.where(told, np.where(told[:, None], wide, 0.0) @ slope[free], 0.0)
+    return Marginal(shift, wide[:, :count])
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:

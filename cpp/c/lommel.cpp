@@ -11,12 +11,15 @@
 #include <vector>
 
 #include "lommel/averages/disks.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/zernike/images.hpp"
+
+using lommel::pi;
 
 struct lommel_plan {
     lommel::PixelWindow window;
@@ -32,8 +35,7 @@ struct lommel_plan {
         if (normalize == LOMMEL_PEAK) {
             return 0.0;
         }
-        return normalize == LOMMEL_STREHL ? 1.0 / (open() * open())
-                                          : window.step * window.step / (4.0 * 3.14159265358979323846 * open());
+        return normalize == LOMMEL_STREHL ? 1.0 / (open() * open()) : window.step * window.step / (4.0 * pi * open());
     }
     std::size_t pixels() const { return window.height * window.width; }
 };
@@ -42,8 +44,6 @@ using coding::coded;
 using coding::require;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 template <class Change>
 int changed(lommel_plan* plan, const Change& change) noexcept {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/stratified/images.hpp"
 #include "lommel/stratified/rings_image.hpp"
@@ -17,7 +18,8 @@ namespace {
 using complex = std::complex<double>;
 using Values = std::vector<double>;
 
-constexpr double pi = 3.14159265358979323846, step = 0.37, allowed = 1e-9, proven = 1e-12;
+using lommel::pi;
+constexpr double step = 0.37, allowed = 1e-9, proven = 1e-12;
 constexpr std::size_t nodes = 45, planes = 11;
 constexpr complex i(0.0, 1.0);
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/imaging/convolution.hpp"
 #include "lommel/imaging/plane_filter.hpp"
 #include "lommel/measures/encircled.hpp"
@@ -18,7 +19,7 @@
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using lommel::pi;
 
 double airy(double v) {
     double bessel[2];

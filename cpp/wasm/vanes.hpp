@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/measures/overlap.hpp"
 #include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/taps.hpp"
@@ -18,6 +19,8 @@
 #include "lommel/special/wave_sums.hpp"
 
 namespace live {
+
+using lommel::pi;
 
 // The aperture is cut into panels of rows between the places where edges meet; within a panel each row is the same number of
 // intervals, whose ends are analytic but for square roots at its first and last row, which y = middle + half sin(t) removes. So
@@ -113,7 +116,6 @@ class CutPupil {
     }
 
    private:
-    static constexpr double pi = 3.14159265358979323846;
     static constexpr double dense = 0.28;  // nodes a radian
     static constexpr std::size_t wide = lommel::fft_rows;
     struct Point {
@@ -537,7 +539,6 @@ class CutField {
     }
 
    private:
-    static constexpr double pi = 3.14159265358979323846;
     static constexpr std::size_t taps = lommel::SingleTaps::taps;
 
     template <class I>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/aperture/shapes.hpp"
+#include "lommel/base/pi.hpp"
 
 namespace lommel {
 
@@ -54,7 +55,6 @@ inline double growth_argument(ComplexDisc x, ComplexDisc y) {
 template <class At>
 void each_corner(double eta, const At& at) {
     constexpr std::size_t corners = 40;
-    constexpr double pi = 3.14159265358979323846;
     const double scale = 1.0 / std::cos(pi / corners), a = scale * std::cosh(eta), b = scale * std::sinh(eta);
     for (std::size_t i = 0; i <= corners / 2; ++i) {
         const double t = 2.0 * pi * static_cast<double>(i) / corners;
@@ -101,7 +101,6 @@ struct GaussNodes {
 // the curve. The part of the largest bound is halved until that is close to what the function is there, or that above the limit.
 template <class At>
 double largest_on_ellipse(double eta, double limit, const At& at) {
-    constexpr double pi = 3.14159265358979323846;
     constexpr std::size_t first = 8, most = 96;
     const double a = std::cosh(eta), b = std::sinh(eta);
     struct Arc {
@@ -310,11 +309,9 @@ class SpanNodes {
 
    private:
     static constexpr std::size_t cells = 65;
-    static double place(std::size_t i) {
-        return -std::cos(3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(cells - 1));
-    }
+    static double place(std::size_t i) { return -std::cos(pi * static_cast<double>(i) / static_cast<double>(cells - 1)); }
     static std::size_t cell(double x, bool up) {
-        const double at = std::acos(std::min(1.0, std::max(-1.0, -x))) / 3.14159265358979323846 * (cells - 1);
+        const double at = std::acos(std::min(1.0, std::max(-1.0, -x))) / pi * (cells - 1);
         return static_cast<std::size_t>(std::min<double>(cells - 1, up ? std::ceil(at) : std::floor(at)));
     }
 

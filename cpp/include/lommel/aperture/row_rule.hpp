@@ -14,6 +14,7 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/limits.hpp"
@@ -143,7 +144,7 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
     // What is the same but for rounding becomes one height: between them rows of 2 at most are gained or lost.
-    constexpr double same = 4e-15, pi = 3.14159265358979323846;
+    constexpr double same = 4e-15;
     std::vector<double> heights;
     for (const double y : region.heights()) {
         if (heights.empty() || y - heights.back() >= same) {
@@ -249,7 +250,6 @@ LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
 }
 
 LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
-    constexpr double pi = 3.14159265358979323846;
     const PanelMap map(panel.low, panel.high, panel.root);
     const GaussRule& outer = gauss(rows);
     ++panels_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/limits.hpp"
 
 namespace lommel {
@@ -182,7 +183,7 @@ LOMMEL_ONCE std::vector<Point> Part::turning() const {
         return points_;
     }
     const double t = std::atan2(by_, ay_);
-    return {{on(t).x, high_}, {on(t + 3.14159265358979323846).x, low_}};
+    return {{on(t).x, high_}, {on(t + pi).x, low_}};
 }
 
 LOMMEL_ONCE std::vector<Point> Part::crossings(const Part& a, const Part& b) {
@@ -240,7 +241,6 @@ LOMMEL_ONCE void Part::cross_line(const Part& a, Point p, Point q, std::vector<P
 LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Point>& found) {
     // Along the boundary of one the square of the other is a trigonometric polynomial of degree 2.
     using Complex = std::complex<double>;
-    constexpr double pi = 3.14159265358979323846;
     Complex c[3] = {};
     for (std::size_t i = 0; i < 8; ++i) {
         const double t = 0.25 * pi * static_cast<double>(i), value = b.square(a.on(t)) - 1.0;

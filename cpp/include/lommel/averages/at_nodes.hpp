@@ -10,6 +10,7 @@
 
 #include "lommel/averages/window_nodes.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/chordal/averages.hpp"
 #include "lommel/limits.hpp"
@@ -134,7 +135,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
         }
         const double gain = rows->gain * columns->gain, spread = rows->spread * columns->spread;
         // All light of an aperture is 4 pi; see below.
-        const double all = spread * 4.0 * 3.141592653589793 * light.transmission / (step * step);
+        const double all = spread * 4.0 * pi * light.transmission / (step * step);
         const double size = std::sqrt(gain * std::min(gain, all));
         const double err_field = err_samples / (size + std::sqrt(size * size + gain * err_samples));
         const bool single = err_field >= in_single;

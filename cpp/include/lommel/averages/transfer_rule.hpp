@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
+
 namespace lommel {
 
 // Chebyshev points of the band, at which the error of the response of samples up to a distance T = `reach` is found.
@@ -34,7 +36,6 @@ struct TransferRule {
     std::vector<double> at, weights;
 
     explicit TransferRule(std::size_t degree) {
-        constexpr double pi = 3.141592653589793;
         const std::size_t half = (degree + 5) / 2;
         const double count = static_cast<double>(2 * half + 1), most = 16.0 / (3.0 * pi * pi);
         for (std::size_t i = 1; i <= half; ++i) {

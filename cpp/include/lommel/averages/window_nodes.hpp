@@ -19,6 +19,7 @@
 #include "lommel/averages/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/least_squares.hpp"
@@ -294,7 +295,6 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
 
 LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double error)
     : step_(step), pixels_(pixels), error_(error) {
-    constexpr double pi = 3.141592653589793;
     const double bandwidth = step * static_cast<double>(pixels);
     if (bandwidth > largest) {
         return;

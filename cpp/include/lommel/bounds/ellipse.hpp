@@ -16,6 +16,7 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/bounds/refine.hpp"
@@ -29,7 +30,6 @@ struct EllipseGrid {
     std::array<double, steps + 1> sin, cos;
 
     EllipseGrid();
-    static double pi() { return 3.14159265358979323846; }
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -46,8 +46,8 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
         quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
     }
     for (std::size_t j = 0; j <= steps; ++j) {
-        sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
-        cos[j] = std::cos(pi() * static_cast<double>(j) / steps);
+        sin[j] = std::sin(pi * static_cast<double>(j) / steps);
+        cos[j] = std::cos(pi * static_cast<double>(j) / steps);
     }
 }
 #endif
@@ -269,7 +269,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
             top = std::max(top, std::abs(sum));
         }
         // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
-        g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
+        g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }
 #endif

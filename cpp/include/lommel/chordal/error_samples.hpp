@@ -11,6 +11,7 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/tables.hpp"
@@ -97,7 +98,7 @@ struct SharpTable {
              chords = rounded_size(Sum::chords, static_cast<double>(chords + 1))) {
             std::vector<double> here(2 * last + 2);
             for (std::size_t i = 1; i <= chords; ++i) {
-                const double angle = std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(chords + 1);
+                const double angle = pi * static_cast<double>(i) / static_cast<double>(chords + 1);
                 const double weight = 2.0 * std::sin(angle) * std::sin(angle) / static_cast<double>(chords + 1);
                 const double place = angle / step, whole = std::floor(place), part = place - whole;
                 here[static_cast<std::size_t>(whole)] += (1.0 - part) * weight;
@@ -131,7 +132,7 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
     : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
     const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
     samples = side * side;
-    step = std::acos(-1.0) / static_cast<double>(2 * last);
+    step = pi / static_cast<double>(2 * last);
     for (const ZernikeTerm& term : list) {
         most.push_back(std::sinh(static_cast<double>(term.n) * b));
     }

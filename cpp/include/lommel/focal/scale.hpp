@@ -10,6 +10,7 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/focal/frames.hpp"
 
@@ -46,7 +47,7 @@ class FocalAxis {
 
    private:
     static double sinc(double x) {
-        const double y = 3.14159265358979323846 * x;
+        const double y = pi * x;
         return std::abs(y) < 1e-9 ? 1.0 : std::sin(y) / y;
     }
     // I_0, of arguments up to 5.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -25,7 +26,7 @@ class MeanProfile {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
         half_ = 0.5 * reach / static_cast<double>(panels);
         points_ = fewest(2, [&](std::size_t n) { return interpolation_error(half_, n) <= allowed; });
-        const double turn = 3.14159265358979323846 / static_cast<double>(2 * points_);
+        const double turn = pi / static_cast<double>(2 * points_);
         std::vector<double> cosines(4 * points_), values(points_), moment(points_ + 3);
         for (std::size_t i = 0; i < cosines.size(); ++i) {
             cosines[i] = std::cos(turn * static_cast<double>(i));

@@ -18,6 +18,7 @@
 #include <map>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/legendre.hpp"
@@ -27,7 +28,6 @@ namespace lommel {
 
 // Area that two discs of radii a and b share whose middles are d apart.
 inline double shared_area(double a, double b, double d) {
-    constexpr double pi = 3.14159265358979323846;
     if (d >= a + b) {
         return 0.0;
     }
@@ -43,7 +43,7 @@ inline double shared_area(double a, double b, double d) {
 // The OTF without aberration, at f over the cutoff.
 inline double flat_overlap(double f, double eps) {
     const double area = shared_area(1.0, 1.0, 2.0 * f) - 2.0 * shared_area(1.0, eps, 2.0 * f) + shared_area(eps, eps, 2.0 * f);
-    return area / (3.14159265358979323846 * (1.0 - eps * eps));
+    return area / (pi * (1.0 - eps * eps));
 }
 
 class Overlap {
@@ -96,7 +96,7 @@ class Overlap {
         set_shift(f, more);
         re_ = im_ = 0.0;
         cover();
-        const double all = 3.14159265358979323846 * (1.0 - eps_ * eps_);
+        const double all = pi * (1.0 - eps_ * eps_);
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 

@@ -11,6 +11,7 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/chebyshev.hpp"
 
@@ -226,7 +227,7 @@ LOMMEL_ONCE Bends::Bends() {
     const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
         // No polynomial of degree d is more than 1 / cos(pi d / 2 n) times what it is at n > d Chebyshev points (Ehlich and Zeller).
         const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
-        const double by = 1.0 / std::cos(0.5 * std::acos(-1.0) * share);
+        const double by = 1.0 / std::cos(0.5 * pi * share);
         for (std::size_t at = 0; at < count / 2; ++at) {
             double even[Halves::half], odd[Halves::half];
             halves.derivative(m, chebyshev_point(at, count), even, odd);

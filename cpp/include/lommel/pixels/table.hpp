@@ -15,6 +15,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/bounds/pixels.hpp"
@@ -325,7 +326,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
     if (entries > most_weights || nodes > most_nodes) {
         throw std::invalid_argument(
-            "averages over pixels of " + std::to_string(w.step / 3.14159265358979324) + " lambda*N take " +
+            "averages over pixels of " + std::to_string(w.step / pi) + " lambda*N take " +
             (nodes > most_nodes
                  ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
                  : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +

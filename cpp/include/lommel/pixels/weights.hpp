@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/pixels/kernels.hpp"
@@ -48,7 +49,7 @@ inline Doubles cosine_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
         for (std::size_t i = 0; i < points; ++i) {
-            const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
+            const double angle = pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
             matrix[k * points + i] =
                 (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
         }
@@ -61,7 +62,7 @@ inline Doubles odd_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
         for (std::size_t i = 0; i < points; ++i) {
-            const double angle = 3.14159265358979323846 * (static_cast<double>(k) + 0.5) * (static_cast<double>(i) + 0.5);
+            const double angle = pi * (static_cast<double>(k) + 0.5) * (static_cast<double>(i) + 0.5);
             matrix[k * points + i] = 2.0 / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
         }
     }

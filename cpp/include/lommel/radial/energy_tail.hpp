@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/radial/stack.hpp"
 
 namespace lommel {
@@ -66,7 +67,6 @@ class EnergyTail {
 
    private:
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
-    static constexpr double pi = 3.14159265358979323846;
 
     struct Wave {
         double frequency = 0.0;

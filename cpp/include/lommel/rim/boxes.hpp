@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/rim/averages.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 
@@ -91,7 +92,7 @@ LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) const {
-    const double mean = std::min(1.0, std::sqrt(4.0 * 3.14159265358979323846) / step_) * remainder;
+    const double mean = std::min(1.0, std::sqrt(4.0 * pi) / step_) * remainder;
     for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
         const double nearest = 0.5 * step_ * static_cast<double>(side),
                      field = mean * std::pow(nearest, -static_cast<double>(rim_orders));

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/rim/slopes.hpp"
@@ -36,8 +37,8 @@ struct RimLine {
         for_tiles(angles, node_tile, [&](std::size_t from, std::size_t size) {
             for (std::size_t c = 0; c < orders.size(); ++c) {
                 for (std::size_t r = 0; r < size; ++r) {
-                    const double angle = 2.0 * 3.14159265358979323846 * std::abs(orders[c]) *
-                                         (static_cast<double>(from + r) + 0.5) / static_cast<double>(angles);
+                    const double angle =
+                        2.0 * pi * std::abs(orders[c]) * (static_cast<double>(from + r) + 0.5) / static_cast<double>(angles);
                     phases[from * orders.size() + c * size + r] = orders[c] < 0 ? std::sin(angle) : std::cos(angle);
                 }
             }

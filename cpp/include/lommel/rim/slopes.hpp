@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/special/legendre.hpp"
@@ -170,8 +171,8 @@ struct RimTurns {
         : count(angles), orders(degree + 1), turns(angles * (degree + 1)), beside(blocks() * 2 * orders * rim_side, 0.0f) {
         for (std::size_t l = 0; l < count / 2; ++l) {
             for (std::size_t mu = 0; mu < orders; ++mu) {
-                const double angle = 2.0 * 3.14159265358979323846 * static_cast<double>(mu) * (static_cast<double>(l) + 0.5) /
-                                     static_cast<double>(count);
+                const double angle =
+                    2.0 * pi * static_cast<double>(mu) * (static_cast<double>(l) + 0.5) / static_cast<double>(count);
                 for (std::size_t part = 0; part < 2; ++part) {
                     const float value = static_cast<float>(part == 0 ? std::cos(angle) : std::sin(angle));
                     turns[2 * (l * orders + mu) + part] = value;

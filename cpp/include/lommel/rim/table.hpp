@@ -12,6 +12,7 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/rim/slopes.hpp"
@@ -208,7 +209,6 @@ struct RimTable {
     static double pixel_error(double step, std::size_t points);
 
    private:
-    static constexpr double pi = 3.14159265358979323846;
     void make_waves(RimWaves& rim) const;
     // Degree of the squares of waves around the axis.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
@@ -133,7 +134,6 @@ class GriddingKernel {
         return scale() * std::min(1.0 / 3.0, std::sqrt(1.0 + 1.0 / square) / square);
     }
 
-    static constexpr double pi = 3.14159265358979323846;
     double beta_, top_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -131,8 +132,7 @@ struct Between : Radii {  // Chebyshev points of each piece, in v
     std::vector<double> signs_ = [this] {
         std::vector<double> made(nodes);
         for (std::size_t j = 0; j < nodes; ++j) {
-            const double angle =
-                3.14159265358979323846 * (static_cast<double>(nodes - 1 - j) + 0.5) / static_cast<double>(nodes);
+            const double angle = pi * (static_cast<double>(nodes - 1 - j) + 0.5) / static_cast<double>(nodes);
             made[j] = (j % 2 == 0 ? 1.0 : -1.0) * std::sin(angle);
         }
         return made;

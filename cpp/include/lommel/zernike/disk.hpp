@@ -12,6 +12,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/bounds/disk.hpp"
@@ -109,7 +110,7 @@ LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
         weights[k] = 0.5 * w[k];
     }
     for (std::size_t i = 0; i < 2 * fft.n; ++i) {
-        const double angle = 3.14159265358979323846 / static_cast<double>(fft.n) * static_cast<double>(i);
+        const double angle = pi / static_cast<double>(fft.n) * static_cast<double>(i);
         cosines.push_back(std::cos(angle));
         sines.push_back(std::sin(angle));
     }

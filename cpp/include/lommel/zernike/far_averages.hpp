@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/base/watch.hpp"
@@ -63,7 +64,6 @@ class FarLight {
    private:
     // Terms of Hankel's expansion, those that are more than an error, and of the polynomial that is fitted to the smooth part.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
-    static constexpr double pi = 3.14159265358979323846;
     // Of the arc tangent (Abramowitz and Stegun, 4.4.49), with what rounding adds.
     static constexpr double angle_error = 1.2e-5;
     // Points between which polynomials are bounded, and how much larger than there those of twice the degree may be.
@@ -553,7 +553,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         return;
     }
     const double light = stack_.amplitude.raised(2.0).integral(stack_.obscuration);
-    const double usual = 0.2 * tol_ * std::min(1.0, 4.0 * 3.14159265358979323846 * light / (step * step));
+    const double usual = 0.2 * tol_ * std::min(1.0, 4.0 * pi * light / (step * step));
     const double error = std::max(1e-12, 0.04 * std::sqrt(usual / step));
     field.expand(outer, inner, stack_.obscuration, reach, error, stack_.lost[pupil]);
     const double peak = likely_peak(field, reach, 2.0 * light);

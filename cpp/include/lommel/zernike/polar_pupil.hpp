@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/base/pi.hpp"
 #include "lommel/zernike/field.hpp"
 #include "lommel/zernike/polar_circles.hpp"
 
@@ -20,7 +21,7 @@ struct PolarStyle {
     std::size_t between, around;
     bool doubles, exact, rough = false;
 
-    double step() const { return 3.14159265358979323846 / oversampling; }
+    double step() const { return pi / oversampling; }
     // Whether taps are those of PairedTaps.
     bool paired() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }

@@ -13,6 +13,7 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/wide.hpp"
 #include "lommel/bounds/disk.hpp"
@@ -36,8 +37,8 @@ struct GrowthTable {
     GrowthTable(const TermPairs& list, std::size_t at);
 
     // Between samples, and between directions.
-    double step() const { return 0.5 * std::acos(-1.0) / static_cast<double>(side - 1); }
-    double turn() const { return std::acos(-1.0) / static_cast<double>(directions); }
+    double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
+    double turn() const { return pi / static_cast<double>(directions); }
 
     // Vector operations, roughly.
     static double work(const TermPairs& list) {

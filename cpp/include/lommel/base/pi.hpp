@@ -1,0 +1,8 @@
+// Half a turn, in radians.
+#pragma once
+
+namespace lommel {
+
+constexpr double pi = 3.14159265358979323846;
+
+}  // namespace lommel

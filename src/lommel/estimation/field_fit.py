@@ -29,7 +29,7 @@ from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
-from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -636,6 +636,7 @@ def _answer(
 ) -> FieldFit:
     """Return the answer of a search."""
     found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
+    noise, lit = camera
     # The best search need not be the last, which may have ended with another shape of blur.
     search.places, stars = outcome.places, found.model.of
     search.stars, one = stars, stars.one
@@ -671,37 +672,18 @@ def _answer(
             tests = negated(tests, one.unknowns)
             found.x[0, : k * m] = polynomials.ravel()
         twin = field_of(other)
-        how = "add a second defocus, or give start"
-        if decided := start is not None or stars.defocused:
-            how = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
-        told.append(Finding("sign_open", "note" if decided else "doubt", f"{_SIGN}: {how}, the other is twin"))
+        told = _sign_findings(start is not None, stars.defocused)
     told = [*outcome.findings, *missing_findings(tests), *told]
     squares = found.squares()
     blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
     told += _blur_findings(stars, outcome.shapes)
-    every = np.arange(stars.count)
-    own = np.zeros((stars.count, stars.own, stars.exposures))
-    own[found.model.chosen] = found.of_stars()
-    if len(lost):
-        own[lost] = search.placed(lost, polynomials, squares)
-    whole = search.model(every, held=True)
-    row = whole.row(polynomials, squares, own)
-    psf = stars.images(every, *whole.parts(row), fast=False, slopes="none")[0]
-    each = stars.quality(every, psf, own, float(stars.own * stars.exposures))
-    model = stars.expected(psf, own)
-    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [side // 2 for side in stars.shape]
-    used = np.isin(every, found.model.chosen)
+    table, model = _fitted_stars(search, found, lost, polynomials, places, noise.excess)
     chi2 = float(found.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
-    work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} {noun}s, degree {degree}"
+    work = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
         work += f", held-out chi2 {held_out:.4g}"
-    if len(lost):
-        why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
-        named = ", ".join(f"row {places[k, 0]:.0f} column {places[k, 1]:.0f}" for k in lost[:_NAMED])
-        more = f" and {len(lost) - _NAMED} more" if len(lost) > _NAMED else ""
-        text = f"{len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why}) at {named}{more}"
-        told.append(Finding("rejected", "note", text, {"rejected": len(lost)}))
+    told += _rejected_finding(noun, places[lost])
     if distortion is not None:
         work += f"; {distortion.summary}"
         told += distortion.findings
@@ -709,13 +691,9 @@ def _answer(
         told.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(told).converged:
         told += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)
-    noise, lit = camera
     told += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
-    if (rays := counts.known & ~used_pixels).any():
-        pixels, windows = int(rays.sum()), int(rays.any(axis=(1, 2, 3)).sum())
-        text = f"{pixels} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
-        told.append(Finding("left_out", "note", text, {"pixels": pixels, "windows": windows}))
+    told += _left_out_finding(counts.known & ~used_pixels)
     estimated = (one.directions != 0.0).any(axis=0)
     estimated[one.tilts] |= distortion is not None
     kept = tuple(term for term, free in zip(one.terms, estimated, strict=True) if free or start is not None)
@@ -733,7 +711,7 @@ def _answer(
         summary=work,
         degree=degree,
         distortion=distortion,
-        stars=FittedStars(places, centers, noise.excess * own[:, 2], noise.excess * own[:, 3], each.chi2, used),
+        stars=table,
         images=np.where(used_pixels, noise.electrons(counts.filled()), np.nan),
         model=model.reshape(counts.values.shape) * lit * noise.excess,
         _sensor=chip,
@@ -741,6 +719,52 @@ def _answer(
         _pupil=pupil,
         _defocus=tuple(float(each) for each in stars.known),
     )
+
+
+def _fitted_stars(
+    search: Search, found: Found, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
+) -> tuple[FittedStars, Array]:
+    """Return the table of all stars, rejected ones with the wavefronts of the field, and expected electrons."""
+    stars, squares = search.stars, found.squares()
+    own = np.zeros((stars.count, stars.own, stars.exposures))
+    own[found.model.chosen] = found.of_stars()
+    if len(lost):
+        own[lost] = search.placed(lost, polynomials, squares)
+    every = np.arange(stars.count)
+    whole = search.model(every, held=True)
+    psf = stars.images(every, *whole.parts(whole.row(polynomials, squares, own)), fast=False, slopes="none")[0]
+    each = stars.quality(every, psf, own, float(stars.own * stars.exposures))
+    centers = own[:, :2].swapaxes(1, 2) / stars.one.tilt_of_pixel + [side // 2 for side in stars.shape]
+    used = np.isin(every, found.model.chosen)
+    table = FittedStars(places, centers, excess * own[:, 2], excess * own[:, 3], each.chi2, used)
+    return table, stars.expected(psf, own)
+
+
+def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
+    """Return the finding of a common sign of the even terms that one focus leaves open."""
+    how = f"the one nearer to {'start' if started else 'the known defocus'} is given"
+    severity: Severity = "note"
+    if not started and not defocused:
+        how, severity = "add a second defocus, or give start", "doubt"
+    return [Finding("sign_open", severity, f"{_SIGN}: {how}, the other is twin")]
+
+
+def _rejected_finding(noun: str, places: Array) -> list[Finding]:
+    """Return the finding of the places (n, 2) of stars that were rejected."""
+    if not len(places):
+        return []
+    why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
+    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_NAMED])
+    more = f" and {len(places) - _NAMED} more" if len(places) > _NAMED else ""
+    text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({why}) at {named}{more}"
+    return [Finding("rejected", "note", text, {"rejected": len(places)})]
+
+
+def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
+    """Return the finding of known pixels (n, e, height, width) that the fit does not use."""
+    count, windows = int(pixels.sum()), int(pixels.any(axis=(1, 2, 3)).sum())
+    text = f"{count} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
+    return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
 
 
 def _blurs(

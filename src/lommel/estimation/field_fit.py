@@ -441,8 +441,9 @@ def fit_field(
     other defoci of all exposures or of one. What the stars favour beyond chance is in doubt ("other_explanation"),
     but for backgrounds that slope, which are estimated. What may be there and is not seen is marginalized:
     `coefficients` and their errors hold for a variance of 0.1 pixels^2 in one direction, 30 % of the light in wings,
-    1 electron per pixel, 3 % of the amplitude from the middle of the pupil to its edge, obscurations off the middle
-    by 0.02 radii, edges longer by 1 %, and 1 % of the charge, one standard deviation each; `model` is without them.
+    1 electron per pixel, 2 % of the amplitude from the middle of the pupil to its edge, obscurations off the middle
+    by 0.01 radii, edges longer by 0.5 %, and 0.5 % of the charge, one standard deviation each; `model` is without
+    them.
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
     another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").

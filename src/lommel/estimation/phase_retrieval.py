@@ -320,8 +320,8 @@ def retrieve(
     to two radial orders (spherical ones up to four), blur, backgrounds that slope, a gain that is not linear, another
     f-number, obscuration or amplitude at the edge of the pupil, light that slopes across it, an obscuration off the
     middle, an edge that is not round, charge that arrives late, defoci longer by a share, of three images and more
-    another defocus of each. Of these, slopes of the background and of light (3 % of the amplitude), obscurations off
-    the middle by 0.02 radii, edges longer by 1 %, and 1 % of the charge, one standard deviation each, are
+    another defocus of each. Of these, slopes of the background and of light (2 % of the amplitude), obscurations off
+    the middle by 0.01 radii, edges longer by 0.5 %, and 0.5 % of the charge, one standard deviation each, are
     marginalized where they are not seen: `coefficients` and their errors allow for them; `model` is without. A wrong
     sign of all known defoci negates the even terms, and nothing tells it. What the images favour beyond chance is
     named, and the answer is in doubt ("other_explanation").

@@ -28,8 +28,8 @@ _WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a 
 _VARIED = 0.3  # pixels^2 of a blur, by which it may differ from the middle to the edge of the field
 _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
-_UNEVEN_LIGHT = {SLANT: 0.03, SHIFT: 0.02, OVAL: 0.01}  # of the amplitude at the edge; radii
-_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
+_UNEVEN_LIGHT = {SLANT: 0.02, SHIFT: 0.01, OVAL: 0.005}  # of the amplitude at the edge; radii
+_TRAIL, _LATE, _REACH = 0.005, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
 _MOST_FOCI = 9  # of which that is tested
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.

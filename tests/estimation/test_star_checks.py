@@ -74,7 +74,7 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
         ({"dimmed": 0.1}, "apodization", 0.1),
         ({"slanted": 0.06}, "light that slopes across the pupil", 0.06),
         ({"off": 0.05}, "obscuration off the middle", 0.05),
-        ({"oval": 0.06}, "aperture that is not round", 0.03),
+        ({"oval": 0.04}, "aperture that is not round", 0.02),
         ({"late": 0.03}, "charge that arrives late in higher rows", 0.03),
         ({"waves": (*WAVES, (22, 0.04))}, "noll 22 secondary spherical", 0.04),
         ({"lost": 0.3}, "non-linear gain", 0.3),

@@ -42,8 +42,9 @@ def test_a_chi2_that_noise_seldom_exceeds_is_remarked_on():
     assert goodness_of_fit.chi2_findings(1.05, spread, "why") == []
     (found,) = goodness_of_fit.chi2_findings(1.13, spread, "why")
     assert (found.code, found.severity, found.text) == (
-        "rare_chi2", "note", "noise alone exceeds this chi2 in 0.03 % of fits"
+        "rare_chi2", "doubt", "noise alone exceeds this chi2 in 0.03 % of fits"
     )  # fmt: skip
+    assert goodness_of_fit.chi2_findings(1.1, spread, "why")[0].severity == "note"
     assert 1.13 < goodness_of_fit.most(spread) < 1.15
 
 

@@ -11,7 +11,7 @@ from lommel.base.arrays import Array
 from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
-from lommel.estimation.star_checks import BLURS, NUISANCES, Lacking
+from lommel.estimation.star_checks import BLURS, Lacking
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.estimation.uneven_light import changes_of
@@ -62,7 +62,7 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     ]
     missing = star_checks.candidates_of(lacking, at)
     # A blur that is stated is as it is.
-    unseen = [one for one in missing if one.name in (*NUISANCES, *(BLURS if stars.widths else ()))]
+    unseen = star_checks.unseen(missing, BLURS if stars.widths else ())
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
     return score_tests(matrix, right, estimated, [*candidates, *missing]), marginal
 
@@ -89,7 +89,7 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     image, *by = [flux * each for each in made]
     found = [*star_checks.lacking_phases(terms, constants, by[: len(every)], stars.one.pupil, stars.known)]
     changes = changes_of(stars.lens)
-    blurred = by[len(every) + 2 * len(changes) :]
+    blurred = by[len(every) + sum(changes.values()) :]
     found += star_checks.lacking_uneven_light(changes, by[len(every) : len(by) - len(blurred)])
     found += star_checks.lacking_charge(image)
     if (pupil := star_checks.apodized(stars.lens)) is not None:

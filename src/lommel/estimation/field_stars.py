@@ -173,7 +173,7 @@ class FieldStars:
             _, made, rates = asked.images(pupil, by)
             samples = [made.values, *(slope.values for slope in rates)]
             if slopes == "others" and changes_of(self.lens):
-                samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms).images(edge)
+                samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms, edge).images()
         else:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))

@@ -318,13 +318,15 @@ def retrieve(
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
     to two radial orders (spherical ones up to four), blur, backgrounds that slope, a gain that is not linear, another
-    f-number, obscuration or amplitude at the edge of the pupil, light that slopes across it, an obscuration off the
-    middle, an edge that is not round, charge that arrives late, defoci longer by a share, of three images and more
-    another defocus of each. Of these, slopes of the background and of light (2 % of the amplitude), obscurations off
-    the middle by 0.01 radii, edges longer by 0.5 %, and 0.5 % of the charge, one standard deviation each, are
-    marginalized where they are not seen: `coefficients` and their errors allow for them; `model` is without. A wrong
-    sign of all known defoci negates the even terms, and nothing tells it. What the images favour beyond chance is
-    named, and the answer is in doubt ("other_explanation").
+    f-number, obscuration or amplitude at the edge of the pupil, light that is uneven across it (a slope, two to four
+    folds), an obscuration off the middle, an edge that is not round, scales along x and y that differ, charge that
+    arrives late, defoci longer by a share, of three images and more another defocus of each. Of these, slopes of the
+    background, uneven light (2 % of the amplitude at the edge, 1 % in folds), obscurations off the middle by 0.01
+    radii, semi-axes of the edge longer and shorter by 0.5 %, scales by 0.3 %, 0.5 % of the charge, f-numbers by 1 %,
+    obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each, are marginalized:
+    `coefficients` and their errors allow for them; `model` is without. A wrong sign of all known defoci negates the
+    even terms, and nothing tells it. What the images favour beyond chance is named, and the answer is in doubt
+    ("other_explanation").
 
     Examples
     --------
@@ -487,8 +489,8 @@ def _retrieval(
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     causes = (
-        "pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, the images are "
-        "blurred (blur=True), or all starts converged to local minima"
+        "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are "
+        "missing, the images are blurred (blur=True), or all starts converged to local minima"
     )
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
     found += [*dark, *_sign_findings(model, x), *lacking]

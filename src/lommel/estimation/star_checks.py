@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import itertools
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -15,7 +16,7 @@ from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.star_images import StarImages, changes, label, next_terms, slants, uncertainty
 from lommel.estimation.star_readout import StarReadout
-from lommel.estimation.uneven_light import OVAL, SHIFT, SLANT, UnevenLight, changes_of
+from lommel.estimation.uneven_light import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, other_explanation, score_tests, seen
 from lommel.methods.derivative_names import Name, Term
@@ -28,8 +29,10 @@ _WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a 
 _VARIED = 0.3  # pixels^2 of a blur, by which it may differ from the middle to the edge of the field
 _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
-_UNEVEN_LIGHT = {SLANT: 0.02, SHIFT: 0.01, OVAL: 0.005}  # of the amplitude at the edge; radii
+# Amplitude at the edge; radii; share of the scale.
+_UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL, _LATE, _REACH = 0.005, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
+_KNOWN = 0.5  # of these, to which constants are known at least
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
 _MOST_FOCI = 9  # of which that is tested
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
@@ -55,18 +58,20 @@ _WORDS = {
         "blur that is not the same in all directions, as of tracking or wind: (rows - columns) / 2, covariance",
         " pixels^2",
     ),
-    _WINGS: ("another shape of blur: share of light that is blurred twice as far", ""),
-    _HALO: ("another shape of blur: share of light that is blurred four times as far", ""),
+    _WINGS: ("wings of the blur: share of light that is blurred twice as far", ""),
+    _HALO: ("a halo of the blur: share of light that is blurred four times as far", ""),
     _UNEVEN: ("blur that varies over the field: variance per half of it, columns and rows", " pixels^2"),
     GRADIENT: ("backgrounds that slope", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
     SLANT: ("light that slopes across the pupil: by exp(-a y - b x), a, b", ""),
     SHIFT: ("an obscuration off the middle by (rows, columns)", " radii"),
+    **{name: (f"{name}: amplitude at the edge by cosine and sine", "") for name in FOLDS},
+    ASPECT: ("an image that is longer along y and shorter along x than stated, each by a share of", ""),
     OVAL: ("an aperture that is not round: radius longer by s cos 2t + u sin 2t, s, u", ""),
     **{name: (f"{name}: share", "") for name in _TRAILS.values()},
-    "f_number": ("an f-number larger than stated by", ""),
-    "obscuration": ("an obscuration larger than stated by", ""),
-    "defocus": ("known defoci larger than stated by a share of", ""),
+    "f_number": ("another f-number: its difference from the stated one", ""),
+    "obscuration": ("another obscuration: its difference from the stated one", ""),
+    "defocus": ("known defoci that are longer than stated: share of their length", ""),
     "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
 
@@ -123,10 +128,11 @@ def lacking_light(image: Array, other: Array) -> Lacking:
     return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
-def lacking_uneven_light(names: Sequence[str], images: Sequence[Array]) -> Iterator[Lacking]:
-    """Yield light of the pupil that is not where its aperture says, of derivatives of electrons, two of each name."""
-    for name, rows, columns in zip(names, images[::2], images[1::2], strict=True):
-        yield Lacking(name, _UNEVEN_LIGHT[name], (rows, columns))
+def lacking_uneven_light(changes: Mapping[str, int], images: Iterable[Array]) -> Iterator[Lacking]:
+    """Yield light of the pupil that is not where its aperture says, of derivatives of electrons by `changes_of`."""
+    left = iter(images)
+    for name, count in changes.items():
+        yield Lacking(name, _UNEVEN_LIGHT[name], tuple(itertools.islice(left, count)))
 
 
 def lacking_charge(image: Array) -> Iterator[Lacking]:
@@ -176,6 +182,12 @@ def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
     return found
 
 
+def unseen(candidates: Sequence[Candidate], others: Sequence[str] = ()) -> list[Candidate]:
+    """Return the candidates that are marginalized, with the sizes that they may have unseen."""
+    found = [one for one in candidates if one.name in (*NUISANCES, *others)]
+    return found + [replace(one, scale=_KNOWN * one.scale) for one in candidates if one.name in _CONSTANTS]
+
+
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
     """Return the finding of what the stars favour."""
     likely = seen(tests)
@@ -209,7 +221,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
-        uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms).images(phases)
+        uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
         lacking += lacking_uneven_light(changes, [flux * image for image in uneven])
     lacking += lacking_charge(flux * values)
     if (other := apodized(pupil)) is not None and plan.method is None:
@@ -230,8 +242,8 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
     found = products[0]
     candidates, asked = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
-    unseen = [one for one in candidates if one.name in NUISANCES]
-    return missing_findings(score_tests(*asked, candidates)) + untested, marginalized(*asked, unseen, model.shared)
+    marginal = marginalized(*asked, unseen(candidates), model.shared)
+    return missing_findings(score_tests(*asked, candidates)) + untested, marginal
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:

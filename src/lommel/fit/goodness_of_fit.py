@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from scipy import special
 
 from lommel.base.arrays import Array
-from lommel.fit.findings import Finding
+from lommel.fit.findings import Finding, Severity
 
 BY_CHANCE = 1e-4
 """Probability with which noise alone makes a fit a misfit."""
@@ -55,7 +55,10 @@ def chance(chi2: float, spread: float) -> float:
 
 
 def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
-    """Return the finding of a chi2 that noise does not explain, or seldom; `causes` of a misfit in words."""
+    """Return the finding of a chi2 that noise does not explain, or seldom, once in 1000 fits a doubt.
+
+    `causes` of a misfit in words.
+    """
     limit, floor, rare = float(most(spread)), float(least(spread)), chance(chi2, spread)
     numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": rare}
     if chi2 >= limit:
@@ -65,7 +68,8 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
         return [Finding("too_quiet", "doubt", text, numbers)]
     if rare < _DOUBTED:
         percent = f"{100.0 * max(rare, 1e-6):.1g}"
-        return [Finding("rare_chi2", "note", f"noise alone exceeds this chi2 in {percent} % of fits", numbers)]
+        severity: Severity = "doubt" if rare < SURE else "note"
+        return [Finding("rare_chi2", severity, f"noise alone exceeds this chi2 in {percent} % of fits", numbers)]
     return []
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import lommel
-from lommel.page import module
+from lommel.page import server
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -30,7 +30,7 @@ command_options.write(HERE / "_generated")
 format_table.write(HERE / "_generated")
 instrument_tables.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
-shutil.copy(module.path(), HERE / "_generated" / "live")
+shutil.copy(server.path(), HERE / "_generated" / "live")
 
 project = "lommel"
 author = "the lommel authors"

@@ -37,7 +37,7 @@ from lommel.cli.main import main
 from lommel.estimation import field_fit
 from lommel.methods import METHODS
 from lommel.microscopy import refinement
-from lommel.page import module
+from lommel.page import server
 from video_files import write_video
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -254,8 +254,8 @@ def folder(files, tmp_path, monkeypatch) -> Path:
     monkeypatch.setattr(refinement, "_STEPS", 4)
     monkeypatch.setattr(field_fit, "_SEARCHES", 1)
     # The live page, which need not be made, is served until Ctrl-C.
-    (tmp_path / module.NAME).write_text("export default {};\n", encoding="utf-8")
-    monkeypatch.setattr(module, "path", lambda: tmp_path / module.NAME)
+    (tmp_path / server.NAME).write_text("export default {};\n", encoding="utf-8")
+    monkeypatch.setattr(server, "path", lambda: tmp_path / server.NAME)
     monkeypatch.setattr("webbrowser.open", lambda url: url.startswith("http://127.0.0.1:") or pytest.fail(url))
     monkeypatch.setattr("lommel.page.server.PageServer.serve_forever", interrupted)
     return tmp_path

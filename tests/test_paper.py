@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import figures, numbers, write
+from lommel.paper import figures, write
 from lommel.paper.figures import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
@@ -20,7 +20,7 @@ SMALL = Setting(shape=96)
 
 @pytest.fixture(scope="module")
 def table():
-    return {row["quantity"]: row for row in numbers.rows()}
+    return {row["quantity"]: row for row in write.rows()}
 
 
 def test_the_window_is_what_the_setting_says():
@@ -84,8 +84,8 @@ def test_every_row_states_its_settings_and_what_was_searched(table):
 
 def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the_window_squared():
     v = (np.arange(20_000) + 0.5) * 0.01
-    assert numbers.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
-    assert numbers.mean_over_window((v, v**2), 100.0) == pytest.approx(2.0e4 / 3.0, rel=1e-4)
+    assert write.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
+    assert write.mean_over_window((v, v**2), 100.0) == pytest.approx(2.0e4 / 3.0, rel=1e-4)
 
 
 def test_errors_of_the_comparison_are_those_of_its_images():
@@ -116,7 +116,7 @@ def test_strong_defocus_is_worse_as_printed():
 
 def test_the_tangent_line_figure_has_the_settings_of_the_table():
     data = figures.vary("tangent", SMALL)
-    assert (data.facts["defocus"], data.facts["window"]) == (numbers.SECOND.defocus, numbers.SECOND.window)
+    assert (data.facts["defocus"], data.facts["window"]) == (write.SECOND.defocus, write.SECOND.window)
     errors = {panel["tangent"]: panel["printed"]["mse"] for panel in data.facts["panels"]}
     assert errors[200.0] < 0.2 * errors[100.0]
 
@@ -211,9 +211,9 @@ def test_figures_that_are_written_are_told(call_lommel, tmp_path, monkeypatch):
 def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
     tiny = dict.fromkeys(("1", "eq17"), TINY)
     monkeypatch.setattr(write, "FIGURES", tiny)
-    monkeypatch.setattr(numbers, "WINDOWS", np.array([145.0, 150.0]))
-    monkeypatch.setattr(numbers, "DEFOCI", np.array([22.0]))
-    monkeypatch.setattr(numbers, "SPHERICALS", np.array([10.0]))
+    monkeypatch.setattr(write, "WINDOWS", np.array([145.0, 150.0]))
+    monkeypatch.setattr(write, "DEFOCI", np.array([22.0]))
+    monkeypatch.setattr(write, "SPHERICALS", np.array([10.0]))
     result = call_lommel("paper", "out", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     wanted = {name for number in tiny for name in write.names(number)} | set(write.TABLE)
@@ -223,7 +223,7 @@ def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp
     for row in rows:
         assert row["quantity"] in text
         assert row["quantity"] in result.stdout
-        assert numbers.number(row["printed"]) in text
+        assert write.number(row["printed"]) in text
 
 
 def test_the_choices_of_the_command_line_are_the_figures_there_are(call_lommel, tmp_path):

@@ -38,7 +38,7 @@ def test_a_hostile_file_costs_little_and_is_told_in_short(name, costs):
 # Files are opened and parsed in base/reading.py, and besides only so:
 ARGUED = {
     ("__init__.py", "open"): "the package's own list of names",
-    ("page/module.py", "read_text"): "the package's own live page",
+    ("page/server.py", "read_text"): "the package's own live page",
     ("page/server.py", "read_bytes"): "the package's own live page",
     ("cli/main.py", "read_text"): "the package's own commands",
     ("cli/examples_command.py", "read_bytes"): "the package's own examples",
@@ -62,8 +62,7 @@ ARGUED = {
     ("io/videos.py", "open"): "frame by frame, and to write",
     ("localize/localizations.py", "File"): "to write, in memory",
     ("stacks/compute.py", "open"): "a store, by its own reader",
-    ("stacks/stack.py", "open"): "a store, by its own reader",
-    ("stacks/store.py", "open"): "an array of a folder of known files",
+    ("stacks/stack.py", "open"): "arrays of a folder of known files",
     ("optics/aperture/mask.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.

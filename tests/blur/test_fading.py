@@ -11,7 +11,7 @@ from scipy.integrate import quad
 
 import lommel as lm
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.fading import FURTHER, Fading
+from lommel.blur.transfer_integral import FURTHER, Fading
 
 KINDS = {
     "kolmogorov": (lm.Seeing(0.05),),

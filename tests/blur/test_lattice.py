@@ -10,7 +10,7 @@ import pytest
 import lommel as lm
 from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.readout import ends
+from lommel.blur.convolution import ends
 from lommel.blur.recorded import Asked, Band, Gather, Made, summed
 from lommel.blur.turbulence import Gate
 from lommel.optics.grid import Grid

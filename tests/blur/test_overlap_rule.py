@@ -9,7 +9,7 @@ import pytest
 from mpmath import mp
 
 import lommel as lm
-from lommel.blur.overlap_rule import ETAS, Part, Slopes, gauss_nodes, parts, rounding
+from lommel.blur.transfer_integral import ETAS, Part, Slopes, gauss_nodes, parts, rounding
 
 PUPILS = {
     "focus": lm.Pupil(),

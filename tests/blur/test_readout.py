@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.blur.readout import ends, gained, readout
+from lommel.blur.convolution import ends, gained, readout
 from lommel.blur.turbulence import Gate
 
 PLACES = np.sort(np.random.default_rng(3).uniform(-30.0, 40.0, 9))

@@ -14,9 +14,7 @@ from scipy.special import j0
 import lommel as lm
 from lommel.blur import recorded, transfer_integral
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.fading import Fading
-from lommel.blur.overlap_rule import Slopes, parts
-from lommel.blur.transfer_integral import TransferIntegral, rule
+from lommel.blur.transfer_integral import Fading, Slopes, TransferIntegral, parts, rule
 
 BLURS = {
     "50": (lm.Seeing(0.02),),

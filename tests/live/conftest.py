@@ -12,7 +12,7 @@ import pytest
 
 import check
 import firefox as firefoxes
-from lommel.page import module as page_module
+from lommel.page import server as page_module
 
 MODULE = Path(__file__).resolve().parents[2] / "src" / "lommel" / "page" / "lommel-live.js"
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>test</title><link rel="icon" href="data:,">

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.measures import mask_overlap
+from lommel.measures import overlap as autocorrelation
 from lommel.optics.aperture.mask import cell_centers
 
 SIDE = 24
@@ -56,10 +56,10 @@ def test_cells_of_a_mask_overlap_at_every_shift(squares, monkeypatch):
     np.testing.assert_allclose(found, exact, atol=2e-5)
     np.testing.assert_array_equal(lm.otf(lm.psf(pupil, 9, 0.25, dtype="float64"), fx, fy), found)
     assert lm.otf(pupil, 0.0) == pytest.approx(1.0, abs=1e-14)
-    mask_overlap.cells.cache_clear()
-    monkeypatch.setattr(mask_overlap, "_MAX_TABLE", 1)
+    autocorrelation.cells.cache_clear()
+    monkeypatch.setattr(autocorrelation, "_MAX_TABLE", 1)
     np.testing.assert_allclose(lm.otf(pupil, fx, fy), found, rtol=0.0, atol=1e-14)
-    mask_overlap.cells.cache_clear()
+    autocorrelation.cells.cache_clear()
 
 
 def test_at_whole_cells_it_is_the_transform_of_one_period_of_the_image():

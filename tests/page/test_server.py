@@ -9,16 +9,16 @@ from collections.abc import Iterator
 
 import pytest
 
-from lommel.page import module
+from lommel.page import server as page_server
 from lommel.page.server import PageServer
 
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
     """A module that was made."""
-    file = tmp_path / module.NAME
+    file = tmp_path / page_server.NAME
     file.write_text('const end = "</script>"; // µ\n', encoding="utf-8")
-    monkeypatch.setattr(module, "path", lambda: file)
+    monkeypatch.setattr(page_server, "path", lambda: file)
     return file
 
 
@@ -85,7 +85,7 @@ def test_the_page_and_its_module_are_served(server, made):
         assert b"<title>A &lt;b&gt; lens &amp; more</title>" in body
         assert "connect-src" not in answer.getheader("Content-Security-Policy")
         assert "default-src 'none'" in answer.getheader("Content-Security-Policy")
-    answer, body = ask(server, f"/{module.NAME}")
+    answer, body = ask(server, f"/{page_server.NAME}")
     assert (answer.status, answer.getheader("Content-Type")) == (200, "text/javascript; charset=utf-8")
     assert body == made.read_bytes()
     answer, body = ask(server, "/", method="HEAD")
@@ -114,7 +114,7 @@ def test_only_this_machine_is_listened_to(server):
 
 
 def test_a_page_alone_has_the_module_inside(made):
-    text = module.html({}, alone=True)
+    text = page_server.html({}, alone=True)
     assert 'const end = "<\\/script>"' in text
     assert text.count("</script") == 1
     assert "src=" not in text
@@ -122,6 +122,6 @@ def test_a_page_alone_has_the_module_inside(made):
 
 
 def test_what_was_not_made_is_told(tmp_path, monkeypatch):
-    monkeypatch.setattr(module, "__file__", str(tmp_path / "module.py"))
+    monkeypatch.setattr(page_server, "__file__", str(tmp_path / "module.py"))
     with pytest.raises(FileNotFoundError, match=r"live page's module is not there .*make page"):
-        module.path()
+        page_server.path()

@@ -9,15 +9,15 @@ import pytest
 import traitlets
 
 import lommel as lm
-from lommel.page import module, widget
+from lommel.page import server, widget
 from lommel.page.state import FIELDS, psf_of
 
 
 @pytest.fixture(autouse=True)
 def made(tmp_path, monkeypatch):
-    file = tmp_path / module.NAME
+    file = tmp_path / server.NAME
     file.write_text("export default { render() {} };\n", encoding="utf-8")
-    monkeypatch.setattr(module, "path", lambda: file)
+    monkeypatch.setattr(server, "path", lambda: file)
     widget._kind.cache_clear()
     yield
     widget._kind.cache_clear()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.recorded.saturation import flat_top, full_value
+from lommel.recorded.counts import flat_top, full_value
 
 AIRY = lm.psf(lm.Pupil(), 31, 0.5).values
 

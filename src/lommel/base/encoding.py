@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel.base import notes, validation
+from lommel.base import validation
 from lommel.base.arrays import Values
 
 ENCODINGS = ("linear", "srgb")
@@ -72,7 +72,7 @@ def scene_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DT
 def tell_of_light(light: Values) -> None:
     """Give a UserWarning if there is light of more than ten times white."""
     if light.size and (peak := float(np.max(light))) > _BRIGHT:
-        notes.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide them by their white")
+        validation.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide them by their white")
 
 
 def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:

@@ -1,4 +1,4 @@
-"""Validation of arguments: each error names the argument, its value and the values allowed."""
+"""Validation of arguments: each error or note names the argument, its value and the values allowed."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import numbers
 import operator
 import os
 import reprlib
+import sys
+import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, cast
 
@@ -17,6 +19,15 @@ from lommel.base.arrays import Array
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+
+def tell(note: str) -> None:
+    """Give a UserWarning at the line outside of this package that led here."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("lommel."):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(note, stacklevel=level)
+
 
 MAX_SIDE = 16384
 """Largest image side, in pixels."""

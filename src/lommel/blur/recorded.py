@@ -11,10 +11,8 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, Seeing, require_unit
-from lommel.blur.convolution import Short, Spread, spread
-from lommel.blur.fading import FURTHER, Fading
-from lommel.blur.readout import Readout, ends, readout
-from lommel.blur.transfer_integral import TransferIntegral
+from lommel.blur.convolution import Readout, Short, Spread, ends, readout, spread
+from lommel.blur.transfer_integral import FURTHER, Fading, TransferIntegral
 from lommel.blur.turbulence import Gate, Halo
 from lommel.core.answers import Declined, Images, ToleranceError, Wanted, not_met
 from lommel.core.engine import product

@@ -191,8 +191,7 @@ def paper(
       lommel paper out
       lommel paper out --figure 3 --figure eq17
     """
-    from lommel.paper.numbers import closest_text, number
-    from lommel.paper.write import FIGURES, reproduce
+    from lommel.paper.write import FIGURES, closest_text, number, reproduce
 
     wanted = list(figures) or None
     with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:

@@ -10,8 +10,7 @@ import click
 from lommel.base import atomic
 from lommel.cli.options import FILE, OUTPUT, argument, command, option
 from lommel.lensfiles.lens_files import load_instrument
-from lommel.page import module
-from lommel.page.server import PageServer
+from lommel.page.server import PageServer, html
 from lommel.page.state import state_of
 
 
@@ -44,7 +43,7 @@ def live(
         if left_out:
             click.echo(f"The page does not show {left_out}.", err=True)
     if saved is not None:
-        atomic.write(saved, module.html(state, name, left_out, alone=True).encode())
+        atomic.write(saved, html(state, name, left_out, alone=True).encode())
         click.echo(f"wrote {saved}")
         return
     with PageServer(state, name, port or 0, left_out) as server:

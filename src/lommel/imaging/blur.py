@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import notes, validation
+from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
@@ -348,7 +348,7 @@ def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
     else:
         return
     ends = " to ".join(format_length(end) for end in dict.fromkeys((low, high)))
-    notes.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
+    validation.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
 
 
 _ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9

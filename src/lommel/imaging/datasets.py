@@ -22,7 +22,7 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import atomic, notes, reading, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.checksums import of_bytes, of_file, plain
 from lommel.base.encoding import ENCODINGS, from_light
@@ -483,7 +483,7 @@ def _missing(
     def told(number: int, files: list[str], facts: dict[str, Any], failure: str | None, said: list[str]) -> Rendered:
         nonlocal done
         for note in said:
-            notes.tell(note)
+            validation.tell(note)
         if failure is not None:
             return Rendered(number, done, total, (), facts, failure)
         done += 1

@@ -42,8 +42,8 @@ from lommel.imaging.photograph import (
 from lommel.imaging.restoration_risk import judged, mixed, noise_aware
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
+from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
-from lommel.recorded.saturation import full_value
 
 _QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next
 

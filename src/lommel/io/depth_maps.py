@@ -11,7 +11,7 @@ from typing import Any, TypedDict, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.base import atomic, notes, options, reading, validation
+from lommel.base import atomic, options, reading, validation
 from lommel.base.arrays import Array
 from lommel.io.photos import JPEG, PhotoError, find_depth, told
 from lommel.io.registry import Values
@@ -122,7 +122,7 @@ class DepthValues:
                         f"{least:g} means unknown, state it as `unknown`"
                     )
         if most == 1.0 and not self.states_metres:
-            notes.tell(
+            validation.tell(
                 f"the farthest depth of {name} is exactly 1: maps of 0 to 1, such as inverse depth, are not in "
                 "metres; `inverse` states the distances at 1 and at 0"
             )
@@ -140,7 +140,7 @@ class DepthValues:
                 "value, or state values that mean unknown as `unknown`"
             )
         if 0.0 < ends[1] < top / 8.0:
-            notes.tell(
+            validation.tell(
                 f"the brightest level of {name} is {ends[1]:g}, and `inverse` takes {top:g} for the nearest "
                 "distance: scale levels of fewer bits to all of them"
             )

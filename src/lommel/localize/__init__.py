@@ -5,7 +5,7 @@ from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, Recording, writer
 from lommel.localize.movie_fits import localize_blocks, localize_movie
 from lommel.localize.table import Table
-from lommel.recorded.movies import Movie, MovieError, open_movie
+from lommel.recorded.frames import Movie, MovieError, open_movie
 
 __all__ = [
     "Localizations",

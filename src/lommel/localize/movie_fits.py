@@ -20,7 +20,7 @@ from lommel.localize.detection import Spots, box_pixels, find, frame_counts
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, Recording, columns, joined
 from lommel.localize.table import Table
-from lommel.recorded.movies import BLOCK, Movie, open_movie
+from lommel.recorded.frames import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _TURNS = 65, 100

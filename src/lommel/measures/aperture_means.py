@@ -18,7 +18,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import ToleranceError
-from lommel.measures.mask_overlap import cells_of_stack
+from lommel.measures.overlap import cells_of_stack
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
 from lommel.optics.wavefront.wavefront import Wavefront

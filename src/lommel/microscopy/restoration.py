@@ -36,10 +36,9 @@ from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import contradiction, measured_noise
-from lommel.recorded.counts import plane_of
+from lommel.recorded.counts import full_value, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
-from lommel.recorded.saturation import full_value
 from lommel.show import restored as pictures
 
 if TYPE_CHECKING:

@@ -1,11 +1,66 @@
-"""A server of the live page for the browser of this machine, on 127.0.0.1 only."""
+"""The live page: its module `lommel-live.js` in pages of HTML, and their server on 127.0.0.1 only."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
+from html import escape
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib import metadata
+from pathlib import Path
 
-from lommel.page import module
+from lommel.page.state import link
+
+NAME = "lommel-live.js"
+_PAGE = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>body {{ margin: 0; }}</style>
+<body>
+<main><script type="module" {source}data-lommel="{state}" data-lommel-heading="1"{more}>{text}</script></main>
+</body>
+</html>
+"""
+
+
+def path() -> Path:
+    """Return the path of the module; FileNotFoundError if it was not built by `make page`."""
+    found = Path(__file__).with_name(NAME)
+    if not found.is_file():
+        raise FileNotFoundError(
+            f"the live page's module is not there ({found}): wheels bring it, and in a copy of the sources "
+            "`make page` makes it"
+        )
+    return found
+
+
+def documentation() -> str:
+    """Return the address of the documentation that the installed package names, or an empty string."""
+    try:
+        addresses = metadata.metadata("lommel").get_all("Project-URL") or []
+    except metadata.PackageNotFoundError:
+        return ""
+    named = (address.partition(", ") for address in addresses)
+    return next((url for name, _, url in named if name.lower() == "documentation" and url.startswith("https://")), "")
+
+
+def html(state: Mapping[str, object], lens: str = "", left_out: str = "", *, alone: bool = False) -> str:
+    """Return the HTML of a page that starts in a state, that of the lens of this name, less what is left out of it.
+
+    `alone` it has the module inside, else beside it.
+    """
+    # Within a script only its end has a meaning; in strings of the module it may be written so too.
+    text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
+    source = "" if alone else f"src={json.dumps(NAME)} "
+    said = {"name": lens, "without": left_out, "docs": documentation()}
+    more = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in said.items() if value)
+    title = escape(lens or "lommel")
+    return _PAGE.format(title=title, source=source, state=escape(link(state)), more=more, text=text)
+
 
 # What a page may do: run its own module with the core in it, in its own workers, and draw. Nothing is sent.
 _POLICY = (
@@ -26,11 +81,11 @@ class PageServer(ThreadingHTTPServer):
     request_queue_size = 128  # connections that wait: a browser opens several, and others may come with it
 
     def __init__(self, state: Mapping[str, object], lens: str, port: int = 0, left_out: str = "") -> None:
-        page = module.html(state, lens, left_out).encode()
+        page = html(state, lens, left_out).encode()
         self.served = {
             "/": (page, "text/html"),
             "/index.html": (page, "text/html"),
-            f"/{module.NAME}": (module.path().read_bytes(), "text/javascript"),
+            f"/{NAME}": (path().read_bytes(), "text/javascript"),
         }
         super().__init__(("127.0.0.1", port), _Handler)
 

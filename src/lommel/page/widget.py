@@ -10,7 +10,7 @@ from lommel.base import validation
 from lommel.base.optional import library
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.lens_files import load_instrument
-from lommel.page import module
+from lommel.page import server
 from lommel.page.state import FIELDS, Terms, Whole, Word, complete, psf_of, state_of
 from lommel.psf import PSF
 
@@ -101,7 +101,7 @@ def _kind() -> type:
     class Live(anywidget.AnyWidget):  # type: ignore[misc]
         """The live page; see :func:`lommel.live`."""
 
-        _esm = module.path()
+        _esm = server.path()
         controls = traitlets.List(traitlets.Unicode()).tag(sync=True)
         theme = traitlets.Enum(("light", "dark"), default_value=None, allow_none=True).tag(sync=True)
 

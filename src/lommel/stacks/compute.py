@@ -31,9 +31,8 @@ from lommel.methods.question import for_axes
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.psf import Plan
-from lommel.stacks import store as stores
-from lommel.stacks.stack import PSFStack, apart, together
-from lommel.stacks.store import Center, Index, Store, layouts
+from lommel.stacks import stack as stores
+from lommel.stacks.stack import Center, Index, PSFStack, Store, apart, layouts, together
 
 _METRES = ("object_distance", "depth", "z", "wavelength")
 _TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.measures.small_shifts import phased_cells
 from lommel.optics.aperture.mask import cell_centers
-from lommel.optics.aperture.raster import phased_cells
 
 OPENINGS = {
     "annulus": {"obscuration": 0.3},

@@ -184,9 +184,9 @@ SECTIONS = [
         "Plot PSFs, pupils, curves, spots and sections with matplotlib.",
         "See [](../pictures.md).",
         more="show.plot.plot show.plot.sections show.plot.compare show.pupils.pupil show.pupils.wavefront"
-        " show.plot.difference show.curves.mtf show.curves.encircled_energy show.rays.spots"
-        " show.focus.through_focus show.focus.focus_curves show.rays.ray_positions show.focus.moved"
-        " show.focus.Moved show.focus.section",
+        " show.plot.difference show.curves.mtf show.curves.encircled_energy show.plot.spots"
+        " show.curves.through_focus show.curves.focus_curves show.plot.ray_positions show.curves.moved"
+        " show.curves.Moved show.curves.section",
     ),
     Section(
         "Files and units",

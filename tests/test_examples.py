@@ -11,8 +11,7 @@ import pytest
 
 import lommel as lm
 from lommel.cli import reports
-from lommel.lensfiles.comparison import compare_methods
-from lommel.lensfiles.image_quality import other_model
+from lommel.lensfiles.image_quality import compare_methods, other_model
 from lommel.methods import METHODS
 from lommel.methods.choice import reference
 

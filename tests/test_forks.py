@@ -53,9 +53,9 @@ FIRST_CALLS = """
 import os, signal, sys, threading, time
 from importlib import _bootstrap
 import lommel as lm
-from lommel.base import forks
+from lommel.base import imports
 
-assert forks._locks is _bootstrap._module_locks
+assert imports._locks is _bootstrap._module_locks
 
 def ask():
     return float(lm.psf(lm.Pupil(lm.Wavefront([1.0, 4.0], spherical=2.0)), 9, 0.31).values.sum())
@@ -87,7 +87,7 @@ IMPORTS = """
 import os, sys, threading, time
 sys.path.insert(0, sys.argv[1])
 import lommel
-from lommel.base import forks
+from lommel.base import imports
 
 begun, go_on = threading.Event(), threading.Event()  # of the import of slow
 
@@ -108,14 +108,14 @@ if way == "waits":
     child = fork()
     assert sys.modules["slow"].done
 elif way == "patience":  # one that ends too late, which the child begins anew
-    forks.PATIENCE = 0.1
+    imports.PATIENCE = 0.1
     threading.Thread(target=__import__, args=("slow",)).start()
     begun.wait()
     child = fork()
     assert not hasattr(sys.modules["slow"], "done")
     go_on.set()
 else:  # one that needs the one that forks
-    forks.PATIENCE = 1e9
+    imports.PATIENCE = 1e9
     threading.Thread(target=lambda: (time.sleep(0.1), __import__("needs"))).start()
     import forking
     child = forking.child

@@ -243,7 +243,7 @@ export class Engine {
     return { wavefront, ...extremes(wave, clear, state.obscuration) };
   }
 
-  // Where rays from rings of the clear aperture meet the sensor, as lommel.show.rays has them.
+  // Where rays from rings of the clear aperture meet the sensor, as lommel.show.plot has them.
   rays(given) {
     const state = focused(changed(DEFAULTS, given));
     const [slope, clear] = [slopes(state), clearOf(state)];

@@ -131,7 +131,7 @@ class Terms extends Map {
   }
 }
 
-// The path difference of a lens that obeys the sine condition, in radial terms: lommel.optics.wavefront.aplanatic.
+// The path difference of a lens that obeys the sine condition, in radial terms: lommel.optics.wavefront.wavefront.
 function addAplanatic(terms, radius, sphere, vergence, wavelength) {
   if (!(radius * Math.abs(sphere) < 1 && radius ** 2 * 2 * Math.abs((sphere + vergence) * vergence) < 1))
     throw new Error("lens.model: aplanatic is not possible with this aperture and these distances");

@@ -8,9 +8,9 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from lommel.base import display, forks
+from lommel.base import display, imports
 
-forks.guard()
+imports.guard()
 
 
 @cache

@@ -49,7 +49,7 @@ from lommel.io.zernike_tables import (
     save_zernike as save_zernike,
 )
 from lommel.lensfiles.tables import load_channels as load_channels
-from lommel.lensfiles.camera import Camera as Camera
+from lommel.lensfiles.instrument import Camera as Camera
 from lommel.lensfiles.camera_files import load_camera as load_camera
 from lommel.lensfiles.example_files import example_files as example_files
 from lommel.lensfiles.image_quality import ImageQuality as ImageQuality

@@ -591,8 +591,8 @@ class PSF(Measured, PSFLike):
         return show.curves.encircled_energy(self, ax, radius=radius)
 
     def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
-        """Draw the spot diagram over the PSF; see :func:`lommel.show.rays.spots`."""
-        return show.rays.spots(self, ax, rings=rings, stretch=stretch)
+        """Draw the spot diagram over the PSF; see :func:`lommel.show.plot.spots`."""
+        return show.plot.spots(self, ax, rings=rings, stretch=stretch)
 
     def _repr_html_(self) -> str:
         return show.notebook.psf(self)

@@ -56,7 +56,7 @@ ARGUED = {
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
     ("imaging/datasets.py", "open_group"): "to write, in memory",
     ("imaging/datasets.py", "open"): "to write, and pictures that it wrote itself",
-    ("io/exr_files.py", "File"): "its header alone first, whose size is looked at",
+    ("io/photos.py", "File"): "its header alone first, whose size is looked at",
     ("recorded/frames.py", "open"): "a folder whose descriptions were parsed by reading",
     ("microscopy/restoration.py", "open"): "a folder that it wrote itself",
     ("io/videos.py", "open"): "frame by frame, and to write",

@@ -8,7 +8,7 @@ from contextlib import suppress
 import numpy as np
 import pytest
 
-from lommel.base import atomic, unfinished
+from lommel.base import atomic
 from small_disk import small_disk
 
 VALUES = np.arange(6.0)
@@ -20,7 +20,7 @@ def fill(folder):
 
 
 def begun(place, request=1):
-    return unfinished.begun(place, {"of": request}, fill)
+    return atomic.begun(place, {"of": request}, fill)
 
 
 def interrupted(place, request=1):
@@ -126,7 +126,7 @@ def test_what_tells_whose_it_is_is_removed_last(tmp_path, monkeypatch):
 
     with monkeypatch.context() as patch, suppress(KeyboardInterrupt), begun(tmp_path / "a") as there:
         there.put("0", "a", VALUES)
-        patch.setattr(unfinished.shutil, "rmtree", killed)
+        patch.setattr(atomic.shutil, "rmtree", killed)
         there.finish()
     assert names(tmp_path) == [".a.unfinished", "a"]
     with begun(tmp_path / "a") as again:
@@ -145,7 +145,7 @@ def test_what_cannot_be_removed_hides_no_error_and_is_begun_anew(tmp_path, monke
         raise OSError(errno.ENOTEMPTY, "Directory not empty", path)
 
     with monkeypatch.context() as patch, suppress(KeyError), begun(tmp_path / "a"):
-        patch.setattr(unfinished.shutil, "rmtree", refused)
+        patch.setattr(atomic.shutil, "rmtree", refused)
         raise KeyError
     with begun(tmp_path / "a") as again:
         again.put("0", "a", VALUES)

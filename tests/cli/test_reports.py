@@ -12,7 +12,7 @@ import pytest
 
 import lommel as lm
 from lommel.cli import reports
-from lommel.lensfiles.comparison import compare_methods
+from lommel.lensfiles.image_quality import compare_methods
 from lommel.lensfiles.instrument import wide_enough
 from lommel.show.drawing import HOW
 

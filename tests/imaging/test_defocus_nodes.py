@@ -9,7 +9,7 @@ import lommel as lm
 from lommel.imaging.sensor_light import DefocusNodes, Parabola
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.pixels.rule import pixel_rule
-from lommel.optics.wavefront import aplanatic
+from lommel.optics.wavefront import wavefront
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=1.0, wavelength=550e-9, model="aplanatic")
 CASES = {
@@ -64,18 +64,18 @@ def test_as_many_nodes_as_the_error_takes():
 @pytest.mark.parametrize("sphere", [-20.0, 0.0, 20.0])
 def test_phases_of_complex_defocus_differ_by_no_more_than_is_said(vergence, sphere):
     radius = 18e-3
-    most = aplanatic.growth(radius, sphere, vergence)
+    most = wavefront.growth(radius, sphere, vergence)
     angle = np.linspace(0.0, 2.0 * np.pi, 400)[1:-1]
     delta = vergence * np.concatenate([np.exp(1j * angle), 0.5 * np.exp(1j * angle)])
     delta = delta[np.abs(delta.imag) > 1e-9 * vergence]
-    path = aplanatic.path(np.linspace(0.0, 1.0, 101), radius, sphere, delta).imag / delta.imag[:, None]
+    path = wavefront.path(np.linspace(0.0, 1.0, 101), radius, sphere, delta).imag / delta.imag[:, None]
     found = (path.max(axis=1) - path.min(axis=1)).max()
     assert found <= most * (1.0 + 1e-12)
     assert most <= 2.5 * found
 
 
 def test_what_no_lens_does_is_refused():
-    assert aplanatic.growth(18e-3, 20.0, 200.0) == np.inf
+    assert wavefront.growth(18e-3, 20.0, 200.0) == np.inf
     with pytest.raises(
         ValueError, match=r"depth spans C_d from 0 to 1e.05 rad, which takes .* PSFs, more than 20000"
     ):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lommel.imaging.field_blur import Nodes
-from lommel.imaging.mixed_windows import WindowBlur
+from lommel.imaging.linear import WindowBlur
 
 HEIGHT, WIDTH = 37, 29
 

@@ -11,8 +11,7 @@ import tifffile
 from PIL import Image, TiffImagePlugin
 
 from lommel.imaging import Exif, PhotoError, read_photo, write_photo
-from lommel.io.exif import parsed
-from lommel.io.photos import write_like
+from lommel.io.photos import parsed, write_like
 
 OWN = {0x010F: "Canon", 0x0110: "EOS R5", 0x0132: "2026:01:02 03:04:05", 0x013B: "An Artist", 0x8298: "(c) Somebody"}
 LENS = {

@@ -9,8 +9,8 @@ import math
 import pytest
 
 import lommel as lm
+from lommel.lensfiles.image_quality import DEPTHS, microscope_quality
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.lensfiles.microscope_quality import DEPTHS, microscope_quality
 from objectives import MATCHED
 
 

@@ -22,7 +22,7 @@ from disk_quadrature import exact_lattice
 from lommel.measures.energy import encircled
 from lommel.page.state import FIELDS, colour_weights, psf_of
 from lommel.page.state import pupil_of as stated_pupil
-from lommel.show.rays import ray_positions
+from lommel.show.plot import ray_positions
 
 WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]
 ROOT = Path(__file__).resolve().parent.parent.parent

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.show.focus import moved, section
+from lommel.show.curves import moved, section
 
 X = np.linspace(-3.0, 3.0, 13)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.methods import moment_rule, nonuniform_fft
+from lommel.methods import nonuniform_fft
 from lommel.special import zernike
 
 TERMS = tuple(zernike.term(4 + k, "noll") for k in range(15))
@@ -22,8 +22,8 @@ APERTURES = {
 @pytest.mark.parametrize("aperture", ["vanes", "segments"])
 def test_moments_are_those_of_the_aperture(aperture):
     opening = lm.Pupil(**APERTURES[aperture]).opening
-    rule = moment_rule.moment_rule(opening, 20, 60, 1e-12)
-    at = moment_rule.nodes(rule.rows)
+    rule = nonuniform_fft.moment_rule(opening, 20, 60, 1e-12)
+    at = nonuniform_fft.nodes(rule.rows)
     rho, theta = np.hypot(at.x, at.y[:, None]), np.arctan2(at.y[:, None], at.x)
     for n, m in ((0, 0), (1, -1), (7, 3), (20, -14), (20, 0), (19, 19)):
         expected = 0.0
@@ -43,7 +43,7 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
     pupil = lm.Pupil(FRONT + lm.Wavefront(defocus=[-4.0, 0.0, 4.0]), **APERTURES[aperture])
     names = (*TERMS, (1, 1), (1, -1))
     made = []
-    whole = moment_rule.field_sums
+    whole = nonuniform_fft.field_sums
     monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *args: made.append(1) or whole(*args))
 
     def images(tol):
@@ -75,7 +75,7 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
 )
 def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, names, side, expected):
     made = []
-    whole = moment_rule.field_sums
+    whole = nonuniform_fft.field_sums
     monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *args: made.append(1) or whole(*args))
     lm.psf(lm.Pupil(lm.Wavefront(defocus=np.linspace(0.0, 1.0, count)), stop=stop), side, 0.5, derivatives=names)
     assert bool(made) == expected

@@ -14,7 +14,7 @@ import tifffile
 import yaml
 
 import lommel as lm
-from lommel.napari_plugin import layers, samples
+from lommel.napari_plugin import layers
 
 ROOT = Path(__file__).resolve().parents[2]
 MANIFEST = ROOT / "src" / "lommel" / "napari_plugin" / "napari.yaml"
@@ -87,7 +87,7 @@ def test_files_without_voxels_are_left_to_other_readers(tmp_path):
 
 
 def test_sample_beads_are_what_the_psf_and_the_camera_make_of_points():
-    (counts, options, _), (kernel, of_psf, _) = samples.beads()
+    (counts, options, _), (kernel, of_psf, _) = layers.beads()
     camera = options["metadata"][layers.KEY]
     assert (counts.dtype, counts.shape, kernel.shape) == (np.uint16, (24, 96, 96), (33, 65, 65))
     assert options["scale"] == of_psf["scale"] == pytest.approx((0.2, 6.5 / 63, 6.5 / 63))
@@ -96,4 +96,4 @@ def test_sample_beads_are_what_the_psf_and_the_camera_make_of_points():
     assert np.percentile(electrons, 1) == pytest.approx(10.0, abs=10.0)
     assert electrons.max() > 30 * np.median(electrons)
     total = electrons.sum() - 10.0 * electrons.size
-    assert 0.3 * 30 * samples._PHOTONS * 0.5 < total < 30 * samples._PHOTONS
+    assert 0.3 * 30 * layers._PHOTONS * 0.5 < total < 30 * layers._PHOTONS

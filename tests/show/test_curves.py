@@ -11,8 +11,8 @@ import pytest
 from scipy.special import j0, j1
 
 import lommel as lm
-from lommel.show import rays
-from lommel.show.focus import moved, section
+from lommel.show import plot
+from lommel.show.curves import moved, section
 
 CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
 COMA = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
@@ -202,7 +202,7 @@ def test_a_stack_has_a_curve_of_light_for_each(camera):
 def test_rays_are_drawn_over_the_psf_where_they_meet_the_sensor(psf):
     axes = psf.plot_spots(rings=5)
     (dots,) = axes.collections
-    np.testing.assert_allclose(dots.get_offsets(), 1e6 * rays.ray_positions(psf.pupil, 5))
+    np.testing.assert_allclose(dots.get_offsets(), 1e6 * plot.ray_positions(psf.pupil, 5))
     np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
     circle = next(line for line in axes.get_lines() if line.get_label() == "Airy circle")
     np.testing.assert_allclose(np.hypot(*circle.get_data()), 1e6 * psf.pupil.airy_radius)
@@ -213,7 +213,7 @@ def test_rays_are_drawn_over_the_psf_where_they_meet_the_sensor(psf):
 
 def test_rays_that_miss_the_window_are_counted():
     psf = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 17, 0.5)
-    at = rays.ray_positions(psf.pupil, 12)
+    at = plot.ray_positions(psf.pupil, 12)
     outside = int((np.abs(at).max(axis=1) > 4.25).sum())
     assert outside
     assert f", {outside} of them beyond the window;" in psf.plot_spots().get_title()

@@ -9,7 +9,7 @@ pytest.importorskip("matplotlib", reason="colours need matplotlib")
 
 from matplotlib import colormaps
 
-from lommel.show.depth_frames import DepthColours
+from lommel.show.estimates import DepthColours
 
 
 def test_colours_are_even_in_one_over_distance_and_grey_where_not_known():

@@ -8,8 +8,8 @@ import pytest
 
 from lommel.localize import Localizations, Recording
 from lommel.localize.localizations import columns
-from lommel.show import molecules as drawn
-from lommel.show.molecules import rendered
+from lommel.show import estimates as drawn
+from lommel.show.estimates import rendered
 
 
 @pytest.fixture(autouse=True)

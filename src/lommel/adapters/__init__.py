@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.adapters import batoid as batoid
@@ -10,4 +10,4 @@ if TYPE_CHECKING:
     from lommel.adapters import optiland as optiland
     from lommel.adapters import rayoptics as rayoptics
 else:
-    __getattr__, __dir__ = lazy.parts(__name__)
+    __getattr__, __dir__ = imports.parts(__name__)

@@ -28,7 +28,7 @@ from lommel.recorded import recordings
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
     from lommel.recorded.noise import Noise
 
 METHODS = ("richardson-lucy", "total-variation")

@@ -28,7 +28,7 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
 _READ = 3.0  # electrons, of a camera that is not known

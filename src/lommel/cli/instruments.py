@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from lommel.base.arrays import Array, Values
-    from lommel.lensfiles.camera import Camera
-    from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
 
 

@@ -86,8 +86,7 @@ def compare(
       lommel compare phone.toml --figure methods.png
     """
     from lommel.cli import reports  # what these need takes longer to import than the list of commands
-    from lommel.lensfiles.comparison import compare_methods
-    from lommel.lensfiles.image_quality import other_model
+    from lommel.lensfiles.image_quality import compare_methods, other_model
 
     instrument = instrument_of(lens, **vars(seen))
     pupil = instrument.pupil()

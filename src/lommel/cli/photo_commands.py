@@ -59,7 +59,7 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels
     from lommel.io.depth_maps import DepthKeywords
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
 
 
 class DataSet(Group, heading="Data set"):
@@ -162,7 +162,7 @@ def render(
 
 def _lenses(file: Path | None, stated: Facts) -> LensRanges:
     """Return the lenses of a file, with what options say instead, or of the options."""
-    from lommel.lensfiles.lens_ranges import load_lens_ranges
+    from lommel.lensfiles.lens_files import load_lens_ranges
 
     own = {name: stated[name] for name in ("focal_length", "f_number", "focus_distance", "pixel")}
     known = {name: value for name, value in own.items() if value is not None}

@@ -14,10 +14,9 @@ from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_in_words
 from lommel.cli.output import Facts, Report, Wrapped, list_of, paragraphs, refused, table_of
 from lommel.field.psf_grid import PSFGrid
-from lommel.lensfiles.image_quality import IN_FOCUS, ImageQuality, sensor_mtf
+from lommel.lensfiles.image_quality import IN_FOCUS, ImageQuality, microscope_quality, sensor_mtf
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.lensfiles.microscope_quality import microscope_quality
 from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil

@@ -31,7 +31,7 @@ from lommel.io.registry import Values, formats, suffixes
 
 if TYPE_CHECKING:
     from lommel.io.depth_maps import DepthKeywords
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
 _BESIDE = 1e-3  # of a distance, by which filters are made for more than it

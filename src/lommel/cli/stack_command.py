@@ -18,7 +18,7 @@ from lommel.psf import psf
 from lommel.stacks.compute import psf_to
 
 if TYPE_CHECKING:
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
 
 
 @command(JSON)

@@ -24,7 +24,7 @@ from lommel.io.registry import Values
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
 
 Kept = TypeVar("Kept")
 

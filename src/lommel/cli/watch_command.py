@@ -31,10 +31,10 @@ from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import videos
 from lommel.io.registry import suffixes
-from lommel.show.depth_frames import DepthColours
+from lommel.show.estimates import DepthColours
 
 if TYPE_CHECKING:
-    from lommel.lensfiles.camera import Camera
+    from lommel.lensfiles.instrument import Camera
 
 Map = NDArray[np.float32]
 

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.compat import galsim as galsim
@@ -12,4 +12,4 @@ if TYPE_CHECKING:
     from lommel.compat import psfmodels as psfmodels
     from lommel.compat import pyotf as pyotf
 else:
-    __getattr__, __dir__ = lazy.parts(__name__)
+    __getattr__, __dir__ = imports.parts(__name__)

@@ -17,8 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.estimation.focal_model import FocalLight, FocalModel, transfer_curve
 from lommel.optics.base_pupil import object_distances
-from lommel.optics.lens import Lens
-from lommel.optics.round_lenses import pixel_of
+from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
 _MOST_PHOTONS = 1e12

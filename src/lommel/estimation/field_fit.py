@@ -309,7 +309,7 @@ class FieldFit(FitReport):
             maps += [(f"distortion of {name}, pixels", moved[..., j], off[..., j]) for j, name in enumerate(_AXES)]
         x_star, y_star = self._sensor.positions(self.stars.places)
         marks = x_star, y_star, self.stars.chi2, self.stars.used
-        return show.field_fits.field(
+        return show.estimates.field(
             maps, (x, y, self.field.unit), marks, (self.images, self.model), unit, self.message
         )
 

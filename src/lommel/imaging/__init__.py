@@ -6,19 +6,16 @@ from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
-from lommel.imaging.field_photograph import field_photograph
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.live import LiveDepth, LiveDepthMap
-from lommel.imaging.live_sharpen import LiveSharpen
+from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
-from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
+from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field, field_photograph
 from lommel.imaging.restoration import Restoration, restore, restore_with
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
 from lommel.io.depth_maps import read_depth, write_depth
-from lommel.io.exif import Exif
-from lommel.io.photos import PhotoError, Picture, read_photo, write_photo
+from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [

@@ -23,8 +23,7 @@ from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, st
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
-from lommel.optics.lens import Lens
-from lommel.optics.round_lenses import require_round
+from lommel.optics.lens import Lens, require_round
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator

@@ -32,7 +32,7 @@ from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
 from lommel.imaging.settings import Keywords, Settings, spectra
-from lommel.io import exr_files
+from lommel.io import photos
 from lommel.io.depth_maps import DepthValues, read_depth
 from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_photo, write_tiff
 from lommel.optics.lens import Lens
@@ -729,4 +729,4 @@ def _encoded(form: str, light: Values, encoding: str) -> bytes:
         # More pressing takes longer than the blur.
         return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
     values = light.astype(np.float32, copy=False)
-    return write_tiff(values, 100, None) if form == "tif" else exr_files.write_photo(values, 100, None)
+    return write_tiff(values, 100, None) if form == "tif" else photos.write_exr(values, 100, None)

@@ -21,13 +21,20 @@ from lommel.base.plain import plain
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
-from lommel.imaging.focal_engine import BLOCK, CONTRAST, FocalEngine, FocalTask, processors, ranged
-from lommel.imaging.focal_frames import Registration, relative_exposures
+from lommel.imaging.focal_engine import (
+    BLOCK,
+    CONTRAST,
+    FocalEngine,
+    FocalTask,
+    Registration,
+    processors,
+    ranged,
+    relative_exposures,
+)
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depth_maps import write_depth
-from lommel.optics.lens import Lens
-from lommel.optics.round_lenses import pixel_of
+from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 from lommel.show import estimates

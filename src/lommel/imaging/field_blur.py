@@ -23,8 +23,7 @@ from lommel.base.threads import side_by_side
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
-from lommel.imaging.linear import LinearBlur, gathered
-from lommel.imaging.mixed_windows import LARGEST, WindowBlur, copies
+from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, gathered
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens

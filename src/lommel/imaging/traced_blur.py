@@ -16,14 +16,12 @@ from lommel.base.arrays import Array
 from lommel.base.optional import library
 from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
-from lommel.imaging.defocus_layers import chebyshev, chebyshev_nodes, defocus_layers
 from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BORDERS, Spectrum, spectra
-from lommel.imaging.traced_windows import AberratedWindows, Term
+from lommel.imaging.traced_windows import AberratedWindows, Term, chebyshev, chebyshev_nodes, defocus_layers
 from lommel.methods.pixels.rule import cells_alike, octant
 from lommel.optics.colour.spectrum import Channels
-from lommel.optics.lens import Lens
-from lommel.optics.round_lenses import require_round
+from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _SCALES = (4, 6, 8, 12, 16, 24, 32)  # windows of other sizes, as many as are needed of these

@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.io.videos import *  # noqa: F403
 else:
-    __getattr__, __dir__ = lazy.parts(__name__, exports="videos")
+    __getattr__, __dir__ = imports.parts(__name__, exports="videos")

@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import atomic, reading, validation
 from lommel.base.units import LENGTHS, parse_length
-from lommel.io import code_v, fits_images, registry, text_files
+from lommel.io import fits_images, registry, text_files
 from lommel.io.registry import Description, Format, Values
 from lommel.io.zernike_tables import UNIT_NAMES, UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
@@ -314,7 +314,7 @@ def _write_csv(opd: OPDMap) -> bytes:
 
 
 def _read_int(data: bytes) -> Measured:
-    held = code_v.parse(data.decode("latin-1"))
+    held = text_files.parse(data.decode("latin-1"))
     if held.kind != "GRD":
         raise ValueError("it holds coefficients; load_zernike reads them")
     values = np.where(held.missing, np.nan, held.values).reshape(held.size[::-1])

@@ -1,8 +1,10 @@
-"""Files of photographs and focus pulls, and the formats of depth maps."""
+"""Files of photographs with their EXIF, OpenEXR, focus pulls, and the formats of depth maps."""
 
 from __future__ import annotations
 
 import errno
+import io
+import math
 import os
 import re
 import struct
@@ -10,7 +12,7 @@ import warnings
 import zlib
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -21,10 +23,245 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.encoding import ENCODINGS, from_light, scene_light
-from lommel.base.optional import version
-from lommel.io import exif, exr_files, registry
-from lommel.io.exif import Exif
+from lommel.base.optional import library, version
+from lommel.io import registry
 from lommel.io.registry import Description, Format, Values
+
+PREFIX = b"Exif\0\0"
+"""What JPEG has before EXIF."""
+
+Entry = tuple[int, int, bytes]  # type, number of values, and the values with their low bytes first
+Directory = dict[int, Entry]
+
+_FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
+_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # of a value, by type
+_WORDS = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}  # that have an order of bytes
+_LONGEST, _MOST, _LARGEST = 2**12, 256, 2**16 - 256  # bytes of an entry, entries, and bytes of all, as JPEG holds
+_LENS, _PLACE = 0x8769, 0x8825  # directories below the first
+_KEPT = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
+# Maker's notes name places in the file; the others describe the pixels that were.
+_LEFT = {_LENS: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _PLACE: ()}
+
+
+@dataclass(frozen=True)
+class Exif:
+    """Lens data in the EXIF of a photograph; None for unknown, which EXIF writes as 0.
+
+    Attributes
+    ----------
+    focal_length : float or None
+        Metres.
+    f_number : float or None
+    film_focal_length : float or None
+        Metres: the focal length with the same angle of view on film of 36 mm x 24 mm.
+    block : bytes or None
+        What :func:`lommel.imaging.write_photo` writes of it: camera, lens, exposure, dates, place, artist and
+        copyright; without orientation, thumbnail and maker's notes.
+    """
+
+    focal_length: float | None = None
+    f_number: float | None = None
+    film_focal_length: float | None = None
+    block: bytes | None = field(default=None, repr=False, compare=False)
+
+    def pixel(self, shape: tuple[int, ...]) -> float:
+        """Return the pixel pitch (metres) of an image of `shape` that has the diagonal of the whole sensor.
+
+        EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width first.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        TypeError
+            If `shape` is not the shape of an image.
+        ValueError
+            If either focal length is unknown, or a side is out of range.
+        """
+        if not isinstance(shape, tuple | list) or len(shape) < 2:
+            raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
+        validation.image_shape(tuple(shape[:2]))
+        if self.focal_length is None or self.film_focal_length is None:
+            raise ValueError("the EXIF does not state a focal length and its 35 mm equivalent; give the pixel pitch")
+        return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
+
+
+def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
+    """Return the EXIF of the tags of its directory of the lens, and of its bytes in a file."""
+
+    def known(tag: int) -> float | None:
+        value = tags.get(tag)
+        number = math.nan if value is None else float(value)
+        return number if 0.0 < number < math.inf else None
+
+    focal, film = known(0x920A), known(0xA405)
+    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _kept(stored))
+
+
+def _kept(stored: bytes) -> bytes | None:
+    """Return what is passed on of EXIF, or of a TIFF file, as a TIFF file without image; None if that is nothing."""
+    data = stored.removeprefix(PREFIX)
+    order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
+    if order is None or len(data) < 8:
+        return None
+    (at,) = struct.unpack_from(order + "I", data, 4)
+    first = _directory(data, at, order)
+    below = {
+        tag: {name: entry for name, entry in _below(data, first, tag, order).items() if name not in left}
+        for tag, left in _LEFT.items()
+    }
+    block = _block({tag: first[tag] for tag in _KEPT if tag in first}, below, 8)
+    return b"II*\0" + struct.pack("<I", 8) + block if 6 < len(block) <= _LARGEST else None
+
+
+def _directory(data: bytes, at: int, order: str) -> Directory:
+    """Return the entries of a directory, without those that are damaged or long."""
+    found: Directory = {}
+    (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
+    for entry in range(at + 2, min(at + 2 + 12 * min(count, _MOST), len(data) - 11), 12):
+        tag, kind, number, place = struct.unpack_from(order + "HHII", data, entry)
+        size = number * _BYTES.get(kind, 0)
+        place = entry + 8 if size <= 4 else place
+        if 0 < size <= _LONGEST and place + size <= len(data):
+            word = _WORDS.get(kind, "u1")
+            values = np.frombuffer(data[place : place + size], order + word)
+            found[tag] = kind, number, values.astype("<" + word).tobytes()
+    return found
+
+
+def _below(data: bytes, first: Directory, tag: int, order: str) -> Directory:
+    """Return the directory to which an entry of the first one points."""
+    return _directory(data, int.from_bytes(first[tag][2][:4], "little"), order) if tag in first else {}
+
+
+def _block(first: Directory, below: dict[int, Directory], at: int) -> bytes:
+    """Return a directory at a place in a file and those below it, which it points to."""
+    below = {tag: part for tag, part in below.items() if part}
+    behind = at + len(_packed_entries(first | dict.fromkeys(below, (4, 1, bytes(4))), at))
+    parts = b""
+    for tag, part in below.items():
+        first = first | {tag: (4, 1, struct.pack("<I", behind + len(parts)))}
+        parts += _packed_entries(part, behind + len(parts))
+    return _packed_entries(first, at) + parts
+
+
+def _packed_entries(found: Directory, at: int) -> bytes:
+    """Return a directory at a place in a file, and behind it the values that it has no room for."""
+    head, rest = struct.pack("<H", len(found)), b""
+    behind = at + 6 + 12 * len(found)
+    for tag, (kind, number, values) in sorted(found.items()):
+        place = values.ljust(4, b"\0")
+        if len(values) > 4:
+            place = struct.pack("<I", behind + len(rest))
+            rest += values + bytes(len(values) % 2)
+        head += struct.pack("<HHI", tag, kind, number) + place
+    return head + bytes(4) + rest
+
+
+def in_tiff(file: bytes, block: bytes) -> bytes:
+    """Return a TIFF file of one page and low bytes first with EXIF: its directory is written anew at the end."""
+    (at,) = struct.unpack_from("<I", file, 4)
+    (count,) = struct.unpack_from("<H", file, at)
+    rows = (struct.unpack_from("<HHI4s", file, at + 2 + 12 * k) for k in range(count))
+    own: Directory = {tag: (kind, number, place) for tag, kind, number, place in rows}
+    file += bytes(len(file) % 2)
+    first = _directory(block, 8, "<")
+    below = {tag: _below(block, first, tag, "<") for tag in _LEFT}
+    return file[:4] + struct.pack("<I", len(file)) + file[8:] + _block(first | own, below, len(file))
+
+
+START = (b"\x76\x2f\x31\x01",)
+"""The first bytes of files."""
+
+
+@contextmanager
+def _opened(data: bytes) -> Iterator[dict[str, Any]]:
+    """Yield the channels of a file of one flat part whose size is within limits, by name."""
+    exr = library("OpenEXR", "EXR files need", "exr")
+    with exr.File(io.BytesIO(data), header_only=True) as file:
+        if len(file.parts) != 1:
+            raise ValueError(f"it has {len(file.parts)} parts; give a file of one")
+        header = dict(file.header())  # which the library empties when it closes the file
+    if header.get("type", exr.scanlineimage) not in (exr.scanlineimage, exr.tiledimage):
+        raise ValueError("it is a deep image; flatten it first")
+    window, shown = (
+        [np.asarray(corner, dtype=np.int64).tolist() for corner in header[name]]
+        for name in ("dataWindow", "displayWindow")
+    )
+    if window != shown:
+        raise ValueError(f"it holds the pixels {window} of {shown} (corners x, y); save it uncropped")
+    (left, top), (right, bottom) = window
+    width, height = right - left + 1, bottom - top + 1
+    reading.pixels(width, height)
+    reading.afford(4.0 * width * height * len(header["channels"]), len(data))
+    if any((each.xSampling, each.ySampling) != (1, 1) for each in header["channels"]):
+        raise ValueError("some of its channels are subsampled; save it as RGB or grey")
+    with exr.File(io.BytesIO(data), separate_channels=True) as file:
+        yield {name: channel.pixels for name, channel in file.channels().items()}
+
+
+def read_exr(data: bytes) -> tuple[Values, Any, bytes | None]:
+    """Return the values of a photograph in float32, no tags and no profile."""
+    from PIL import Image
+
+    with _opened(data) as channels:
+        alpha = channels.pop("A", None)
+        if alpha is not None and not (alpha == 1.0).all():
+            raise ValueError("it has alpha that is not 1 everywhere: put it on a background first")
+        names = set(channels) - {"Z"}  # depth beside
+        if names == {"R", "G", "B"}:
+            values = np.stack([channels[name] for name in "RGB"], axis=-1)
+        elif names == {"Y"}:
+            values = channels["Y"]
+        else:
+            raise ValueError(f"its channels are {', '.join(sorted(names))}, neither R, G, B nor Y; save these alone")
+    if values.dtype.kind != "f":
+        raise ValueError(f"it holds {values.dtype}, not floats")
+    return values.astype(np.float32), Image.Exif(), None
+
+
+def read_depth(data: bytes, _scale: float | None) -> Values:
+    """Return the channel Z of a depth map, also of a layer, or its only one, which may be stored as three."""
+    with _opened(data) as channels:
+        found = [name for name in channels if name.split(".")[-1] == "Z"]
+        if len(found) != 1:
+            found = [name for name in channels if name != "A"]
+        if set(found) == {"R", "G", "B"} and all(
+            np.array_equal(channels[name], channels["R"], equal_nan=True) for name in "GB"
+        ):
+            found = ["R"]
+        if len(found) != 1:
+            raise ValueError(f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z")
+        return np.array(channels[found[0]])
+
+
+def _written(channels: dict[str, Values]) -> bytes:
+    exr = library("OpenEXR", "EXR files need", "exr")
+    header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage, "software": f"lommel {version()}"}
+    made = io.BytesIO()
+    with exr.File(header, {name: np.ascontiguousarray(plane) for name, plane in channels.items()}) as file:
+        file.write(made)
+    return made.getvalue()
+
+
+def write_exr(values: Values, _quality: int, profile: bytes | None) -> bytes:
+    """Return a file, lossless."""
+    if profile is not None:
+        raise ValueError("EXR files have no ICC profile; write .tif, or leave the profile out")
+    return _written({"RGB" if values.ndim == 3 else "Y": values})
+
+
+def write_depth(values: Values) -> bytes:
+    """Return a file with the channel Z."""
+    return _written({"Z": values})
+
 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 """The first bytes of files."""
@@ -178,7 +415,7 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
         down, across, exchanged = _TURNS[int(orientation) - 1]
         values = values[::down, ::across].swapaxes(0, exchanged)
-        found = exif.parsed(tags.get_ifd(0x8769), *stored or [None])
+        found = parsed(tags.get_ifd(0x8769), *stored or [None])
     return np.ascontiguousarray(values), found, profile
 
 
@@ -405,14 +642,14 @@ def write_tiff(values: Values, _quality: int, profile: bytes | None, block: byte
 
     options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
     file = atomic.contents(tifffile.imwrite, values, byteorder="<", iccprofile=profile, metadata=None, **options)
-    return file if block is None else exif.in_tiff(file, block)
+    return file if block is None else in_tiff(file, block)
 
 
 def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: Any) -> bytes:
     from PIL import Image
 
     if block is not None:
-        options["exif"] = exif.PREFIX + block
+        options["exif"] = PREFIX + block
     return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
 
 
@@ -492,9 +729,7 @@ registry.register(
     _photo((".png",), write_png, read_png, PNG, (_8, _16, _EXIF), library="PIL.Image"),
     _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
-    _photo(
-        (".exr",), exr_files.write_photo, exr_files.read_photo, exr_files.START, ("of float32",), library="OpenEXR"
-    ),
+    _photo((".exr",), write_exr, read_exr, START, ("of float32",), library="OpenEXR"),
     _photo((".webp",), read=partial(_read, reading.webp), starts=(b"RIFF",), library="PIL.Image"),
     _photo((".bmp",), read=partial(_read, reading.bmp), starts=(b"BM",), library="PIL.Image"),
     _photo((".heic", ".heif"), read=partial(_read, reading.heic), starts=reading.HEIC, library="pillow_heif"),
@@ -502,7 +737,7 @@ registry.register(
     _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),
     _depth((".png",), read=_raster, starts=PNG),
-    _depth((".exr",), exr_files.write_depth, exr_files.read_depth, exr_files.START, library="OpenEXR"),
+    _depth((".exr",), write_depth, read_depth, START, library="OpenEXR"),
 )
 find, find_depth = partial(registry.find, "photo"), partial(registry.find, "depth map")
 

@@ -1,14 +1,18 @@
-"""Zarr folders (version 3) with uncompressed chunks; no thread goes on after a call, and sizes are checked first.
+"""Zarr folders: written for all readers, and those of others checked before zarr reads their chunks.
 
 Zarr core specification, version 3.0, https://zarr-specs.readthedocs.io/en/latest/v3/core/
 """
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
+import os
+import re
 import stat
-from collections.abc import Mapping
+import struct
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
@@ -16,7 +20,175 @@ from typing import Any, Self
 import numpy as np
 
 from lommel.base import reading, validation
+from lommel.base.validation import shown
 from lommel.io.registry import Description, Values
+
+# Of these it is known how much comes out of them; the others do not compress.
+_PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")
+_PLAIN = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
+          "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
+_ROOM = 2**20  # bytes that a chunk may unpack to beyond what it holds
+_BLOCK = 2**17  # most bytes of a block of zstd
+_CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")
+
+
+def regular(root: Path, key: str) -> int | None:
+    """Return the bytes of a file in a folder, None where there is none; ValueError for links and what is no file."""
+    there = root
+    parts = key.split("/")
+    if ".." in parts or key.startswith("/"):
+        raise ValueError(f"{shown(key)} leads out of the folder")
+    for part in parts:
+        there = there / part
+        try:
+            status = there.lstat()
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+        _no_link(key, status.st_mode)
+    return status.st_size if stat.S_ISREG(status.st_mode) else None
+
+
+def _no_link(key: str, mode: int) -> None:
+    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+        kind = "a link, which is not followed" if stat.S_ISLNK(mode) else "no regular file"
+        raise ValueError(f"{key} is {kind}")
+
+
+def store(root: Path) -> Any:
+    """Return a folder as a store of zarr that reads regular files in it alone."""
+    from zarr.storage import LocalStore
+
+    class Regular(LocalStore):
+        async def get(self, key: str, *args: Any, **options: Any) -> Any:
+            return None if regular(root, key) is None else await super().get(key, *args, **options)
+
+        async def get_partial_values(self, prototype: Any, key_ranges: Any) -> Any:
+            wanted = list(key_ranges)
+            for key, _ in wanted:
+                regular(root, key)
+            return await super().get_partial_values(prototype, wanted)
+
+        def get_sync(self, key: str, **options: Any) -> Any:
+            return None if regular(root, key) is None else super().get_sync(key, **options)
+
+    return Regular(root, read_only=True)
+
+
+class Chunks:
+    """The files of an array of zarr in a folder."""
+
+    def __init__(self, root: Path, array: Any) -> None:
+        self._folder, self._array = root / array.path, array
+        self._outer: tuple[int, ...] = array.shards or array.chunks
+        self._bytes = math.prod(array.chunks) * array.dtype.itemsize
+        self._packer, self._index = _packer(array.metadata)
+
+    def missing(self) -> tuple[int, int]:
+        """Return how many chunks have no file, and how many there are; ValueError for links and pipes."""
+        total = math.prod(math.ceil(side / part) for side, part in zip(self._array.shape, self._outer, strict=True))
+        found, folders = 0, [self._folder]
+        while folders:
+            with os.scandir(folders.pop()) as entries:
+                for entry in entries:
+                    _no_link(os.path.relpath(entry.path, self._folder), entry.stat(follow_symlinks=False).st_mode)
+                    if entry.is_dir(follow_symlinks=False):
+                        folders.append(Path(entry.path))
+                    elif _CHUNK.fullmatch(entry.name):
+                        found += 1
+        return max(0, total - found), total
+
+    def check(self, ranges: list[range]) -> tuple[int, int]:
+        """Return how many bytes places along each axis take, and the files of their chunks.
+
+        ValueError for a chunk that unpacks to more than it should, or than its file may.
+        """
+        sides = [
+            range(part.start // outer, -(-part.stop // outer))
+            for part, outer in zip(ranges, self._outer, strict=True)
+        ]
+        held = 0
+        for at in itertools.product(*sides):
+            key = self._array.metadata.encode_chunk_key(at)
+            if count := regular(self._folder, key):
+                held += count
+                reading.afford(self._bytes, count)
+                self._unpacks(key)
+        return math.prod(map(len, ranges)) * self._array.dtype.itemsize, held
+
+    def _unpacks(self, key: str) -> None:
+        if self._packer is None:
+            return
+        data = reading.contents(self._folder / key)
+        for part in self._parts(data) if self._array.shards else (data,):
+            if self._packer == "blosc" and (len(part) < 16 or struct.unpack_from("<I", part, 12)[0] > len(part)):
+                raise ValueError(f"its chunk {key} is cut off: it ends before it says")  # Blosc would read on
+            if _unpacked(self._packer, part, self._bytes + _ROOM) > 2 * self._bytes + _ROOM:
+                raise ValueError(f"its chunk {key} unpacks to more than its {self._bytes} bytes")
+
+    def _parts(self, data: bytes) -> Iterator[bytes]:
+        """Yield the chunks in a shard, by the index at its end or start, of offsets and lengths."""
+        count = math.prod(outer // inner for outer, inner in zip(self._outer, self._array.chunks, strict=True))
+        if len(data) < 16 * count:
+            raise ValueError(f"its shards of {len(data)} bytes have no index of {count} chunks")
+        start = 0 if self._index == "start" else max(0, len(data) - 16 * count - 4)
+        for place, size in struct.iter_unpack("<QQ", data[start : start + 16 * count]):
+            if place != 2**64 - 1:
+                yield data[place : place + size]
+
+
+def _packer(metadata: Any) -> tuple[str | None, str]:
+    """Return what compresses an array, if anything, and where its shards have their index."""
+    index = "end"
+    codecs = list(getattr(metadata, "codecs", ()))
+    if len(codecs) == 1 and codecs[0].to_dict()["name"] == "sharding_indexed":
+        inner = codecs[0]
+        index, codecs = str(inner.index_location.value), list(inner.codecs)
+        if [one.to_dict()["name"] for one in inner.index_codecs] != ["bytes", "crc32c"]:
+            raise ValueError("its shards have an index of another kind")
+    names = [str(one.to_dict()["name"]).removeprefix("numcodecs.") for one in codecs]
+    older = [*(getattr(metadata, "filters", None) or ()), getattr(metadata, "compressor", None)]
+    names += [one.codec_id for one in older if one is not None]
+    packers = [name for name in names if name not in _PLAIN]
+    if len(packers) > 1 or any(name not in _PACKERS for name in packers):
+        raise ValueError(
+            f"its chunks are compressed by {', '.join(packers)}; save it with one of {', '.join(_PACKERS)}"
+        )
+    return (packers[0] if packers else None), index
+
+
+def _unpacked(packer: str, data: bytes, most: int) -> int:
+    """Return how many bytes come out of a chunk at most; of what is damaged 0, which its decoder tells."""
+    try:
+        if packer == "blosc":
+            return int(struct.unpack_from("<I", data, 4)[0])
+        if packer == "lz4":
+            return int(struct.unpack_from("<I", data)[0])
+        if packer == "zstd":
+            return _of_zstd(data)
+    except struct.error:
+        return 0
+    return 0 if reading.inflates_within(data, most, wbits=47) else 3 * most
+
+
+def _of_zstd(data: bytes) -> int:
+    """Return what the frames of zstd unpack to at most (RFC 8878, 3.1.1)."""
+    total, at = 0, 0
+    while at + 4 < len(data) and data[at : at + 4] == b"\x28\xb5\x2f\xfd":
+        flags = data[at + 4]
+        single, kind = flags >> 5 & 1, flags >> 6
+        width = (single, 2, 4, 8)[kind]
+        at += 5 + (1 - single) + (0, 1, 2, 4)[flags & 3]
+        stated = int.from_bytes(data[at : at + width], "little") + (256 if width == 2 else 0)
+        at, blocks, last = at + width, 0, False
+        while not last:
+            (head,) = struct.unpack_from("<I", data[at : at + 3].ljust(4, b"\0") if at + 3 <= len(data) else b"")
+            last, of, size = bool(head & 1), head >> 1 & 3, head >> 3
+            blocks += size if of < 2 else _BLOCK
+            at += 3 + (1 if of == 1 else size)
+        at += 4 * (flags >> 2 & 1)
+        total += stated if width else blocks
+    return total
+
 
 META = "zarr.json"
 _KINDS = ("float32", "float64", "uint8", "int64")

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 from lommel.base import atomic, display, reading, validation
 from lommel.base.options import near
 from lommel.base.units import LENGTHS, parse_length
-from lommel.io import code_v, registry, text_files
+from lommel.io import registry, text_files
 from lommel.io.registry import Format
 from lommel.optics.wavefront.wavefront import NORMALIZATIONS, Wavefront, same_path
 from lommel.special import zernike
@@ -503,7 +503,7 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
 
 def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     """Return the coefficients in a file of Code V."""
-    held = code_v.parse(_text(data))
+    held = text_files.parse(_text(data))
     if held.kind == "GRD":
         raise ValueError("it holds a grid; load_opd reads it")
     if held.missing.any():
@@ -511,7 +511,7 @@ def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     indexed = dict(enumerate(held.values.tolist(), 1))
     if held.kind == "ZFR":
         return ZernikeTable(indexed, "fringe", "waves", "edge", held.wavelength), []
-    pairs = {code_v.term(j): c for j, c in indexed.items()}
+    pairs = {text_files.term(j): c for j, c in indexed.items()}
     return ZernikeTable(pairs, "nm", "waves", "edge", held.wavelength), []
 
 

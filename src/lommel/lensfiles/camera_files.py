@@ -12,8 +12,8 @@ from pydantic import Field, PlainValidator
 from lommel.base import validation
 from lommel.base.options import near
 from lommel.lensfiles import toml_files
-from lommel.lensfiles.camera import Camera
 from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles.instrument import Camera
 from lommel.lensfiles.toml_files import LensFileError, Number, Section, pitch
 
 NAME = "the name of an example (lommel examples --find camera) or of a .toml file"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -14,15 +15,18 @@ from lommel.base.plain import plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
-from lommel.methods import Polychromatic
-from lommel.methods.choice import of_profiles
+from lommel.methods import HuygensFresnel, Method, Polychromatic
+from lommel.methods.choice import of_profiles, reference
+from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
+from lommel.show.labels import of_emitter
 from lommel.special import zernike
 
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.microscope_files import Microscope
     from lommel.measures.psf_like import PSFGridLike
     from lommel.optics.colour.spectrum import Channels
     from lommel.optics.lens import Lens
@@ -514,3 +518,131 @@ def _tilted(pupil: Pupil, x: float, y: float) -> Pupil:
     # A Zernike tilt is normalised to an rms of 1 over the disc: 2 at its edge.
     tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
     return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)
+
+
+DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
+"""Depths that are listed besides that of the file, metres."""
+
+_OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
+_OF_FOCUS = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
+
+
+def microscope_quality(microscope: Microscope, *, foci: bool = True) -> dict[str, Any]:
+    """Return what is known of a microscope as plain data; with `foci`, also of a dipole at several depths.
+
+    Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians. "refused" has
+    the reasons why depths are missing in "focus", where dipoles rotate freely.
+    """
+    objective, wavelength = microscope.objective, microscope.wavelength
+    light, nyquist = illumination(objective.apodization), objective.nyquist(wavelength=wavelength)
+    step = abs(microscope.step) if microscope.planes > 1 else None
+    design, measured = objective.design, microscope.aberrations
+    terms = [] if measured is None else listed_terms(measured.to_zernike(unit="waves"))
+    as_designed = design.immersion == objective.immersion and design.coverslip == objective.coverslip
+    coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
+    rows, refused = _foci(microscope) if foci else ([], [])
+    return {
+        "name": microscope.name,
+        "source": microscope.source,
+        **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
+        "apodization": list(light.powers),
+        "rim_amplitude": float(light.value(1.0)),
+        "coverslip": plain(objective.coverslip),
+        "films": plain(objective.films),
+        "design": None if as_designed else plain(design),
+        "sample": objective.sample,
+        "critical_angle": objective.critical_angle,
+        "rim_angle": math.asin(objective.NA / objective.immersion),
+        "wavelength": wavelength,
+        "emitter": of_emitter(microscope.emitter),
+        "rms_waves": math.hypot(*(term["waves_rms"] for term in terms)),
+        "zernike": terms,
+        "depth": microscope.depth,
+        "planes": microscope.planes,
+        "step": step,
+        "origin": microscope.origin,
+        "pixel": microscope.pixel,
+        "camera": plain(microscope.camera),
+        "pixel_in_sample": microscope.pixel / objective.magnification,
+        "nyquist": plain(nyquist),
+        "too_coarse": [name for name, exceeds in coarse.items() if exceeds],
+        "focus": rows,
+        "refused": refused,
+    }
+
+
+def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[str]]:
+    """Return the foci at several depths, and the reasons why other depths have none."""
+    objective, wavelength = microscope.objective, microscope.wavelength
+    rows: list[dict[str, float | None]] = []
+    refused: dict[str, None] = {}
+    surface = float(objective.focus(0.0, wavelength=wavelength).peak)
+    for depth in sorted({*DEPTHS, microscope.depth}):
+        try:
+            found = objective.focus(depth, wavelength=wavelength)
+        except ValueError as reason:
+            refused[f"{1e6 * depth:.4g} um deep: {reason}"] = None
+            continue
+        row: dict[str, float | None] = {"depth": depth, "ratio": float(found.ratio) if depth > 0.0 else None}
+        row |= {name: float(getattr(found, name)) for name in _OF_FOCUS}
+        row["peak_of_surface"] = float(found.peak) / surface
+        row["collected"] = float(objective.collected(depth, wavelength=wavelength))
+        rows.append(row)
+    return rows, list(refused)
+
+
+def compare_methods(
+    instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
+) -> tuple[list[dict[str, Any]], dict[str, PSF]]:
+    """Return the errors and times of several methods against the `reference`, and the PSFs of those that apply.
+
+    The PSF of the reference comes first, called "Hankel" or by name and tolerance. Those on other samples than it has
+    are left out.
+    """
+    pupil = instrument.pupil()
+    judge = reference(pupil)
+    judge_name = type(judge).__name__ if pupil.radial else repr(judge)
+
+    def answer(method: Method, integrate: bool | None) -> PSF:
+        window, pixel = instrument.window, instrument.pixel
+        fill = 1.0 if integrate is False else instrument.fill
+        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
+
+    def timed(method: Method, integrate: bool | None) -> tuple[PSF, float]:
+        """Return the PSF and the seconds of the second of two runs, or of a first that takes more than a second."""
+        for _ in range(2):  # the first one loads libraries and fills caches
+            start = time.perf_counter()
+            found = answer(method, integrate)
+            seconds = time.perf_counter() - start
+            if seconds > 1.0:
+                break
+        return found, seconds
+
+    started(judge_name)
+    truth, seconds = timed(judge, instrument.integrate)
+    answers, rows = {judge_name: truth}, []
+    for method in methods:
+        name = type(method).__name__
+        row: dict[str, Any] = {"method": name, "options": method.to_dict(), "reason": None}
+        row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
+        rows.append(row)
+        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and magnifies(instrument.lens):
+            row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
+            continue
+        if method != judge:
+            started(name)
+        # Its sums over the area of every pixel would take minutes.
+        integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
+        try:
+            found, row["seconds"] = (truth, seconds) if method == judge else timed(method, integrate)
+        except (ValueError, ArithmeticError, ImportError) as error:
+            row["reason"] = str(error)
+            continue
+        row["sampling"], row["error_bound"] = found.sampling, found.error_bound
+        against = truth
+        if found.sampling == truth.sampling:
+            answers[name] = found
+        elif found.sampling == "center":
+            against = answer(judge, False)
+        row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
+    return rows, answers

@@ -1,23 +1,98 @@
-"""A lens with its object and sensor, as described by a lens file."""
+"""The lens and the camera of a file."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import TypedDict
+from typing import Any, TypedDict
 
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.field.maps import FieldMap
-from lommel.lensfiles.camera import Camera
 from lommel.measures.aperture_means import strehl
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
+from lommel.recorded.noise import Noise
 from lommel.show import notebook
 from lommel.show.labels import length_in_words, name_in_words, true_minus
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A camera sensor, as described by a file with a section [camera].
+
+    Attributes
+    ----------
+    name, source : str
+        Name, and source of the numbers.
+    pixel : float or (float, float)
+        Pixel pitch in metres; height and width of pixels that are not square.
+    read : float or None
+        Read noise, rms electrons; None where the file does not state it, like all that follows.
+    full_well : float or None
+        Electrons at which a pixel saturates.
+    gain : float or None
+        Electrons per count (e-/ADU).
+    offset : float or None
+        Counts of a pixel without electrons.
+    excess : float
+        Excess noise factor of electron multiplication, as of :class:`lommel.Noise`; 1 for none.
+    """
+
+    name: str
+    source: str
+    pixel: float | tuple[float, float]
+    read: float | None = None
+    full_well: float | None = None
+    gain: float | None = None
+    offset: float | None = None
+    excess: float = 1.0
+
+    def __repr__(self) -> str:
+        pixel = (
+            format_length(self.pixel) if isinstance(self.pixel, float) else " x ".join(map(format_length, self.pixel))
+        )
+        noise = "" if self.read is None else f", read noise {self.read:g} electrons"
+        well = "" if self.full_well is None else f", full well {self.full_well:g} electrons"
+        excess = "" if self.excess == 1.0 else f", excess noise {self.excess:g}"
+        return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what is known of the camera besides its pixels as plain data.
+
+        Returns
+        -------
+        dict
+        """
+        return {name: value for name, value in vars(self).items() if name != "pixel"}
+
+    @property
+    def side(self) -> float:
+        """Pitch of square pixels, metres; ValueError for other pixels."""
+        if not isinstance(self.pixel, float):
+            raise ValueError(f"pixel must be square, got that of {self.name!r}, {self.pixel}")
+        return self.pixel
+
+    @property
+    def noise(self) -> Noise:
+        """Noise of images in counts: gain (1 where it is not stated), read noise, offset (0), excess.
+
+        Returns
+        -------
+        Noise
+
+        Raises
+        ------
+        ValueError
+            If the file does not state the read noise.
+        """
+        if self.read is None:
+            raise ValueError(f"the file of {self.name!r} must state read, the read noise, for its noise")
+        return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
+
 
 _LARGEST = 129  # pixels of the window that notebooks show
 

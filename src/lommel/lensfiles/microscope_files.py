@@ -18,9 +18,9 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
 from lommel.estimation.beads import BeadFit
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import toml_files, zernike_section
-from lommel.lensfiles.camera import Camera
-from lommel.lensfiles.sensor_section import Sensor
+from lommel.lensfiles import sections, toml_files
+from lommel.lensfiles.instrument import Camera
+from lommel.lensfiles.sections import Sensor
 from lommel.lensfiles.toml_files import (
     Angle,
     Context,
@@ -305,7 +305,7 @@ class _Emission(MadeSection):
 
 
 class _Aberrations(Section):
-    zernike: Toml | None = None  # checked by `zernike_section.read`
+    zernike: Toml | None = None  # checked by `sections.read`
 
 
 class _Stack(Section):
@@ -464,7 +464,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
             f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = zernike_section.read(raw, text, context)
+    table, found = sections.read(raw, text, context)
     make = partial(_microscope, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
@@ -486,7 +486,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         file.emission.wavelength,
         file.sample.depth,
         emitter=file.emission.made(),
-        aberrations=None if table is None else zernike_section.wavefront(table, file.emission.wavelength),
+        aberrations=None if table is None else sections.wavefront(table, file.emission.wavelength),
         errors=file.errors,
         **stack,
         **dict(file.sensor),

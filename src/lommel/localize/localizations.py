@@ -201,12 +201,12 @@ class Localizations(FitReport):
         ImportError
             If matplotlib is missing.
         """
-        from lommel.show import molecules
+        from lommel.show import estimates
 
         one = self.recording
         side = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
         sides = one.rows * one.pixel, one.columns * one.pixel
-        return molecules.picture(self.table[self.kept], sides, side, one.along, ax)
+        return estimates.picture(self.table[self.kept], sides, side, one.along, ax)
 
 
 def columns() -> np.dtype[np.void]:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.measures import axial as axial
@@ -11,4 +11,4 @@ if TYPE_CHECKING:
     from lommel.measures import spot as spot
     from lommel.measures import transfer as transfer
 else:
-    __getattr__, __dir__ = lazy.parts(__name__)
+    __getattr__, __dir__ = imports.parts(__name__)

@@ -2,10 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.methods.registry import *  # noqa: F403
 else:
     # Which imports all methods, where most programs take one or two.
-    __getattr__, __dir__ = lazy.parts(__name__, exports="registry")
+    __getattr__, __dir__ = imports.parts(__name__, exports="registry")

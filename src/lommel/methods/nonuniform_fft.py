@@ -1,24 +1,410 @@
-"""Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound."""
+"""Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
+
+Quadrature over the whole disc with the moments of an aperture: few nodes, whatever its edges.
+A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
+times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
+same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or complex;
+their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area.
+
+g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
+polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
+
+Averages over pixels of apertures of any shape: nodes of the window, and a rule with the moments of the aperture.
+The nodes of the rule are those of the chordal rule of the disk, its weights complex numbers of either sign, see
+:mod:`lommel.methods.nonuniform_fft`: pupils stand side by side in vector lanes, as those of round apertures do.
+
+References
+----------
+T. Koornwinder, "Two-variable analogues of the classical orthogonal polynomials", in Theory and Application of Special
+Functions, Academic Press (1975), 435.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Intensities, Slopes, Wanted, not_met
-from lommel.core.engine import row_images
+from lommel.core.answers import Declined, Images, Intensities, Pixels, Slopes, Wanted, not_met
+from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
 from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, once_stored, painted, relative_error, storing
-from lommel.methods.moment_rule import degrees_and_error, field_sums, moment_rule, phase_roundings, worth
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels.averaging import averaged_images
-from lommel.optics.aperture.opening import degree_needed
+from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+
+Complexes = NDArray[np.complex128]
+
+_UNIT = 2.0**-53
+_VALUES = 2**21  # amplitudes at once
+_MOST_TERM = 12  # degree of terms up to which products of polynomials of x and y lose little by cancellation
+_LEAST_FIELDS = 4  # from which on it is worth while to make the rule
+_LEAST_ERROR = 3e-12  # of the field over its amplitude, below which roundings are in the way
+_MOST_WAVES = 2**22  # values of waves that are kept
+_STEP = 32  # of degrees
+
+
+def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float) -> bool:
+    """Return whether these sums take less time than transforms of rows; the rest as for :func:`moment_rule`."""
+    count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
+    fields, most, (height, width) = 1 + len(terms), 1 + highest, grid.shape
+    rows = degree + _STEP / 2
+    if count * fields < _LEAST_FIELDS or highest > _MOST_TERM or error < _LEAST_ERROR * pupil.amplitude:
+        return False
+    if most * rows**2 / 4 * max(height, width) > _MOST_WAVES:
+        return False
+    # Costs per PSF, in the time of one sample of a Fourier transform, fitted to stacks of 1 to 27 PSFs of 17 to 257
+    # pixels a side; four stacks or steps of a fit take the same rule.
+    _, sampled, power = _rounded(degree, fine, error)
+    samples = _samples(pupil.opening, sampled, power)
+    making = 0.16 * samples * rows / (4 * count)
+    sums = 1.6 * rows**2 + most * rows**2 * width / 300 + (most**2 * rows / 240 + fields / 3) * height * width
+    return making + sums < (fields + 0.3) * samples + fields * (0.8 * height * width + 1700.0)
+
+
+class MomentRule(NamedTuple):
+    """Weights of the nodes of the disc rule of so many `rows`, of as many nodes, shape (rows, rows)."""
+
+    weight: Complexes
+    total: float  # of their moduli
+    lost: float  # by edges that are misplaced by rounding
+
+    @property
+    def rows(self) -> int:
+        """Number of rows, even."""
+        return len(self.weight)
+
+
+class Nodes(NamedTuple):
+    """A rule of the disc: rows at `y`, nodes `x`, (rows, rows), and the weight of each."""
+
+    y: Array
+    x: Array
+    along: Array  # x over half of the chord
+    weight: Array
+
+
+@lru_cache(maxsize=8)
+def nodes(rows: int) -> Nodes:
+    """Return the rule of the disc, which is exact to the degree ``2 rows - 1``; it is symmetric about both axes."""
+    theta = (np.arange(rows) + 1.0) * (math.pi / (rows + 1))
+    half, (along, each) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
+    return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), each))
+
+
+def moment_rule(opening: Opening, degree: int, fine: int, error: float) -> MomentRule:
+    """Return the rule that for polynomials up to a `degree` gives what that of :meth:`Opening.rows` for `fine` does.
+
+    Segments have their phases in the weights, which `fine` has to allow for.
+    """
+    return _made(opening, *_rounded(degree, fine, error))
+
+
+def degrees_and_error(pupil: Pupil, reach: float, aim: float) -> tuple[int, int, float]:
+    """Return the degrees that :func:`moment_rule` takes for v up to `reach`, and what U is off by then.
+
+    Polynomials are off by `aim`. The degree of a term that multiplies the pupil function is added to the first two.
+    """
+    terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
+    phases = pupil.opening.phases
+    steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
+    degree = degree_needed(terms, reach, pupil.illumination, aim)
+    # The waves of segments are within the error of a polynomial, which multiplies those of this degree.
+    fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
+    # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
+    return degree, fine, 1.1 * aim + (1.0 + aim) * aim + phase_roundings(pupil)
+
+
+def phase_roundings(pupil: Pupil) -> float:
+    """Return what roundings of the phases of segments change U by, however many turns there are."""
+    return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
+
+
+def _rounded(degree: int, fine: int, error: float) -> tuple[int, int, int]:
+    """Return degrees rounded up and the power of ten of the error rounded down, so that searches make few rules."""
+    first, second = (_STEP * math.ceil(each / _STEP) for each in (degree, max(fine, degree)))
+    return first, second, 2 * math.floor(0.5 * math.log10(error))
+
+
+@lru_cache(maxsize=16)
+def _samples(opening: Opening, fine: int, power: int) -> int:
+    """Return the number of nodes of the rows that a Fourier transform takes."""
+    return sum(rule.nodes.shape[1] for rule in opening.rows(fine, 10.0**power))
+
+
+@lru_cache(maxsize=16)
+def _made(opening: Opening, degree: int, fine: int, power: int) -> MomentRule:
+    moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
+    for rule, phase in zip(opening.rows(fine, 10.0**power), opening.phases, strict=True):
+        x, y, weight = rule.nodes
+        if not x.size:
+            continue
+        firsts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
+        half = np.sqrt((1.0 - y) * (1.0 + y))
+        still = math.remainder(phase[0], 2.0 * math.pi)
+        turned = weight * np.exp(1j * (still + phase[1] * x + phase[2] * y))
+        along = np.clip(x / half, -1.0, 1.0)
+        sums = np.array([np.add.reduceat(turned * part, firsts) for part in _legendre(degree, along)])
+        for m, part in enumerate(_across(degree, y[firsts])):
+            moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
+    at = nodes(degree + 2)
+    values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
+    for m, part in enumerate(_across(degree, at.y)):
+        values[: len(part)] += part * moments[: len(part), m, None]
+    weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, at.along))) * (math.pi * at.weight))
+    weight.flags.writeable = False
+    lost = sum(rule.lost for rule in opening.rows(fine, 10.0**power))
+    return MomentRule(weight, float(np.abs(weight).sum()), lost)
+
+
+def _legendre(degree: int, x: Array) -> Iterator[Array]:
+    """Yield the orthonormal Legendre polynomials on [-1, 1] up to a degree."""
+    before, here = np.zeros_like(x), np.ones_like(x)
+    for k in range(degree + 1):
+        yield math.sqrt(k + 0.5) * here
+        before, here = here, ((2 * k + 1) * x * here - k * before) / (k + 1)
+
+
+def _across(degree: int, y: Array) -> Iterator[Array]:
+    """Yield for m = 0, 1, ... the functions of y of the basis, [k, y] for all k up to ``degree - m``."""
+    # (1 - y^2)^(k / 2) times polynomials orthonormal for the weight (1 - y^2)^(k + 1/2).
+    k = np.arange(degree + 1.0)[:, None]
+    area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
+    half = np.sqrt((1.0 - y) * (1.0 + y))
+    here = half**k / np.sqrt(area)[:, None]
+    before = np.zeros_like(here)
+
+    def beside(m: int) -> Array:
+        return np.sqrt(m * (m + 2.0 * k + 1.0) / (4.0 * (m + k + 1.0) * (m + k)))
+
+    for m in range(degree + 1):
+        yield here
+        count = degree - m
+        last = beside(m)[:count] * before[:count] if m else 0.0
+        before, here = here, (y * here[:count] - last) / beside(m + 1)[:count]
+        k = k[:count]
+
+
+def field_sums(
+    rule: MomentRule, pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...]
+) -> tuple[Array, Array, Array]:
+    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and what roundings change U and its slopes by."""
+    # Waves are even or odd along x and along y, as Chebyshev polynomials of these are, of whose products terms are
+    # sums. That leaves a quarter of the nodes and of the pixels, and along the rows one sum for each power of x.
+    at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
+    light = rule.weight
+    if not pupil.illumination.uniform:
+        light = light * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+    phases, shares = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
+    most, (height, width) = shares.shape[1], grid.shape
+    step = grid.step(pupil) / grid.side
+    (right, column), (down, row) = (np.unique(np.abs(part), return_inverse=True) for part in (grid.x, grid.y))
+    across, upward = _waves(rule.rows, step, tuple(right.tolist()), most), _rows(rule.rows, step, down, most)
+    signs = (np.ones(width), np.sign(grid.x)), (np.ones((height, 1)), np.sign(grid.y)[:, None])
+    values, slopes = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
+    many = max(1, _VALUES // (4 * most * q * q))
+    for first in range(0, count, many):
+        part = slice(first, min(first + many, count))
+        # Products row by row are too small for threads of BLAS, which would wait for each other.
+        angle = edge[part] @ phases
+        wave = _turned(light[:, None], np.cos(angle), np.sin(angle))
+        parts = _parts(wave, q)
+        size = len(edge[part])
+        field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
+        for i in range(2):
+            # Of both parts along y [term, row of pixels, pupil, real or imaginary, column].
+            sums = np.zeros((2, len(shares), down.size, size, 2, right.size))
+            for a in range(most):
+                for c in range(2):
+                    along = parts[i ^ (a & 1), c].reshape(q, -1, q) @ across[i][a]
+                    found = upward[c][: most - a] @ along.reshape(q, -1)
+                    found = found.reshape(most - a, *sums.shape[2:])
+                    for b in range(min(2, most - a)):
+                        sums[c ^ b] += np.tensordot(shares[:, a, b : most - a : 2], found[b::2], 1)
+            for j in range(2):
+                both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
+                field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * both
+        u, others = field[0], field[1:]
+        values[part] = u.real**2 + u.imag**2
+        slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
+    reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
+    lost = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
+    return values, slopes, lost
+
+
+def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
+    """Return what roundings change U by, up to `reach` in v; where all sums are in `single` precision with those."""
+    # Phases of terms and of waves, sums along both axes, and the weights.
+    edge = pupil.wavefront.flattened().edge
+    size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
+    turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
+    # Sums of pairs of chords and nodes, and phases in multiples of 2^-32 turns.
+    more = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single else 0.0
+    return (_UNIT * turned + more) * rule.total + rule.lost
+
+
+@lru_cache(maxsize=8)
+def _products(terms: tuple[tuple[int, int], ...]) -> Array:
+    """Return terms as sums of products T_a(x) T_b(y), shape (terms, a, b)."""
+    from numpy.polynomial.chebyshev import chebvander
+
+    count = 1 + max(n for n, _ in terms)
+    x = np.cos((np.arange(count) + 0.5) * (math.pi / count))
+    back = np.linalg.inv(chebvander(x, count - 1))
+    rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
+    found = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
+    return np.where(np.abs(found) > 1e-14 * np.abs(found).max(), found, 0.0)
+
+
+def _turned(light: Complexes, cosine: Array, sine: Array) -> Array:
+    """Return the product of light and a wave, [row, pupil, real or imaginary, node]."""
+    if not light.imag.any():
+        return np.stack([light.real * cosine, light.real * sine], axis=2)
+    return np.stack([light.real * cosine - light.imag * sine, light.real * sine + light.imag * cosine], axis=2)
+
+
+def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
+    """Return for a quarter of the nodes, [row, ..., node], sums of four mirrored ones, odd or even along x and y."""
+    y = [wave[:q] + sign * wave[: q - 1 : -1] for sign in (1.0, -1.0)]
+    mirrored = [part[..., : q - 1 : -1] for part in y]
+    return {
+        (i, j): np.ascontiguousarray(y[j][..., :q] + sign * mirrored[j])
+        for i, sign in enumerate((1.0, -1.0))
+        for j in range(2)
+    }
+
+
+@lru_cache(maxsize=8)
+def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
+    """Return Zernike terms, 1 at the edge, at the nodes of a rule, shape (rows, terms, rows)."""
+    at = nodes(rows)
+    y = np.broadcast_to(at.y[:, None], at.x.shape)
+    rho, theta = np.hypot(at.x, y), np.arctan2(y, at.x)
+    return np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
+
+
+@lru_cache(maxsize=4)
+def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Array, Array]:
+    """Return cosines and sines of a quarter of the nodes at columns times T_a(x), shape (a, row, node, column)."""
+    q = rows // 2
+    x = nodes(rows).x[:q, :q]
+    turn = step * x[:, :, None] * np.array(at)
+    powers = np.moveaxis(np.polynomial.chebyshev.chebvander(x, most - 1), -1, 0)[..., None]
+    return powers * np.cos(turn), powers * np.sin(turn)
+
+
+def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
+    """Return the same of the rows, shape (b, row of pixels, node row), of the other kind where b is odd."""
+    y = nodes(rows).y[: rows // 2]
+    turn = step * np.outer(at, y)
+    powers = np.polynomial.chebyshev.chebvander(y, most - 1).T[:, None]
+    even, odd = powers * np.cos(turn), powers * np.sin(turn)
+    swapped = np.arange(most)[:, None, None] % 2 == 1
+    return np.where(swapped, odd, even), np.where(swapped, even, odd)
+
+
+_FEWEST = 4  # pupils and their derivatives, in whose lanes work is shared
+_STEPS = 8  # stacks, or steps of a fit, that take the same rule
+_MAKING, _NODE_SUMS, _SAMPLE = (
+    2.4e-5,
+    5.5e-8,
+    1.15e-4,
+)  # ms by cubes of rows, by products, and of a sample of a filter
+_LARGEST = 400  # degree
+_SINGLE = 0.5  # of an error, what sums in single precision may lose
+_LEAST_NODES = 1e-12  # error of the field, below which roundings are in the way
+
+
+def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
+    """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
+    highest = max((n for n, _ in wanted.terms), default=0)
+    fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
+    if pupil.mask is not None or wanted.powers or fields < _FEWEST:
+        return None
+    stack, window = disk_stack(pupil), window_of(pupil, grid)
+
+    def rule(reach: float, tol: float, single: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
+        aim = 0.15 * tol
+        if aim < _LEAST_NODES:
+            return None
+        degree, fine, missed = degrees_and_error(pupil, reach, aim)
+        sums = _NODE_SUMS * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
+        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, sums, window):
+            return None
+        made = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
+        lost = roundings(made, pupil, reach, single=True)
+        single = single and lost < _SINGLE * tol
+        off = missed + 1.1 * aim + (lost if single else roundings(made, pupil, reach))
+        return of_quadrant(made, pupil), off, single
+
+    # Chords of the rule are rows of the aperture, and those of the core are columns.
+    by, signs = exchanged(wanted.terms)
+    images = aperture_averages(
+        turned(stack),
+        window._replace(shape=window.shape[::-1], center=window.center[::-1]),
+        pupil.likely_strehl,
+        pupil.transmission,
+        tol,
+        wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in by)),
+        rule,
+    )
+    return None if images is None else _turned_back(images, signs, wanted.out)
+
+
+def _turned_back(images: Images, signs: Array, out: Pixels | None) -> Images:
+    """Return images with x and y exchanged, and derivatives with signs."""
+    values = np.empty_like(images.values.swapaxes(1, 2), order="C") if out is None else out
+    values[...] = images.values.swapaxes(1, 2)
+    slopes = images.slopes
+    if slopes is not None:
+        turned_slopes = slopes.values.swapaxes(2, 3) * signs[:, None, None, None].astype(slopes.values.dtype)
+        slopes = Slopes(np.ascontiguousarray(turned_slopes), slopes.error)
+    return images._replace(values=values, slopes=slopes)
+
+
+def _pays(count: int, rows: float, sums: float, window: Window) -> bool:
+    """Return whether sums over nodes are likely to take less time than a filter of samples, the rule made once."""
+    samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
+    return _MAKING * rows**3 < _STEPS * count * (samples - sums)
+
+
+def exchanged(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
+    """Return terms with x and y exchanged, cosines of odd orders being sines then, and their signs."""
+    n, m = np.reshape(np.asarray(terms, dtype=np.int32), (-1, 2)).T
+    odd, order = m % 2 != 0, np.abs(m)
+    # cos(m (pi / 2 - theta)), and sin of that.
+    half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
+    other = np.stack([n, np.where(odd, -m, m)], axis=1)
+    return np.ascontiguousarray(other, dtype=np.int32), np.where(odd, half, np.where(m < 0, -half, half))
+
+
+def turned(stack: DiskStack) -> DiskStack:
+    """Return the same with x and y exchanged."""
+    terms, signs = exchanged(stack.terms)
+    return stack._replace(terms=terms, edge=stack.edge * signs)
+
+
+def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
+    """Return the weights of a rule, with the amplitude of a pupil, as the core takes them, (chords, nodes, 8)."""
+    weight, half = rule.weight, rule.rows // 2
+    if not pupil.illumination.uniform:
+        at = nodes(rule.rows)
+        weight = weight * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+    # Rows fall from the top, nodes along them rise.
+    top, bottom = weight[:half], weight[: half - 1 : -1]
+    parts = [part for rows in (top, bottom) for part in (rows[:, : half - 1 : -1], rows[:, :half])]
+    return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)
+
 
 _LEAST = 4e-15  # error of U that is asked for, over its largest value
 _SUMS = 0.25  # of the error of U, what sums may lose
@@ -52,7 +438,7 @@ class NonuniformFFT(Method[Pupil]):
     the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and
     all roundings are bounded too. Derived in docs/certificate.md, section 18. Averages over pixels filter samples.
     Small windows of many fields (stacks, derivatives) are products of matrices with a rule of the disc that has the
-    moments of the aperture (``lommel.methods.moment_rule``).
+    moments of the aperture (``lommel.methods.nonuniform_fft``).
 
     References
     ----------
@@ -78,7 +464,7 @@ class NonuniformFFT(Method[Pupil]):
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         grid.require_one_axis()
         if grid.integrate:
-            from lommel.methods.pixels.aperture_nodes import averaged_apertures
+            from lommel.methods.nonuniform_fft import averaged_apertures
 
             made = averaged_apertures(pupil, grid, self.tol, wanted)
             if made is not None:

@@ -8,11 +8,10 @@ from collections.abc import Callable, Mapping
 from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.hankel import Hankel
-from lommel.methods.layers.bead import Bead
 from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.methods.layers.debye_wolf import DebyeWolf
-from lommel.methods.layers.scanning import Confocal, Sted, TwoPhoton
+from lommel.methods.layers.scanning import Bead, Confocal, Sted, TwoPhoton
 from lommel.methods.layers.stratified import Stratified
 from lommel.methods.matrix_fourier import MatrixFourier
 from lommel.methods.method import FieldMethod, Method, RadialMethod

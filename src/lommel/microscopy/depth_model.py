@@ -12,9 +12,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.microscopy.modalities import confocal, light_sheet, two_photon
-from lommel.microscopy.plane_blur import PlaneBlur, RadialTransfer
-from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.wide_blur import WideBlur, pitch_of, taper
+from lommel.microscopy.stack_blur import PlaneBlur, RadialTransfer, TiledBlur, WideBlur, pitch_of, taper
 from lommel.optics.layers.emitter import Beam, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.core.answers import ToleranceError
-from lommel.methods.layers.bead import Bead
-from lommel.methods.layers.scanning import Confocal, Sted, TwoPhoton, crest
+from lommel.methods.layers.scanning import Bead, Confocal, Sted, TwoPhoton, crest
 from lommel.methods.method import Method, storing
 from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil

@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Values
-from lommel.microscopy.stack_blur import Part, TiledBlur
+from lommel.microscopy.stack_blur import Part, TiledBlur, WideBlur
 from lommel.microscopy.stack_steps import Counted
-from lommel.microscopy.wide_blur import WideBlur
 
 
 class Projections(NamedTuple):

@@ -13,9 +13,8 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.stack_blur import TiledBlur
+from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
-from lommel.microscopy.wide_blur import WideBlur
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.base import atomic, reading, unfinished, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Values
+from lommel.base.atomic import Unfinished
 from lommel.base.optional import version
-from lommel.base.unfinished import Unfinished
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -39,7 +39,7 @@ from lommel.recorded.camera_noise import contradiction, measured_noise
 from lommel.recorded.counts import full_value, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
-from lommel.show import restored as pictures
+from lommel.show import estimates as pictures
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -713,7 +713,7 @@ def _begun(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: R
         raise FileNotFoundError(2, "No such file or directory", str(place.parent))
     told = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
     asked = {"software": f"lommel {version()}", "shape": shape} | told
-    with unfinished.begun(
+    with atomic.begun(
         place, asked, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
     ) as begun:
         yield _Target(shape, begun)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import chain
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import side_by_side
+from lommel.base.threads import product, side_by_side
 from lommel.core import engine
 from lommel.imaging.linear import LinearBlur
 from lommel.measures.axial import stage
@@ -410,3 +410,309 @@ def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
     """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
     taken = slice(max(start, 0), max(min(stop, side), 0))
     return taken, slice(taken.start - start, taken.stop - start)
+
+
+_APART = 0.2  # radians between two frequencies, at the edge of the PSF
+_FREQUENCIES_TOGETHER = 16  # magnitudes of frequencies that are a task of a thread
+_ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
+
+
+_BESIDE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # what a B-spline has at the voxels beside its middle
+
+
+class RadialTransfer:
+    """The lateral transfer function of PSFs, of each plane, over the spatial frequency alone.
+
+    `pixels` says whether values are averages over square pixels, whose own transfer is left out, and `spline` is the
+    degree of the B-splines, along rows and columns, by whose transfer functions that of the PSF was divided.
+    """
+
+    def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
+        half = side // 2
+        self.apart = _APART / (2.0 * math.pi * half)
+        self.frequencies = self.apart * np.arange(math.ceil(math.sqrt(0.5) / self.apart) + 2)
+        at = np.arange(side) - half
+        self._near = int(np.searchsorted(self.frequencies, _ON_AXIS))
+        axis, slanted = self.frequencies[: self._near], self.frequencies[self._near :] * math.sqrt(0.5)
+        self._axis = np.cos(2.0 * math.pi * np.outer(at, axis)).astype(np.float32)
+        self._slanted = np.cos(2.0 * math.pi * np.outer(at, slanted)).astype(np.float32)
+        self._parts = pixels, spline
+        self._pixels = np.concatenate([self._own(axis), self._own(slanted) ** 2])
+
+    def _own(self, frequency: Any) -> Array:
+        """Return the transfer function of pixels along one axis, over that of the B-spline."""
+        pixels, spline = self._parts
+        found = np.sinc(frequency) if pixels else np.ones(frequency.shape)
+        beside = _BESIDE[spline]
+        return np.asarray(found / (1.0 - 2.0 * beside * (1.0 - np.cos(2.0 * math.pi * frequency))))
+
+    def __call__(self, kernel: Array) -> Values:
+        """Return it of the planes of an even kernel, shape (frequencies, planes)."""
+        values = kernel.astype(np.float32)
+        near = product(values.sum(axis=1), self._axis)
+        half = product(values.reshape(-1, values.shape[2]), self._slanted).reshape(*values.shape[:2], -1)
+        far = np.einsum("yf,pyf->pf", self._slanted, half)
+        made = np.concatenate([near, far], axis=1) / self._pixels
+        return np.ascontiguousarray(made.T, np.float32)
+
+    def misfit(self, kernel: Array) -> float:
+        """Return by how much the transfer function of a kernel differs from this, rms over its own."""
+        from scipy.fft import rfft2
+
+        sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
+        half = kernel.shape[1] // 2
+        known = rfft2(kernel, sides) * np.exp(
+            2j * math.pi * half * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
+        )
+        place, share, pixel = self.places(sides)
+        made = self(kernel).T
+        found = (made[:, place] * (1.0 - share) + made[:, place + 1] * share) * pixel
+        off = known.reshape(len(kernel), -1) - found
+        return float(np.sqrt((np.abs(off) ** 2).sum() / (np.abs(known) ** 2).sum()))
+
+    def places(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
+        """Return the frequencies of a tile: number of the one below, share of the one above, transfer of a pixel."""
+        down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
+        place = np.hypot(down, across).ravel() / self.apart
+        pixel = (self._own(down) * self._own(across)).ravel()
+        return place.astype(np.intp), (place % 1.0).astype(np.float32), pixel.astype(np.float32)
+
+
+class PlaneBlur(TiledBlur):
+    """Convolution of each plane of the specimen with a PSF of its own, and its transpose.
+
+    For each lateral spatial frequency the planes of the recording are a matrix times those of the specimen. With
+    rotationally symmetric PSFs it depends on the magnitude of the frequency alone: matrices of some magnitudes are
+    kept, and interpolated between.
+    """
+
+    def __init__(
+        self,
+        kernels: Iterable[Array],
+        shape: tuple[int, int, int],
+        margin: tuple[int, int],
+        transfer: RadialTransfer,
+        *,
+        threads: int = 0,
+    ) -> None:
+        planes = shape[0] + 2 * margin[0]
+        self._radial = transfer
+        self._matrices = np.zeros((len(transfer.frequencies), shape[0], planes), np.float32)
+        super().__init__(kernels, shape, margin, weights=np.eye(planes), threads=threads)
+        place, share, pixel = transfer.places(self._tile)
+        order = np.argsort(place, kind="stable")
+        cuts = np.flatnonzero(np.diff(place[order])) + 1
+        self._groups = [each.astype(np.int32) for each in np.split(order, cuts)]
+        self._levels = [int(place[each[0]]) for each in self._groups]
+        self._above, self._below = share * pixel, (1.0 - share) * pixel
+
+    def _learn(self, number: int, kernel: Array) -> None:
+        """Put a kernel into the matrices: that of a plane, and the outermost ones also of those beyond."""
+        transfer = self._radial(kernel)
+        first, last = (number == 0) * self._before, (number == self.whole[0] - 1) * self._after
+        for at in range(number - first, number + last + 1):
+            # Plane p of the recording gets plane p - start of the kernel.
+            start = at - self._margin[0] - self._lower[0]
+            low, high = max(start, 0), min(start + len(kernel), self.shape[0])
+            if low < high:
+                self._matrices[:, low:high, number] += transfer[:, low - start : high - start]
+
+    def _along(self, *, transposed: bool) -> None:
+        """Multiply each frequency of the room by its matrix, or the transpose of it, in place."""
+        assert self._room is not None
+        flat = self._room.reshape(self.whole[0], -1)
+        given, made = (self.shape[0], self.whole[0]) if transposed else (self.whole[0], self.shape[0])
+
+        def several(begin: int) -> None:
+            for number in range(begin, min(begin + _FREQUENCIES_TOGETHER, len(self._groups))):
+                one(number)
+
+        def one(number: int) -> None:
+            here, level = self._groups[number], self._levels[number]
+            values = np.take(flat[:given], here, axis=1)
+            first, second = self._matrices[level], self._matrices[level + 1]
+            if transposed:
+                first, second = first.T, second.T
+            found = product(first, (values * self._below[here]).view(np.float32))
+            values *= self._above[here]
+            found += product(second, values.view(np.float32))
+            flat[:made, here] = found.view(np.complex64)
+
+        side_by_side(several, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
+
+
+class WideBlur:
+    """The blur by PSFs in their windows, `near`, and by what of these lies beyond, `far`, of every `pitch` th pixel.
+
+    Light is shared linearly between the nodes of the coarse grid, and values between these are interpolated, so that
+    the transpose is exact. Beyond the margin the specimen is as bright everywhere in each plane as `outside` says: an
+    unknown like all others. A flat specimen so has a flat recording.
+    """
+
+    def __init__(
+        self,
+        near: TiledBlur,
+        far: Iterable[Array],
+        pitch: int,
+        *,
+        weights: Array | None = None,
+        threads: int = 0,
+    ) -> None:
+        self._near, self._threads = near, threads
+        self.shape, self.whole = near.shape, near.whole
+        kernels: Sequence[Array] = list(far)
+        margin = (near.whole[0] - near.shape[0]) // 2, (near.whole[1] - near.shape[1]) // 2
+        reach = kernels[0].shape[1] // 2
+        if reach * pitch < margin[1]:
+            raise ValueError(f"far must reach over the margin of {margin[1]} pixels, got {reach} nodes of {pitch}")
+        nodes = [(side - 1) // pitch + 2 for side in near.shape[1:]]
+        self._far = TiledBlur(
+            kernels, (near.shape[0], nodes[0], nodes[1]), (margin[0], reach), weights=weights, threads=threads
+        )
+        self._recorded = [_Hats(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)]
+        self._given = [
+            _Hats(side, margin[1], pitch, reach, count + 2 * reach)
+            for side, count in zip(near.whole[1:], nodes, strict=True)
+        ]
+        down, across = (each.shares.sum(axis=0) for each in self._given)
+        self._beyond = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
+        self.outside = np.ones(near.whole[0], np.float32)
+        ones = np.outer(*(each.shares.sum(axis=0) for each in self._recorded)).astype(np.float32)
+        self._seen = self._returned(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
+        self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._beyond)
+        self.outside_back = np.zeros(near.whole[0], np.float32)
+        self.weigh(1.0)
+
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the recording of a specimen to `take`, as :meth:`TiledBlur.forward` does."""
+        coarse = self._binned(specimen, self.whole, self._given)
+        coarse += self.outside[:, np.newaxis, np.newaxis] * self._beyond
+        light = np.empty((self.shape[0], *(each.nodes for each in self._recorded)), np.float32)
+
+        def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
+            light[plane, rows, columns] = values
+
+        self._far.forward(lambda plane, *at: coarse[(plane, *at)], put)
+        return self._near.forward(specimen, self._added(light, self._recorded, take))
+
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose of :meth:`forward` to `take`; that of the light outside is `outside_back`."""
+        light = self._returned(self._binned(recording, self.shape, self._recorded))
+        self.outside_back = np.einsum("pyx,yx->p", light, self._beyond)
+        return self._near.adjoint(recording, self._added(light, self._given, take))
+
+    def release(self) -> None:
+        """Give back what transforms took; they take it again."""
+        self._near.release()
+        self._far.release()
+
+    def seen(self, plane: int, rows: slice, columns: slice) -> Values:
+        """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
+        found = _between(self._seen[plane], self._given, rows, columns)
+        found += self._near.seen(plane, rows, columns)
+        return found
+
+    def weigh(self, weight: float) -> None:
+        """State by what to divide besides, in :meth:`per_seen`."""
+        self._weight = weight
+
+    def per_seen(self, plane: int, rows: slice, columns: slice) -> Values:
+        """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
+        return per(self.seen(plane, rows, columns) * np.float32(self._weight))
+
+    @property
+    def per_outside(self) -> Values:
+        """1 over the light of the outside that falls on the recording, and the weight."""
+        return per(self.outside_seen * np.float32(self._weight))
+
+    def _returned(self, light: Values) -> Values:
+        """Return the transpose of the coarse blur."""
+        back = np.empty((self.whole[0], *(each.nodes for each in self._given)), np.float32)
+
+        def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
+            back[plane, rows, columns] = values
+
+        self._far.adjoint(lambda plane, *at: light[(plane, *at)], put)
+        return back
+
+    def _binned(self, values: Part, shape: tuple[int, ...], hats: list[_Hats]) -> Values:
+        """Return planes shared between the nodes of the coarse grid."""
+        rows, columns = slice(0, shape[1]), slice(0, shape[2])
+        down, across = hats
+        made = np.empty((shape[0], down.nodes, across.nodes), np.float32)
+
+        def share(plane: int) -> None:
+            given = values(plane, rows, columns)
+            tall = np.zeros((down.nodes, shape[2]), np.float32)
+            for part, nodes in down.parts(rows):
+                tall[nodes] += product(down.shares[part, nodes].T, given[part])
+            made[plane] = 0.0
+            for part, nodes in across.parts(columns):
+                made[plane, :, nodes] += product(tall[:, part], across.shares[part, nodes])
+
+        side_by_side(share, range(shape[0]), self._threads)
+        return made
+
+    def _added(self, light: Values, hats: list[_Hats], take: Take[Made]) -> Take[Made]:
+        """Return `take`, with interpolated light added to what it gets."""
+
+        def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
+            values += _between(light[plane], hats, rows, columns)
+            return take(plane, rows, columns, values)
+
+        return added
+
+
+class _Hats:
+    """The share of each pixel in each node of a coarse grid: node `lower` is at pixel `before`."""
+
+    def __init__(self, side: int, before: int, pitch: int, lower: int, nodes: int) -> None:
+        place = (np.arange(side) - before) / pitch + lower
+        self._first = np.floor(place).astype(int)
+        self.nodes, self.shares = nodes, np.zeros((side, nodes), np.float32)
+        self.shares[np.arange(side), self._first] = 1.0 - (place - self._first)
+        inside = self._first + 1 < nodes
+        self.shares[np.arange(side)[inside], self._first[inside] + 1] = (place - self._first)[inside]
+
+    def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
+        """Yield parts of the pixels, and the few nodes in which these have a share."""
+        for start in range(pixels.start, pixels.stop, _TOGETHER):
+            stop = min(start + _TOGETHER, pixels.stop)
+            yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
+
+
+def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> Values:
+    """Return a part of a plane, interpolated between nodes."""
+    down, across = hats
+    tall = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
+    for part, nodes in down.parts(rows):
+        tall[part.start - rows.start : part.stop - rows.start] = product(down.shares[part, nodes], light[nodes])
+    made = np.empty((len(tall), columns.stop - columns.start), np.float32)
+    for part, nodes in across.parts(columns):
+        here = slice(part.start - columns.start, part.stop - columns.start)
+        made[:, here] = product(tall[:, nodes], across.shares[part, nodes].T)
+    return made
+
+
+def per(seen: Values) -> Values:
+    """Return 1 over what is seen, 0 where that is next to nothing."""
+    with np.errstate(divide="ignore"):
+        return np.where(seen > _UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
+
+
+_TOGETHER = 64  # pixels that are interpolated in one go, between few of all nodes
+
+
+def pitch_of(side: int) -> int:
+    """Return the pitch of the coarse grid beside a window of so many pixels."""
+    return 5 if side > 33 else 3
+
+
+def taper(side: int, pitch: int, at: Array | None = None) -> Array:
+    """Return the share of the light that is near, over a window, or at distances from its middle along both axes."""
+    along = np.arange(side) - side // 2 if at is None else at
+    half = side // 2 + 0.5
+    wide = min(2.0 * pitch, 0.7 * half)
+    radius = np.hypot(along[:, np.newaxis], along)
+    inside = np.clip((half - radius) / wide, 0.0, 1.0)
+    return np.asarray(0.5 - 0.5 * np.cos(math.pi * inside))

@@ -22,8 +22,7 @@ from lommel.imaging.deconvolution import (
     Tell,
     TotalVariation,
 )
-from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, overlap
-from lommel.microscopy.wide_blur import WideBlur
+from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, WideBlur, overlap
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 

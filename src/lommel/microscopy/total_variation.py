@@ -11,9 +11,8 @@ import numpy as np
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
 from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, RichardsonLucy, Tell, TotalVariation, search
-from lommel.microscopy.stack_blur import TiledBlur
+from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk, at_least
-from lommel.microscopy.wide_blur import WideBlur
 
 _ROUND = 0.01  # of the mean light, over which the edge of the total variation is rounded
 _EVERY, _SETTLED = 20, 1e-3  # steps, and the change of the objective over these, relative to the likelihood

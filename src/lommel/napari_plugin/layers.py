@@ -1,15 +1,21 @@
-"""PSFs and recorded stacks as layers of napari, and back."""
+"""PSFs, recorded stacks and sample data as layers of napari, and back."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from lommel.lensfiles.camera_files import load_camera
+from lommel.lensfiles.example_files import example_files
+from lommel.lensfiles.microscope_files import load_microscope
+from lommel.microscopy.stack_blur import StackBlur
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
+from lommel.psf import psf as compute
 from lommel.recorded.recordings import open_recording
 
 LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
@@ -97,3 +103,36 @@ def voxel_of(layer: Any) -> tuple[float, float] | None:
     # Readers that state no unit mean micrometres, as napari's scale bar does.
     units = [_METRES.get(str(each), 1e-6) for each in layer.units[-3:]]
     return scale[2] * units[2], scale[0] * units[0]
+
+
+_OBJECTIVE, _CAMERA = "zeiss-63x-1.4-oil", "hamamatsu-orca-flash4-v3"
+_SHAPE = (24, 96, 96)
+_BEADS, _BACKGROUND = 30, 10.0
+_PHOTONS = 4e5  # electrons of the brightest bead in all planes together
+
+
+def psf() -> list[LayerData]:
+    """Return the PSF of an objective, 33 planes of 65 x 65 pixels."""
+    return [layer_of(_psf(33, 65), _OBJECTIVE)]
+
+
+def beads() -> list[LayerData]:
+    """Return a stack of beads with the noise of a camera, in counts, and its PSF."""
+    made, camera = _psf(33, 65), load_camera(_CAMERA)
+    draw = np.random.default_rng(1)
+    truth = np.zeros(_SHAPE, np.float32)
+    where = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
+    truth[where] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
+    # Planes are the last axis of the operator.
+    blurred = np.moveaxis(StackBlur(made, _SHAPE).forward(np.moveaxis(truth, 0, -1)), -1, 0)
+    seen = np.maximum(blurred, 0.0) + _BACKGROUND
+    counts = np.rint(np.clip(camera.noise.record(seen, draw), 0, 65535)).astype(np.uint16)
+    options = {"name": "beads", "scale": voxel(made), "units": ("um",) * 3, "metadata": {KEY: camera}}
+    return [(counts, options, "image"), layer_of(made, "PSF of the beads")]
+
+
+def _psf(planes: int, side: int) -> PSF:
+    """Return the PSF of the example objective with the camera of the samples."""
+    microscope = load_microscope(example_files()[_OBJECTIVE])
+    one = replace(microscope, planes=planes, step=200e-9, pixel=load_camera(_CAMERA).side)
+    return compute(one.pupil(), side, one.pixel)

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if not TYPE_CHECKING:
-    __getattr__, __dir__ = lazy.parts(__name__)
+    __getattr__, __dir__ = imports.parts(__name__)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -19,8 +20,9 @@ from lommel.optics.aperture.shapes import CatEye, Ellipse, Segments, Shape, Spid
 from lommel.optics.base_pupil import Geometry, object_distances
 from lommel.optics.colour.dispersion import Colour, PupilColour
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import aplanatic
+from lommel.optics.wavefront import wavefront
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
+from lommel.special import zernike
 
 
 def aperture(focal_length: float, f_number: float | None, aperture_diameter: float | None) -> float:
@@ -348,7 +350,7 @@ class Lens(display.Shown):
         """Return the wavefront of a `defocus` C_d (radians, of any shape), without the aberrations of the lens.
 
         For an aplanatic lens these are the Zernike terms of the exact path difference, with an error bound; see
-        :func:`lommel.optics.wavefront.aplanatic.expansion`. TypeError or ValueError if C_d is not finite or beyond
+        :func:`lommel.optics.wavefront.wavefront.expansion`. TypeError or ValueError if C_d is not finite or beyond
         the range of that expansion.
         """
         return self._phase(validation.real_array("defocus", defocus))
@@ -359,7 +361,7 @@ class Lens(display.Shown):
         c = np.asarray(c)
         radius = 0.5 * self.aperture_diameter
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c
-        return aplanatic.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
+        return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
         """Return a bound on the range of Im phase across the pupil per Im C_d, for ``|C_d|`` up to `reach` radians.
@@ -370,7 +372,7 @@ class Lens(display.Shown):
             return 2.0
         radius = 0.5 * self.aperture_diameter
         vergence = 2.0 * self.wavelength / (math.pi * radius**2)
-        return 4.0 / radius**2 * aplanatic.growth(radius, self._geometry.sphere, vergence * reach)
+        return 4.0 / radius**2 * wavefront.growth(radius, self._geometry.sphere, vergence * reach)
 
     @property
     def illumination(self) -> Apodization:
@@ -440,3 +442,33 @@ class Lens(display.Shown):
                     f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
                 )
         return object_distances(value)
+
+
+def require_round(name: str, lens: Lens) -> None:
+    """Raise ValueError unless a lens, called `name`, has one set of radially symmetric PSFs."""
+    if lens.aberrations.shape != ():
+        raise ValueError(f"{name} must have one set of aberrations, got a stack of shape {lens.aberrations.shape}")
+    if not lens.aberrations.radial:
+        terms = lens.aberrations.to_zernike()
+        kinds = list(dict.fromkeys(zernike.name(n, m) for (n, m), c in terms.items() if m and c))
+        others = f" and {len(kinds) - 4} more" if len(kinds) > 4 else ""
+        raise ValueError(
+            f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{others}: leave these terms "
+            "out of the lens (its section [aberrations]), or blur by lommel.imaging.FieldBlur, which takes any PSF"
+        )
+    if lens.spider or lens.vignetting or lens.mask or lens.stop:
+        raise ValueError(
+            f"{name} must have a round aperture, without spider, vignetting, mask and stop: leave these out, or blur "
+            "by lommel.imaging.FieldBlur, which takes any aperture"
+        )
+
+
+def pixel_of(lenses: Sequence[Lens], pixel: float) -> float:
+    """Return a pixel pitch in metres; TypeError or ValueError unless the PSFs of all lenses are circular."""
+    if not isinstance(lenses, Sequence) or not lenses or not all(isinstance(lens, Lens) for lens in lenses):
+        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
+    pitch = validation.pixel(pixel, metric=True)
+    for k, lens in enumerate(lenses):
+        require_round(f"lenses[{k}]", lens)
+        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
+    return pitch

@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.recorded.frames import *  # noqa: F403
 else:
-    __getattr__, __dir__ = lazy.parts(__name__, exports="frames")
+    __getattr__, __dir__ = imports.parts(__name__, exports="frames")

@@ -23,9 +23,9 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Values
 from lommel.base.validation import line, shown
-from lommel.io import fits_images, photos, registry
+from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
-from lommel.recorded import metadata, zarr_chunks
+from lommel.recorded import metadata
 from lommel.recorded.metadata import Found
 
 __all__ = ["Frames", "RecordingError", "open_frames"]
@@ -267,7 +267,7 @@ class _Chunked:
         self.sides: tuple[int, int] = (int(array.shape[-2]), int(array.shape[-1]))
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
-        self.chunks = zarr_chunks.Chunks(path, array)
+        self.chunks = zarr_folders.Chunks(path, array)
         self._deep: int = array.chunks[-3] if self._lead else 1  # images along the last axis that are read at once
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
@@ -495,7 +495,7 @@ def _zarr(path: Path) -> Frames:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
         _look(path, "")
-        group = zarr.open(zarr_chunks.store(path), mode="r")
+        group = zarr.open(zarr_folders.store(path), mode="r")
     except Exception as error:  # of any kind
         raise ValueError(f"no OME-Zarr: {reading.reason(error)}") from None
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
@@ -543,7 +543,7 @@ def _zarr(path: Path) -> Frames:
 def _look(folder: Path, below: str) -> None:
     """Parse the descriptions in a folder of Zarr, as zarr will; ValueError or OSError if it would cost too much."""
     for name in _DESCRIPTIONS:
-        if zarr_chunks.regular(folder, below + name) is not None:
+        if zarr_folders.regular(folder, below + name) is not None:
             try:
                 reading.json(reading.contents(folder / below / name, _JSON))
             except ValueError as error:

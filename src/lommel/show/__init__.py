@@ -2,15 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from lommel.base import lazy
+from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.show import curves as curves
     from lommel.show import estimates as estimates
-    from lommel.show import field_fits as field_fits
     from lommel.show import notebook as notebook
     from lommel.show import plot as plot
-    from lommel.show import rays as rays
     from lommel.show.names import difference as difference
     from lommel.show.names import encircled_energy as encircled_energy
     from lommel.show.names import focus_curves as focus_curves
@@ -18,4 +16,4 @@ if TYPE_CHECKING:
     from lommel.show.names import spots as spots
     from lommel.show.names import through_focus as through_focus
 else:
-    __getattr__, __dir__ = lazy.parts(__name__, "names")
+    __getattr__, __dir__ = imports.parts(__name__, "names")

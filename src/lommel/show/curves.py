@@ -1,30 +1,325 @@
-"""Curves of the modulation transfer function and of encircled energy."""
+"""Curves of the MTF and of encircled energy; sections and curves through focus."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
+from lommel.measures.aperture_means import strehl
 from lommel.measures.energy import encircled_energy as within
 from lommel.measures.psf_like import PSFLike, checked, is_psf
+from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.grid import Grid
+from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import checked as checked_psf
 from lommel.optics.pupil import checked as checked_pupil
-from lommel.show.drawing import complete_curves, frequencies, lengths, new_axes
-from lommel.show.labels import few_of, of_pupils
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.show.drawing import COLOURS, STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
+from lommel.show.labels import few_of, length_in_words, of_pupils
+from lommel.special import zernike
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_MARGIN = 8.0  # radians of defocus beyond all foci
+_NEAREST = 0.05  # of the distance of the sensor: no nearer to the lens
+
+
+class Moved(NamedTuple):
+    """Pupils for several sensor positions.
+
+    Attributes
+    ----------
+    at : ndarray, shape (n,)
+        Shift of the sensor away from the lens, metres; for pupils in units of lambda*N the added C_d, radians.
+    metric : bool
+        Whether `at` is in metres.
+    pupils : tuple of Pupil
+        For a lens one for each position, with its working f-number there; for a pupil one stack.
+    """
+
+    at: Array
+    metric: bool
+    pupils: tuple[Pupil, ...]
+
+
+def moved(
+    thing: Lens | Pupil, object_distance: float | None = None, *, reach: float | None = None, count: int = 161
+) -> Moved:
+    """Return the pupils of a lens, or of a pupil, for sensor positions through focus.
+
+    Parameters
+    ----------
+    thing : Lens or Pupil
+        A single one. For a lens the shifts are exact. A pupil with a wavelength keeps its f-number: a shift by z adds
+        ``C_d = -pi z / (8 lambda N^2)``, for z small compared with the sensor distance.
+    object_distance : float, optional
+        Object distance of a lens, metres; by default that in focus.
+    reach : float, optional
+        Largest shift in both directions: metres, or radians for a pupil in units of lambda*N. By default it includes
+        the focus of each zone of the aperture and the sensor, with a margin.
+    count : int, default 161
+        Number of positions, 3 to 4096.
+
+    Returns
+    -------
+    Moved
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or `thing` is a stack.
+    """
+    n = validation.integer("count", count, least=3, most=4096)
+    lens = thing if isinstance(thing, Lens) else None
+    if lens is None and object_distance is not None:
+        raise ValueError("object_distance must be None for a pupil, which has its object; pass the lens")
+    pupil = checked_psf(thing if lens is None else lens.pupil(object_distance))
+    if pupil.shape != ():
+        raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}")
+    low, high = _foci(pupil)
+    if lens is not None:
+        at = _places(lens, low, high) if reach is None else _even(reach, lens.sensor_distance, n)
+        at = np.linspace(at[0], at[-1], n)
+        lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in at)
+        distance = pupil.geometry.object_distance[0] if pupil.geometry else object_distance
+        return Moved(at, True, tuple(each.pupil(distance) for each in lenses))
+    step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
+    first, last = sorted((step * low, step * high))
+    at = np.linspace(first, last, n) if reach is None else _even(reach, math.inf, n)
+    stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(at / step), geometry=None)
+    return Moved(at, pupil.wavelength is not None, (stack,))
+
+
+def section(through: Moved, x: Array) -> Array:
+    """Return the intensity along x, through the axis, for each sensor position.
+
+    Parameters
+    ----------
+    through : Moved
+    x : ndarray, shape (m,)
+        Equally spaced, odd in number, the central one 0; metres or units of lambda*N.
+
+    Returns
+    -------
+    ndarray, shape (n, m)
+        Intensity relative to the same aperture without aberration, in focus at the initial sensor position; within
+        1e-6 of the peak of each position, the tolerance of the default method.
+    """
+    middle = through.pupils[len(through.pupils) // 2]
+    step = float(x[-1] - x[0]) / max(x.size - 1, 1)
+    rows = []
+    for pupil in through.pupils:
+        spread = (middle.scale / pupil.scale) ** 2  # the same light on more of the sensor
+        if pupil.radial:
+            method: Method = of_profiles()
+            v, back = np.unique(pupil.v(np.abs(x)), return_inverse=True)
+            values = of_profiles().profile(pupil, v).values[:, back.ravel()]
+        else:
+            grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
+
+            def ask(way: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
+                return way.images(pupil, grid, Wanted())
+
+            method, made = first_proven(candidates(pupil, grid), ask)
+            values = made.values[:, 0]
+        rows.append(values * (spread / method.unaberrated_peak(pupil)))
+    return np.concatenate(rows).astype(np.float64)
+
+
+def _foci(pupil: Pupil) -> tuple[float, float]:
+    """Return the range of defocus, radians, that brings each zone to focus, and holds 0, with a margin."""
+    t = np.linspace(pupil.obscuration**2, 1.0, 129)
+    slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
+    low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
+    room = _MARGIN + 0.25 * (high - low)
+    return low - room, high + room
+
+
+def _places(lens: Lens, low: float, high: float) -> Array:
+    """Return the ends of where the sensor adds so much defocus, as ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2``."""
+    d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
+    vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
+    # Where a focus is beyond all distances, as far as it is light.
+    return np.asarray(1.0 / np.clip(vergence, 1.0 / (3.0 * d), 1.0 / (_NEAREST * d)) - d)
+
+
+def _even(reach: float, sensor_distance: float, count: int) -> Array:
+    far = validation.real("reach", reach, above=0.0)
+    if far >= sensor_distance:
+        raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
+    return np.linspace(-far, far, count)
+
+
+_ACROSS = 241  # points along x
+_CUTOFF_SHARES = (0.1, 0.25, 0.5)  # of the cutoff
+_TOL = 1e-6
+
+
+def through_focus(
+    thing: Lens | Pupil,
+    ax: Axes | None = None,
+    *,
+    object_distance: float | None = None,
+    reach: float | None = None,
+    half_width: float | None = None,
+    planes: int = 161,
+    stretch: str = "sqrt",
+) -> Axes:
+    """Draw a section along the axis through focus: x against the shift of the sensor away from the lens.
+
+    Parameters
+    ----------
+    thing : Lens or Pupil
+        A single one. For a pupil in units of lambda*N the horizontal axis is the added defocus C_d, radians, which
+        decreases as the sensor moves away.
+    ax : matplotlib Axes, optional
+        By default those of a new figure, which has a title and a bar.
+    object_distance : float, optional
+        Object distance of a lens, metres; by default that in focus.
+    reach : float, optional
+        Largest shift of the sensor in both directions: metres, or radians; see :func:`lommel.show.curves.moved`.
+    half_width : float, optional
+        Half width in x, metres or units of lambda*N; by default the extent of the rays. For a long range around a
+        sharp focus, which may fall between the 241 points, give `half_width` and `reach`.
+    planes : int, default 161
+        Number of sensor positions.
+    stretch : {"sqrt", "linear", "log"}
+        Scale of the values; "log" reaches down to 1e-5 of the largest value.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.axes("ax", ax)
+    validation.choice("stretch", stretch, STRETCHES)
+    through = moved(thing, object_distance, reach=reach, count=planes)
+    here = through.pupils[len(through.pupils) // 2]
+    if half_width is None:
+        blur = max(float(pupil.geometric_radius().max()) for pupil in (through.pupils[0], through.pupils[-1]))
+        half_width = 1.1 * blur + here.airy_radius
+    half = validation.real("half_width", half_width, above=0.0)
+    x = np.linspace(-half, half, _ACROSS)
+    values = np.maximum(section(through, x), 0.0)
+    factor, unit = lengths(here.unit)
+    shift, label = _shift(through)
+    step = x[1] - x[0], shift[1] - shift[0]
+    axes = new_axes(ax, figsize=(7.2, 4.2))
+    top = (half + 0.5 * step[0]) * factor
+    axes.imshow(
+        values.T,
+        extent=(shift[0] - 0.5 * step[1], shift[-1] + 0.5 * step[1], -top, top),
+        origin="lower",
+        aspect="auto",
+        cmap=COLOURS,
+        norm=norm_of(stretch, values),
+        interpolation="bilinear",
+    )
+    axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
+    axes.set(xlabel=label, ylabel=f"x ({unit})")
+    if ax is None:
+        caption(axes, _told(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
+    return axes
+
+
+def focus_curves(
+    thing: Lens | Pupil,
+    ax: Axes | None = None,
+    *,
+    object_distance: float | None = None,
+    reach: float | None = None,
+    frequency: float | Sequence[float] | None = None,
+    planes: int = 61,
+) -> Axes:
+    """Draw the Strehl ratio and the MTF at several frequencies against the shift of the sensor.
+
+    Parameters
+    ----------
+    thing : Lens or Pupil
+        A single one; for an aperture that is not circular or annular only the Strehl ratio is drawn.
+    ax : matplotlib Axes, optional
+        By default those of a new figure, which has a title.
+    object_distance, reach
+        As of :func:`lommel.show.curves.through_focus`.
+    frequency : float or sequence of float, optional
+        Cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. Curves along y are
+        dashed where they differ from those along x.
+    planes : int, default 61
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.axes("ax", ax)
+    through = moved(thing, object_distance, reach=reach, count=planes)
+    here = through.pupils[len(through.pupils) // 2]
+    given = np.array(_CUTOFF_SHARES) * here.cutoff if frequency is None else frequency
+    f = np.atleast_1d(validation.real_array("frequency", given, least=0.0))
+    axes = new_axes(ax, figsize=(6.4, 4.2))
+    shift, label = _shift(through)
+    ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
+    axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
+    if here.mask is None:
+        factor, unit = frequencies(here.unit)
+        along = {"-": (f, np.zeros(f.size))} | ({} if here.radial else {"--": (np.zeros(f.size), f)})
+        for style, (fx, fy) in along.items():
+            curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in through.pupils])
+            for k, each in enumerate(f):
+                word = f"MTF at {each * factor:.3g} {unit}" + (", along y" if style == "--" else "")
+                axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
+    axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
+    title = _told(thing, here, object_distance) if ax is None else None
+    complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
+    return axes
+
+
+def _shift(through: Moved) -> tuple[Array, str]:
+    """Return the places of the sensor as axes have them, and the label."""
+    if not through.metric:
+        return through.at, "added defocus C_d (rad)"
+    millimetres = float(np.abs(through.at).max()) >= 1e-3
+    unit, factor = ("mm", 1e3) if millimetres else ("µm", 1e6)
+    return through.at * factor, f"sensor moved away from the lens ({unit})"
+
+
+def _told(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
+    """Return a title: f-number, wavelength, object, and what the dashed line is."""
+    text = "through focus"
+    if pupil.wavelength is not None:
+        text = f"f/{pupil.f_number:.3g}, {length_in_words(pupil.wavelength)}"
+        if isinstance(thing, Lens):
+            distance = thing.focus_distance if object_distance is None else object_distance
+            text = f"{text}, object at {length_in_words(distance)}"
+    return f"{text}; dashed: the sensor"
+
 
 _POINTS = 129
 _MOST = 8  # pupils of a stack
-_TOL = 1e-6
 
 
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:

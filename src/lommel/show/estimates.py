@@ -1,4 +1,4 @@
-"""Plots of what is estimated: depth maps, the precision of depth, and wavefronts fitted to images."""
+"""Plots of estimates: depth maps, their precision, fitted wavefronts and field maps, molecules, restored stacks."""
 
 from __future__ import annotations
 
@@ -7,17 +7,286 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
 
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
-from lommel.show.drawing import COLOURS, USER, fitted, new_axes, pyplot
+from lommel.base.units import format_length
+from lommel.show.drawing import COLOURS, USER, entitle, fitted, new_axes, pyplot, round_length
 from lommel.show.labels import length_in_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+Colours = NDArray[np.uint8]
+
+_GREY, _BACK, _INK = 128, 24, 235  # grey levels
+_BAR, _TEXT = 24, 12  # pixels: height of the bar, and of its letters
+_LEAST_GRADIENT = 100  # pixels of a gradient beside which the bar has room for the word on grey
+
+
+class DepthColours:
+    """Colours of depths, yellow for the nearest to violet for the farthest, in equal steps of 1 / distance.
+
+    Parameters
+    ----------
+    between : (float, float)
+        Nearest and farthest distance, metres; the farthest may be infinite.
+    shape : (int, int)
+        Height and width of the frames, pixels.
+    block : int
+        Pixels a side of the blocks.
+    beside : bool
+        Whether an image will stand to the right.
+    """
+
+    def __init__(self, between: tuple[float, float], shape: tuple[int, int], block: int, beside: bool) -> None:
+        user = ("the colours of depth need", "plot")
+        colours = library("matplotlib", *user).colormaps["viridis_r"](np.linspace(0.0, 1.0, 255))
+        grey = [[_GREY] * 3]
+        self._table: Colours = np.concatenate([grey, np.rint(255.0 * colours[:, :3])]).astype(np.uint8)
+        self._near, self._far = (1.0 / each for each in between)
+        self._shape, self._block = shape, block
+        height, width = shape[0], shape[1] * (1 + beside)
+        self._picture = np.full((height + _BAR, width, 3), _BACK, np.uint8)
+        self._picture[:height] = _GREY
+        self._picture[height:] = self._bar(between, width)
+
+    def _bar(self, between: tuple[float, float], width: int) -> Colours:
+        """Return the gradient between its ends in words, and the grey of what is not known where there is room."""
+        image, drawing = (
+            library(f"PIL.{name}", "the bar of colours needs", "images") for name in ("Image", "ImageDraw")
+        )
+        made = image.new("RGB", (width, _BAR), (_BACK,) * 3)
+        draw = drawing.Draw(made)
+        draw.fontmode = "L"
+        font = library("PIL.ImageFont", "the bar of colours needs", "images").load_default(_TEXT)
+        ends = [format_length(each) if math.isfinite(each) else "infinity" for each in between]
+        words = [*ends, "not known"]
+        left, right, unknown = (math.ceil(draw.textlength(each, font=font)) for each in words)
+        start = left + 10
+        stop = width - right - 10
+        wide = stop - start - unknown - _BAR - 12 >= _LEAST_GRADIENT
+        if wide:
+            stop -= unknown + _BAR + 12
+            draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
+            draw.text((width - unknown - 4, _BAR // 2), words[2], fill=(_INK,) * 3, font=font, anchor="lm")
+        draw.text((4, _BAR // 2), words[0], fill=(_INK,) * 3, font=font, anchor="lm")
+        draw.text((stop + 6, _BAR // 2), words[1], fill=(_INK,) * 3, font=font, anchor="lm")
+        bar = np.array(made)
+        if stop - start > 8:
+            places = 1 + np.rint(np.linspace(0.0, 254.0, stop - start)).astype(int)
+            bar[6:-6, start:stop] = self._table[places]
+        return bar
+
+    def __call__(self, depth: NDArray[np.float32], image: Colours | None = None) -> Colours:
+        """Return the picture of a depth map, NaN where not known, with a grey image beside it if there is one.
+
+        The next call overwrites it.
+        """
+        with np.errstate(invalid="ignore"):
+            share = (self._near - 1.0 / depth) / (self._near - self._far)
+            level = np.where(np.isfinite(depth), 1.0 + 254.0 * np.clip(share, 0.0, 1.0), 0.0).astype(np.uint8)
+        blocks = self._table[level]
+        spread = np.repeat(np.repeat(blocks, self._block, axis=0), self._block, axis=1)
+        height, width = spread.shape[:2]
+        self._picture[:height, :width] = spread
+        rows, columns = self._shape
+        self._picture[:rows, columns:] = _GREY if image is None else image[..., None]
+        return self._picture
+
+
+_ACROSS = 5
+_STARS = 5
+_STAR_SIGMAS = 4.0
+
+
+def field(
+    maps: Sequence[tuple[str, Array, Array]],
+    axes: tuple[Array, Array, str],
+    stars: tuple[Array, Array, Array, NDArray[np.bool_]],
+    images: tuple[Array, Array],
+    unit: str,
+    title: str,
+) -> Figure:
+    """Draw terms (name, values and standard errors over the sensor), the stars on it, and some images with models."""
+    x, y, length = axes
+    across, down, chi2, used = stars
+    factor, name = (1e3, "mm") if length == "m" else (1.0, "lambda*N")
+    rows = math.ceil((len(maps) + 1) / _ACROSS)
+    figure: Figure = pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
+    # So that numbers beside bars are not cut.
+    figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
+    upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
+    panels: Any = upper.subplots(rows, _ACROSS, squeeze=False)
+    extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
+    for panel, (term, values, errors) in zip(panels.flat, maps, strict=False):
+        most = max(float(np.abs(values).max()), 1e-12)
+        drawn = panel.imshow(values, cmap="RdBu_r", vmin=-most, vmax=most, extent=extent, aspect="equal")
+        bar = upper.colorbar(drawn, ax=panel, shrink=0.75)
+        bar.ax.tick_params(labelsize=7)
+        panel.set_title("\n".join([*_wrapped(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
+        panel.set(xticks=[], yticks=[])
+    panel = panels.flat[len(maps)]
+    shown = panel.scatter(
+        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=COLOURS, vmin=0.8, vmax=1.4
+    )
+    if not used.all():
+        panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6)
+    panel.set(xlim=extent[:2], ylim=extent[2:], aspect="equal")
+    panel.set_xlabel(f"x ({name})", fontsize=8)
+    panel.set_ylabel(f"y ({name})", fontsize=8)
+    panel.tick_params(labelsize=7)
+    panel.set_title("stars, chi2" + ("" if used.all() else "\ncrosses: rejected"), fontsize=8)
+    upper.colorbar(shown, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
+    for rest in panels.flat[len(maps) + 1 :]:
+        rest.remove()
+    upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
+    _stars(lower, images, (across, down, used))
+    figure.suptitle("\n".join(_wrapped(title, 130)), fontsize=9)
+    return figure
+
+
+def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
+    """Draw images, models and residuals of a star in the middle and of those nearest to the corners."""
+    seen, model = images
+    across, down, used = stars
+    at = np.flatnonzero(used)
+    wide, high = max(float(np.ptp(across)), 1e-300), max(float(np.ptp(down)), 1e-300)
+    spots = [(across.min(), down.min()), (across.max(), down.min()), (np.median(across), np.median(down)),
+             (across.min(), down.max()), (across.max(), down.max())]  # fmt: skip
+    names = ("top left", "top right", "middle", "bottom left", "bottom right")
+    panels = part.subplots(3, _STARS, squeeze=False)
+    norm = library("matplotlib.colors", *USER).PowerNorm
+    for column, ((u, v), name) in enumerate(zip(spots, names, strict=True)):
+        k = at[np.argmin(((across[at] - u) / wide) ** 2 + ((down[at] - v) / high) ** 2)]
+        image, fit = seen[k, 0], model[k, 0]
+        low, top = np.nanmin(image), np.nanmax(image)
+        scale = norm(0.5, low, top)
+        panels[0, column].imshow(image, cmap=COLOURS, norm=scale, interpolation="nearest")
+        panels[1, column].imshow(fit, cmap=COLOURS, norm=scale, interpolation="nearest")
+        noise = np.sqrt(np.maximum(fit, 1.0))
+        left = panels[2, column].imshow(
+            (image - fit) / noise, cmap="RdBu_r", vmin=-_STAR_SIGMAS, vmax=_STAR_SIGMAS, interpolation="nearest"
+        )
+        panels[0, column].set_title(name, fontsize=8)
+    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
+        row[0].set_ylabel(text, fontsize=8)
+    for panel in panels.flat:
+        panel.set(xticks=[], yticks=[], facecolor="0.5")
+    part.colorbar(left, ax=panels.ravel().tolist(), label="residual over photon noise", shrink=0.6)
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    import textwrap
+
+    return textwrap.wrap(text, width)
+
+
+_COLOURS = "turbo"
+_MOST_PIXELS, _USUAL = 4096, 800  # pixels of a side
+_LEAST_WIDTH = 5e-9
+_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels, of the Gaussians that are drawn together, and at least
+_AXES = {"z": "stage position z (um)", "depth": "depth (um)"}
+
+
+def picture(
+    rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
+) -> Axes:
+    """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
+    axes = new_axes(ax, figsize=(6.4, 5.6))
+    side = max(_LEAST_WIDTH, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST_PIXELS)
+    flat = along == "none"
+    heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
+    low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
+    map_ = library("matplotlib.cm", *USER).ScalarMappable(cmap=_COLOURS)
+    map_.set_clim(low, max(high, low + 1e-3))
+    extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
+    colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
+    axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
+    figure: Any = axes.get_figure(root=True)
+    if not flat:
+        figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
+    axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
+    return axes
+
+
+def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, colours: Array) -> Array:
+    """Return red, green and blue, 0 to 1, of molecules in these colours, on black."""
+    height, width = (max(1, math.ceil(one / side - 1e-9)) for one in size)
+    light = np.zeros((4, height, width))
+    down, across = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
+    inside = (down >= 0) & (down < height) & (across >= 0) & (across < width)
+    spread = np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2)) / side
+    nearest = np.abs(np.log(_WIDTHS) - np.log(np.maximum(spread, 1e-6))[:, None]).argmin(axis=1)
+    for k in np.unique(nearest[inside]):
+        mine = inside & (nearest == k)
+        place = down[mine] * width + across[mine]
+        for channel, weights in enumerate((None, *colours[mine].T)):
+            sums = np.bincount(place, weights, height * width).astype(float).reshape(height, width)
+            light[channel] += ndimage.gaussian_filter(sums, _WIDTHS[k], mode="constant")
+    amount = light[0]
+    lit = amount[amount > 1e-3 * amount.max(initial=0.0)]
+    top = float(np.percentile(lit, 99.0)) if lit.size else 1.0
+    brightness = np.clip(amount / top, 0.0, 1.0) ** 0.5
+    colour = np.divide(light[1:], amount, out=np.zeros_like(light[1:]), where=amount > 0.0)
+    return np.ascontiguousarray(np.moveaxis(np.clip(colour * brightness, 0.0, 1.0), 0, -1))
+
+
 _UNKNOWN = "0.55"  # the colour of what is not known
+_SIDE = 3.3  # inches of the longest side
+_STACK_SIGMAS = 5.0  # of the residual
+_LEAST_SHARE = 0.18  # of the height of xy, that of xz is drawn at least
+
+
+def projections(
+    channels: Sequence[tuple[str, Sequence[tuple[Values, Values]]]], voxel: tuple[float, float], title: str
+) -> Figure:
+    """Draw projections of channels: recorded, restored, residual, each along z and, below that, along y.
+
+    `voxel` is the step along z and the pixel, metres. Brightness is the square root of the values, from 0 to the
+    largest of each; the residual is in standard deviations.
+    """
+    height, width = channels[0][1][0][0].shape
+    planes = len(channels[0][1][0][1])
+    step, pixel = voxel
+    wide, high, deep = width * pixel, height * pixel, planes * step
+    inch = _SIDE / max(wide, high)
+    below = max(deep, _LEAST_SHARE * high)
+    size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
+    figure: Figure = pyplot().figure(figsize=size, layout="compressed")
+    axes: Any = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
+    for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
+        for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
+            for panel, values, extent in zip(
+                rows[:, column], pair, ((0.0, wide, high, 0.0), (0.0, wide, deep, 0.0)), strict=True
+            ):
+                how: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
+                if words != "residual":
+                    how = {"cmap": COLOURS, "vmin": 0.0, "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30)))}
+                    values = np.sqrt(np.maximum(values, 0.0))
+                drawn = panel.imshow(values, extent=extent, interpolation="nearest", **how)
+                panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
+                panel.set_aspect("equal" if below == deep or extent[2] == high else "auto")
+            rows[0, column].set_title(f"{name}{words}", fontsize=9)
+        rows[0, 0].set_ylabel("xy", fontsize=9)
+        rows[1, 0].set_ylabel("xz", fontsize=9)
+        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
+        _scale_bar(rows[1, 0], wide)
+    entitle(figure, title)
+    return figure
+
+
+def _scale_bar(axes: Any, width: float) -> None:
+    """Draw a bar below axes whose width is in metres, with its length beside it."""
+    length = round_length(0.3 * width)
+    color = axes.yaxis.label.get_color()  # which is white in dark styles
+    place = axes.get_xaxis_transform()
+    axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
+    words = f" {1e6 * length:g} µm; z is that of the stage"
+    axes.text(length, -0.09, words, transform=place, fontsize=8, va="center")
 
 
 def maps(depth: Array, errors: Array, light: Values | None) -> Figure:

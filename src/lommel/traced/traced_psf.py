@@ -22,11 +22,10 @@ from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
-from lommel.traced import certificate, chordal, radial
-from lommel.traced.chordal import Chordal
+from lommel.traced import certificate, chordal
+from lommel.traced.chordal import Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 from lommel.traced.phases import UNIT
-from lommel.traced.radial import Radial
 
 _OF_NUMPY = (np.ndarray, np.generic)
 _FINER = 0.1  # factor of the error of quadrature from one trial to the next
@@ -451,7 +450,7 @@ def traced(
     lights = _components(pupil, method)
     validation.pixel_on(grid.side, pupil.scale, metric=pupil.wavelength is not None)
     grid.require_reach(pupil)
-    terms, c = radial.columns(pupil)
+    terms, c = chordal.columns(pupil)
     kept = tuple(j for j, t in enumerate(terms) if not pupil.radial or isinstance(t, str) or t[1] == 0)
     ranges = tuple(zip(c.min(axis=0).tolist(), c.max(axis=0).tolist(), strict=True))
     scale = {
@@ -504,14 +503,14 @@ def _fields(
     if pupil.radial:
         image, v, shared = of_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
-            field, table = radial.make(pupil, part.stretch, part.stretch * v, error, precision)
+            field, table = chordal.make_radial(pupil, part.stretch, part.stretch * v, error, precision)
             fields.append((part.weight, field))
             tables.append({**table})
     else:
         image, lattice, shared = of_lattice(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])
-            chords, arrays = chordal.make(pupil, grid, part.stretch, window, error, precision)
+            chords, arrays = chordal.make_chordal(pupil, grid, part.stretch, window, error, precision)
             fields.append((part.weight, chords))
             tables.append(arrays)
     tables[0].update(shared)

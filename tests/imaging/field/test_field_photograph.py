@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import field_photograph
-from lommel.imaging.field_photograph import _places
+from lommel.imaging.photograph import _places
 
 N, PIXEL, HEIGHT, WIDTH = 4.0, 1e-6, 60, 90  # pixels that resolve the PSF, so that sums over them are integrals
 EDGE = 0.5 * PIXEL * np.hypot(HEIGHT, WIDTH) * 1.4

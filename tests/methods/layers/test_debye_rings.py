@@ -9,7 +9,7 @@ import lommel as lm
 from lommel import _core
 from lommel.methods.layers import debye_rings
 from lommel.methods.layers.debye_rings import DebyeRings
-from lommel.optics.layers import azimuthal_orders, debye, quadrature_bounds
+from lommel.optics.layers import debye, projection, quadrature_bounds
 from objectives import EMITTERS, FIVE, OIL
 from objectives import WATER_40X as WATER
 from plane_waves import PIXEL, intensity, worst
@@ -149,10 +149,10 @@ WAVEFRONTS = [{(2, 2): 3.0}, {(3, 1): 1.0, (4, -4): 2.0}, {(8, 2): 0.5, (6, 0): 
 def test_orders_left_out_are_less_than_they_are_proven_to_be(terms):
     wave = lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]}, spherical=terms.get((6, 0), 0.0))
     rho = np.linspace(0.0, 1.0, 9)
-    found = azimuthal_orders.samples(wave, rho, azimuthal_orders.Orders(60, 256, 0.0))[0]
+    found = projection.samples(wave, rho, projection.Orders(60, 256, 0.0))[0]
     for error in (1e-2, 1e-5, 1e-9):
-        kept = azimuthal_orders.orders(tuple(wave.amplitudes().items()), error)
-        few = azimuthal_orders.samples(wave, rho, kept)[0]
+        kept = projection.orders(tuple(wave.amplitudes().items()), error)
+        few = projection.samples(wave, rho, kept)[0]
         off = np.abs(found).sum(axis=0) - np.abs(found[60 - kept.most : 61 + kept.most]).sum(axis=0)
         off += np.abs(few - found[60 - kept.most : 61 + kept.most]).sum(axis=0)
         assert off.max() <= kept.error + 1e-13
@@ -169,20 +169,20 @@ def test_as_few_orders_as_a_rule_needs_are_kept(terms):
     wave = lm.Wavefront.zernike({t: [c, 0.5 * c] for t, c in terms.items()})
     sizes = tuple(wave.amplitudes().items())
     for error in (1e-2, 1e-5, 1e-9):
-        across, left = azimuthal_orders.components(wave, sizes, rule, error)
+        across, left = projection.components(wave, sizes, rule, error)
         most = across.shape[1] // 2
         assert left <= 1.02 * error
         worst = 0.0
         for each, made in zip(waves, across, strict=True):
-            found = azimuthal_orders.samples(each, rule.rho, azimuthal_orders.Orders(120, 512, 0.0))[0]
+            found = projection.samples(each, rule.rho, projection.Orders(120, 512, 0.0))[0]
             found[120 - most : 121 + most] -= made
             off = np.abs(found).sum(axis=0)
             worst = max(worst, *(float((np.abs(part) * off).sum()) for part in rule.parts))
         assert worst <= left + 1e-13
         # One order fewer would not do, and many fewer are kept than hold for all radii.
-        assert most < azimuthal_orders.orders(sizes, error).most
+        assert most < projection.orders(sizes, error).most
         if most:
-            fewer, more = azimuthal_orders.components(wave, sizes, rule, 0.99 * left)
+            fewer, more = projection.components(wave, sizes, rule, 0.99 * left)
             assert fewer.shape[1] // 2 > most or more <= left
 
 
@@ -194,7 +194,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     terms = tuple(wave.amplitudes().items())
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
     for piece in quadrature_bounds.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, quadrature_bounds.Model()):
-        bound = azimuthal_orders.growth(piece, terms)
+        bound = projection.growth(piece, terms)
         discs = piece.covered.x
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
             x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
@@ -213,7 +213,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
                     phase += c * powers[n, m] * (np.cos(m * theta) if m >= 0 else np.sin(-m * theta))
             largest = -phase.imag.min(axis=0)
             assert (largest <= bound[row] + 1e-9).all()
-        assert np.all(azimuthal_orders.growth(piece, ()) == 0.0)
+        assert np.all(projection.growth(piece, ()) == 0.0)
 
 
 def test_what_is_not_taken_is_said_in_a_sentence():

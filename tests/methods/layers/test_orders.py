@@ -10,7 +10,7 @@ from scipy.special import jv
 
 import lommel as lm
 from lommel.methods.layers.disc_means import between
-from lommel.methods.layers.orders import Orders, Table, light, product
+from lommel.methods.layers.scanning import Orders, Table, light, product
 from lommel.optics.layers.emitter import Absorbed
 from plane_waves import intensity
 

@@ -10,9 +10,9 @@ import pytest
 import lommel as lm
 from lommel.core.answers import Wanted
 from lommel.core.engine import aperture_averages, disk_averages
+from lommel.methods import nonuniform_fft
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels import aperture_nodes
-from lommel.methods.pixels.aperture_nodes import averaged_apertures, turned
+from lommel.methods.nonuniform_fft import averaged_apertures, turned
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
@@ -34,7 +34,7 @@ def by_rows(pupil, grid, count):
 
 @pytest.fixture(autouse=True)
 def every_stack(monkeypatch):
-    monkeypatch.setattr(aperture_nodes, "_MAKING", 0.0)
+    monkeypatch.setattr(nonuniform_fft, "_MAKING", 0.0)
 
 
 @pytest.mark.parametrize(
@@ -47,8 +47,8 @@ def every_stack(monkeypatch):
 )  # fmt: skip
 def test_averages_are_within_their_bound(more, grid, tol, monkeypatch):
     asked = []
-    of_core = aperture_nodes.aperture_averages
-    monkeypatch.setattr(aperture_nodes, "aperture_averages", lambda *given: asked.append(given) or of_core(*given))
+    of_core = nonuniform_fft.aperture_averages
+    monkeypatch.setattr(nonuniform_fft, "aperture_averages", lambda *given: asked.append(given) or of_core(*given))
     rng = np.random.default_rng(4)
     for count in (5, 21):
         pupil = pupils(rng, count, 0.08, **more)
@@ -108,7 +108,7 @@ def test_derivatives_are_those_of_samples():
     }
     made = lm.psf(pupil, (5, 8), 1.3, tol=1e-6, **more)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(aperture_nodes, "_FEWEST", 10**9)
+        patch.setattr(nonuniform_fft, "_FEWEST", 10**9)
         exact = lm.psf(pupil, (5, 8), 1.3, tol=1e-9, **more)
     for name in more["derivatives"]:
         off = np.abs(made.derivatives[name] - exact.derivatives[name]).max(axis=(1, 2))
@@ -131,5 +131,5 @@ def test_apertures_that_do_not_serve_have_none():
 def test_a_rule_is_made_where_enough_pupils_take_it(monkeypatch):
     rng = np.random.default_rng(3)
     wanted, grid = Wanted(dtype=np.float64, threads=1), Grid(15, 2.0, integrate=True)
-    monkeypatch.setattr(aperture_nodes, "_MAKING", 1.0)
+    monkeypatch.setattr(nonuniform_fft, "_MAKING", 1.0)
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is None

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.special import jv
 
 import lommel as lm
-from lommel.optics.wavefront.aplanatic import expansion, path
+from lommel.optics.wavefront.wavefront import expansion, path
 from lommel.special import zernike
 
 COMMON = {"focal_length": 50e-3, "focus_distance": 2.0, "wavelength": 550e-9}

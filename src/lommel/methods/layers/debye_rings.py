@@ -17,7 +17,7 @@ from lommel.core.engine import Ringed, Rings, Window, fft_length, ringed_images
 from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
-from lommel.optics.layers import azimuthal_orders, debye
+from lommel.optics.layers import debye, projection
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.quadrature_bounds import Complex, Piece
@@ -144,7 +144,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     # Stacks with a wavefront each are computed in parts, whose pupil functions fit into memory.
     each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
     for part in (slice(k, min(k + each, n)) for k in range(0, n, each)):
-        across, left = azimuthal_orders.components(
+        across, left = projection.components(
             wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
         )
         shift = max(map(abs, light.waves.orders))
@@ -185,14 +185,14 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
 
 def _nodes(
     pupil: ObjectivePupil, reach_and_error: tuple[float, float], turn: Turn | None
-) -> tuple[Wavefront, azimuthal_orders.Sizes, debye.Rule]:
+) -> tuple[Wavefront, projection.Sizes, debye.Rule]:
     """Return the flattened wavefronts, the sizes of their terms, and the rule over the angles of the objective."""
     assert pupil.aberrations is not None
     wavefront = pupil.aberrations.flattened()
     terms = tuple(wavefront.amplitudes().items())
 
     def growth(piece: Piece) -> Array:
-        of_wavefront = azimuthal_orders.growth(piece, terms)
+        of_wavefront = projection.growth(piece, terms)
         return of_wavefront if turn is None else of_wavefront + turn.growth(piece)
 
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()

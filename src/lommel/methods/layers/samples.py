@@ -1,7 +1,7 @@
 r"""Light of microscopes with aberrations at the centres of pixels, and its means over discs, with error bounds.
 
-Such light has too many orders of the azimuth for :mod:`lommel.methods.layers.orders`. Its mean over a disc multiplies
-the transfer function by
+Such light has too many orders of the azimuth for :mod:`lommel.methods.layers.scanning`. Its mean over a disc
+multiplies the transfer function by
 
 .. math:: \frac1\pi \iint e^{i s (w_x x + w_y y)} dx\, dy
     \approx \frac{2}{N + 1} \sum_i \sin^2 a_i \cos(s\, w_x \cos a_i)\, \mathrm{sinc}(s\, w_y \sin a_i),

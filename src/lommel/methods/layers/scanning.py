@@ -1,24 +1,375 @@
-"""Scanning microscopes: confocal with a pinhole of any size, two-photon excitation, and STED."""
+"""Scanning microscopes and beads: intensities as azimuthal Fourier orders at given radii, interpolated between these.
+
+Intensities as azimuthal Fourier orders at given radii, and the base class of methods that interpolate these.
+The intensity of any emitter is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; products of
+several have a few more orders. Radially symmetric intensities have the order 0 alone.
+"""
 
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from dataclasses import dataclass, field, replace
-from typing import cast
+from typing import NamedTuple, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted
-from lommel.methods.layers.disc_means import disc_means
-from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light, product
+from lommel.core.answers import Images, Intensities, Wanted
+from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
+from lommel.methods.layers.disc_means import ETA, HALF, Values, between, disc_means, gauss_error, growth, table_step
 from lommel.methods.layers.samples import Samples, disc_filter, light_samples
-from lommel.methods.method import RadialMethod
+from lommel.methods.layers.stratified import Stratified, profiles
+from lommel.methods.method import RadialMethod, painted, storing
+from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
+
+_LEAST = 1e-13
+_BRIGHT = np.array([0.0, BRIGHT_RING])  # where something is bright in most planes
+_FINEST = 0.05
+_ROUNDING = 2.0**-50
+_AROUND = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
+_SOME = 512  # radii
+_PIXELS = 2**21  # of all planes and orders, at once
+
+
+class Orders(NamedTuple):
+    """Light at radii as orders of the azimuth."""
+
+    values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
+    error: Array  # (n,), bound on the sum at these radii and any azimuth
+
+    @property
+    def most(self) -> Array:
+        """What the sum is at most, of each plane."""
+        return np.asarray(np.abs(self.values).sum(axis=1).max(axis=1))
+
+    @property
+    def mean(self) -> Array:
+        """The mean over all azimuths, shape (n, radii); nowhere negative."""
+        return np.asarray(np.maximum(self._upper[:, 0].real, 0.0))
+
+    @property
+    def samples(self) -> Array:
+        """The sum at some azimuths and radii, shape (n, places)."""
+        some = self._upper[..., :: max(1, self.values.shape[2] // _SOME), None]
+        return _summed(some, np.exp(1j * _AROUND)).reshape(len(self.values), -1)
+
+    @property
+    def _upper(self) -> Values:
+        """The orders 0 to M, which tell all."""
+        return self.values[:, self.values.shape[1] // 2 :]
+
+    def at(self, which: NDArray[np.int64]) -> Orders:
+        """Return it at some of the radii."""
+        return Orders(self.values[:, :, which], self.error)
+
+    def times(self, factor: Array) -> Orders:
+        """Return it times what is at least 0, of each plane."""
+        return Orders(self.values * factor[:, None, None], self.error * factor)
+
+
+def highest(pupil: ObjectivePupil) -> int:
+    """Return the highest order of the light of a pupil."""
+    return max(h.order for h in pupil.light.harmonics)
+
+
+def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
+    """Return the light of a pupil at rising v.
+
+    Its error is `asked` of its own peak, or 0.05 `tol`, which does where errors relate to that peak as those that are
+    asked about do, and which double precision can hold.
+    """
+    made = profiles(pupil, v, max(asked, _FINEST * tol, Stratified.least_tol))
+    if made is None:
+        values, off = harmonics(pupil, v, LEAST)
+        made = np.moveaxis(values, 0, 1), off
+    values, off = made
+    if (most := highest(pupil)) == 0:
+        return Orders(values, off)
+    orders = np.zeros((len(values), 2 * most + 1, v.size), np.complex128)
+    for h, each in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
+        if h.order:
+            orders[:, most + h.order] += 0.5 * (h.cosine - 1j * h.sine) * each
+        else:
+            orders[:, most] = each
+    orders[:, :most] = orders[:, :most:-1].conj()
+    return Orders(orders, off + _ROUNDING * np.abs(orders).sum(axis=1).max(axis=1))
+
+
+def product(one: Orders, other: Orders) -> Orders:
+    """Return the product of the light of the same planes at the same radii."""
+    first, second = one.values.shape[1], other.values.shape[1]
+    kind = np.result_type(one.values, other.values)
+    values = np.zeros((len(one.values), first + second - 1, one.values.shape[2]), kind)
+    for j in range(first):
+        values[:, j : j + second] += one.values[:, j, None] * other.values
+    sizes = one.most, other.most
+    error = one.error * sizes[1] + other.error * (sizes[0] + one.error) + _ROUNDING * sizes[0] * sizes[1]
+    return Orders(values, error)
+
+
+def _summed(values: Values, turn: NDArray[np.complex128]) -> Array:
+    """Return the sum of orders from 0 up, the second axis of `values`, and of their conjugates, by ``exp(i phi)``."""
+    total, power = values[:, 0].real * np.ones(turn.shape), np.ones_like(turn)
+    for m in range(1, values.shape[1]):
+        power = power * turn
+        total = total + 2.0 * (values[:, m] * power).real
+    return np.asarray(total)
+
+
+class Table(NamedTuple):
+    """Even radii, from which light at pixels is interpolated by polynomials between twelve of them."""
+
+    places: NDArray[np.int64]  # in units of step; negative ones are beyond the axis
+    step: float  # in v
+
+    @classmethod
+    def around(cls, radius: Array, error: float, faster: float) -> Table:
+        """Return what pixels at a `radius` each need, of light of the type ``2 faster``, to err by `error`."""
+        step = table_step(error) / faster
+        first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
+        return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
+
+    @property
+    def radii(self) -> Array:
+        """Where light is to be known: rising."""
+        return self.step * np.unique(np.abs(self.places))
+
+    def error(self, found: Orders) -> Array:
+        """Return what pixels are off by at most, ``(n,)``, beside the error of :meth:`around`."""
+        return growth() * (found.error + 8.0 * _ROUNDING * found.most)
+
+    def painted(self, found: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
+        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``; `turn` is ``exp(i phi)`` of these."""
+        from scipy.sparse import csr_array
+
+        values = found._upper
+        beyond = np.where(self.places < 0, -1.0, 1.0)
+        row = np.searchsorted(np.unique(np.abs(self.places)), np.abs(self.places))
+        known = np.stack([values[:, m][:, row] * beyond**m for m in range(values.shape[1])], axis=1)
+        out = np.empty((len(values), radius.size))
+        each = max(1, _PIXELS // (known.shape[0] * known.shape[1]))
+        for part in (slice(k, k + each) for k in range(0, radius.size, each)):
+            at, where = np.unique(radius[part], return_inverse=True)
+            first, weights = between(at / self.step)
+            columns = (first - self.places[0])[:, None] + np.arange(2 * HALF)
+            ends = np.arange(0, columns.size + 1, 2 * HALF)
+            matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(at.size, self.places.size))
+            lines = (matrix @ known.reshape(-1, self.places.size).T).T.reshape(*known.shape[:2], at.size)
+            out[:, part] = _summed(lines[..., where], turn[part])
+        return np.maximum(out, 0.0, out=out)
+
+
+class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
+    """A method for the pupils of objectives that knows orders of the azimuth; dataclasses of it have a `tol`."""
+
+    @abstractmethod
+    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+        """Return the light at rising v, to about an accuracy."""
+
+    @abstractmethod
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the light of pupils with aberrations at the centres of pixels, to about an accuracy."""
+
+    def _aberrated(self, pupil: ObjectivePupil) -> bool:
+        """Return whether any of the light has aberrations."""
+        return pupil.aberrated
+
+    def _ceiling(self, pupil: ObjectivePupil) -> float:
+        """Return what the light is at most, and the integral of the modulus of its transfer function."""
+        return 1.0
+
+    def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
+        """Return the mean over all azimuths at rising v; where the light is radial, all that there is of it."""
+        if self._aberrated(pupil):
+            raise ValueError(
+                f"{type(self).__name__} has no profiles of light with aberrations; compute an image, and measure that"
+            )
+        at, where = np.unique(np.append(v, _BRIGHT), return_inverse=True)
+
+        def made_of(asked: float) -> tuple[Array, Array]:
+            found = self._orders(pupil, at, asked)
+            return found.mean, found.error
+
+        made = refine_until(made_of, self.tol, start=0.1 * self.tol, floor=_LEAST, named=self.tol)
+        return made._replace(values=made.values[:, where[: v.size]])
+
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if self.along_radius(pupil) is not None:
+            return super().intensity(pupil, grid, threads)
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        if self.along_radius(pupil) is not None or wanted.terms or wanted.powers:
+            return super().images(pupil, grid, wanted)
+        if not grid.integrate:
+            return self._samples(pupil, grid, self.tol, wanted)
+        band = self.stretch(pupil), self._ceiling(pupil)
+        return averaged_images(self._samples, pupil, grid, self.tol, wanted, band)
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return I at the centres of pixels."""
+        grid.require_one_axis()
+        if self._aberrated(pupil):
+            return self._by_pixels(pupil, grid, tol, wanted)
+        x, y = pupil.v(grid.x), pupil.v(grid.y)[:, None]
+        radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
+        faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
+        # What is divided by its own largest value is off by twice as much, and by nothing over the peak elsewhere.
+        alone = wanted.scale is None
+        aim = (0.48 if alone else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+        bright = _BRIGHT[:0] if alone else _BRIGHT
+        latest: list[tuple[Table, Orders]] = []
+
+        def made_of(asked: float) -> tuple[Array, Array]:
+            table = Table.around(radius, 0.25 * asked / ceiling, faster)
+            at, where = np.unique(np.append(table.radii, bright), return_inverse=True)
+            found, count = self._orders(pupil, at, asked), where.size - bright.size
+            known, beside = found.at(where[:count]), found.at(where[count:])
+            latest[:] = [(table, known)]
+            values = table.painted(known, radius, turn) if alone else np.append(known.samples, beside.samples, axis=1)
+            return values, table.error(found) + 0.25 * asked
+
+        made = refine_until(made_of, aim, start=0.03 * aim, floor=_LEAST * ceiling, named=self.tol)
+        table, known = latest[0]
+        pixels = made.values if alone else table.painted(known, radius, turn)
+        values = pixels.reshape(-1, *grid.shape)
+        return painted(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
+
+    def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return the same where light has aberrations, relative to the largest value in the window."""
+        aim = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+
+        def made_of(asked: float) -> tuple[Array, Array]:
+            found = self._pixels(pupil, grid, asked, wanted.threads)
+            return np.maximum(found.values, 0.0), found.error
+
+        return painted(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
+
+
+_NODES_MOST = 200
+_DIAMETER_MOST = 1e-5
+
+
+@dataclass(frozen=True)
+class Bead(ProvenMethod):
+    r"""A bead uniformly filled with emitters, centred on the emitter of the pupil.
+
+    The ball is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
+    radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``. Gauss's rule for the weight ``1 - u^2`` has a number of
+    heights that is proven to suffice.
+
+    Parameters
+    ----------
+    diameter : float
+        Metres, in the sample.
+    tol : float, default 1e-6
+        Tolerance relative to the peak of each plane.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is out of range.
+
+    Notes
+    -----
+    The light is band-limited along the height as well as laterally: fields vary by at most ``k n_s (1 - c)``, and
+    decay beyond the critical angle like ``exp(-k n_s kappa h)``, so the sum over heights converges geometrically.
+    Refraction by the bead itself is neglected.
+    """
+
+    diameter: float
+    tol: float = 1e-6
+
+    def __post_init__(self) -> None:
+        size = validation.real("diameter", self.diameter, above=0.0, most=_DIAMETER_MOST, unit="metres")
+        object.__setattr__(self, "diameter", size)
+        super().__post_init__()
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return the reason where the bead would be in the glass."""
+        radius = 0.5 * self.diameter
+        near = float(pupil.depth.min())
+        if near < radius * (1.0 - 1e-9):
+            return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
+        return super().unsupported(pupil)
+
+    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+        """Return the light at rising v."""
+        radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
+        size = layers.wavenumber * layers.NA * radius
+        heights, stack, share, off = self._planes(pupil, asked)
+        depths = stack.depth
+        half = heights.size // 2
+        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
+        discs = discs[: -half - 1 : -1] + discs  # the same below the middle
+        places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
+        found = light(stack, places, asked, self.tol)
+        values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
+        values: Values = np.zeros(1)
+        error, first = np.full(depths.shape[1], off), 0
+        for k, means in enumerate(discs):
+            here = rows[first : first + means.places.size]
+            first += means.places.size
+            values = values + share[k, :, None, None] * means.of(values_at[k][..., here])
+            error += share[k] * (errors[k] * means.gain + means.error)
+        return Orders(values, error)
+
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the light at the centres of pixels."""
+        size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
+        heights, stack, share, off = self._planes(pupil, asked)
+        count = math.prod(pupil.shape)
+        values, error = np.zeros((count, *grid.shape)), np.full(count, off)
+        # The discs below the middle are those above.
+        for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
+            means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), asked)
+            for j in {k, other}:
+                plane = replace(pupil, depth=stack.depth[j].reshape(pupil.shape))
+                one = means.of(light_samples(plane, means.samples(grid), asked / means.gain, threads), threads)
+                values += one.times(share[j]).values
+                error += share[j] * one.error
+        return Samples(values, error)
+
+    def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
+        """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
+        heights, weights, off = _rule(self._growth(pupil), asked)
+        depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
+        focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
+        stack = replace(pupil, depth=depths, focus=focus, z=z, aberrations=None)
+        share = weights[:, None] * stack.power.reshape(depths.shape)
+        return heights, stack, share / share.sum(axis=0), off
+
+    def _growth(self, pupil: ObjectivePupil) -> Array:
+        """Return the logarithm of how much intensities grow on ellipses of complex heights."""
+        layers, radius = pupil.layers, 0.5 * self.diameter
+        eta, ratio = ETA, layers.NA / layers.sample
+        within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
+        fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
+        # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
+        across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
+        return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
+
+
+def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
+    """Return heights, weights that sum to 1, and what sums over them err by: `error`, or more at the most nodes."""
+    from scipy.special import roots_jacobi
+
+    nodes = 2
+    # Twice: what intensities are divided by is such a sum too.
+    while (off := 2.0 * gauss_error(growth, nodes)) > error and nodes < _NODES_MOST:
+        nodes += 1
+    u, w = roots_jacobi(nodes, 1.0, 1.0)
+    return u, w / w.sum(), off
+
 
 AIRY = 2.0 * math.pi * 0.61  # ``0.61 lambda / NA``, half an Airy unit, in v
 _PINHOLE_MOST = 100.0

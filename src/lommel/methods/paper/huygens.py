@@ -18,7 +18,7 @@ from lommel.methods.pixels.averaging import filtered, filtered_by
 from lommel.optics.base_pupil import Geometry
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront.aplanatic import expansion, path
+from lommel.optics.wavefront.wavefront import expansion, path
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 

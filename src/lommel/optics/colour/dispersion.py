@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.optics.base_pupil import BasePupil, Geometry
-from lommel.optics.wavefront import aplanatic
+from lommel.optics.wavefront import wavefront
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
@@ -204,7 +204,7 @@ class PupilColour:
                 )
             else:
                 spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, moved)]
-                old, new = (aplanatic.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
+                old, new = (wavefront.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
                 added = new - old
         if self.x:
             x, y = (np.reshape(p, shape) for p in (self.x, self.y))

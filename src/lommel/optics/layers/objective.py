@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.layers import azimuthal_orders, debye
+from lommel.optics.layers import debye, projection
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.quadrature_bounds import Model
@@ -363,7 +363,7 @@ class Objective:
             If an argument is out of range, or a position beyond the working distance.
         """
         layers, light = self._layers(wavelength), emitter_of(emitter)
-        measured = azimuthal_orders.checked(aberrations)
+        measured = projection.checked(aberrations)
         stack = np.empty(measured.shape if measured else ())
         given = depths(depth), validation.real_array("z", z), stack
         d, offset, _ = validation.broadcast("depth, z and aberrations", *given)

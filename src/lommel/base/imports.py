@@ -1,5 +1,6 @@
-"""Imports and forks: a process does not fork while another of its threads imports a module.
+"""Imports of modules: those of a package on first use (PEP 562), and none while a process forks.
 
+Imports and forks: a process does not fork while another of its threads imports a module.
 A child process has only the thread that forked. A module that another thread was importing stays locked in the child
 (the import system has a lock for each module), and any import of it waits for ever. Python protects the tables of the
 import system from forks, but not the import of a module, and most of this package is imported on first use. So a fork
@@ -13,7 +14,8 @@ import os
 import sys
 import threading
 import time
-from importlib import _bootstrap
+from collections.abc import Callable
+from importlib import _bootstrap, import_module
 from typing import Any
 
 PATIENCE = 10.0
@@ -52,3 +54,29 @@ def guard() -> None:
     """Have all forks of this process wait; once is enough."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(before=_wait, after_in_child=_let_go)
+
+
+def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
+    """Return ``__getattr__`` and ``__dir__`` of a package: its modules, and the names that one `exports`."""
+
+    def attribute(name: str) -> object:
+        if not name.startswith("_"):
+            try:
+                return import_module(f"{package}.{name}")
+            except ModuleNotFoundError as error:
+                if error.name != f"{package}.{name}":  # a part that is there, and lacks another
+                    raise
+        if exports is not None:
+            source = import_module(f"{package}.{exports}")
+            if name in ("__all__", *getattr(source, "__all__", ())):  # none while it imports
+                return getattr(source, name)
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+
+    def names() -> list[str]:
+        from pkgutil import iter_modules
+
+        module = sys.modules[package]
+        exported = () if exports is None else import_module(f"{package}.{exports}").__all__
+        return sorted({*vars(module), *exported, *(file.name for file in iter_modules(module.__path__))})
+
+    return attribute, names

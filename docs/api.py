@@ -60,7 +60,7 @@ SECTIONS = [
             "lensfiles.lens",
         ),
         more="telescopes.elt telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
-        " lensfiles.toml_files.LensFileError optics.wavefront.aplanatic.path optics.wavefront.aplanatic.expansion"
+        " lensfiles.toml_files.LensFileError optics.wavefront.wavefront.path optics.wavefront.wavefront.expansion"
         " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
     ),
     Section(
@@ -83,7 +83,7 @@ SECTIONS = [
         ("optics.layers", "lensfiles.microscope"),
         more="optics.layers.objective_pupil.ObjectivePupil optics.layers.objective.Focus"
         " optics.layers.objective.FocalField optics.layers.objective.ScalarField optics.layers.objective.Nyquist"
-        " measures.axial.axial_fwhm measures.axial.stage",
+        " measures.spot.axial_fwhm measures.spot.stage",
     ),
     Section(
         "Scanning microscopes, beads, deconvolution",

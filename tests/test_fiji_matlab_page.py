@@ -12,7 +12,7 @@ import pytest
 import tifffile
 
 import lommel as lm
-from lommel.measures.axial import axial_fwhm
+from lommel.measures.spot import axial_fwhm
 
 PAGE = (Path(__file__).resolve().parent.parent / "docs" / "fiji-matlab.md").read_text(encoding="utf-8")
 JAR = Path("/usr/share/java/ij.jar")

@@ -539,15 +539,15 @@ class PSF(Measured, PSFLike):
 
     @property
     def z(self) -> NDArray[np.float64]:
-        """Stage position of each plane of a stack over z, metres; see :func:`lommel.measures.axial.stage`."""
-        return measures.axial.stage(self)
+        """Stage position of each plane of a stack over z, metres; see :func:`lommel.measures.spot.stage`."""
+        return measures.spot.stage(self)
 
     def axial_fwhm(self, *, of: str = "image") -> Numbers:
         """Return the full width at half maximum along z, metres of the stage, `of` the image or of the "optics".
 
-        See :func:`lommel.measures.axial.axial_fwhm`.
+        See :func:`lommel.measures.spot.axial_fwhm`.
         """
-        return measures.axial.axial_fwhm(self, of=of)
+        return measures.spot.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
         """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).

@@ -62,7 +62,6 @@ ARGUED = {
     ("io/videos.py", "open"): "frame by frame, and to write",
     ("localize/localizations.py", "File"): "to write, in memory",
     ("stacks/compute.py", "open"): "a store, by its own reader",
-    ("stacks/stack.py", "open"): "arrays of a folder of known files",
     ("optics/aperture/mask.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.

@@ -13,7 +13,7 @@ from PIL import Image
 from rich.console import Console
 
 import lommel as lm
-from lommel.cli import progress as bars
+from lommel.cli import output as bars
 from lommel.imaging import blur as blur_module
 from lommel.imaging import defocus_depth
 

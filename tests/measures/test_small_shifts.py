@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.measures.small_shifts import transfer
+from lommel.measures.continuous_image import transfer
 
 ABERRATED = lm.Wavefront(5.0, nonradial={(3, 1): 3.0, (1, -1): 4.0})
 PUPILS = {

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import j1
 
 import lommel as lm
-from lommel.microscopy.hot_voxels import LeftOut, hot_pixels, hot_voxels, sharpness
+from lommel.recorded.camera_noise import LeftOut, hot_pixels, hot_voxels, sharpness
 
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
 

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from lommel.recorded import metadata
-from lommel.recorded.metadata import Unusable
+from lommel.recorded import frames
+from lommel.recorded.frames import Unusable
 from lommel.recorded.recordings import open_recording
 
 OME = """<?xml version="1.0"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">
@@ -22,7 +22,7 @@ PhysicalSizeX="65" PhysicalSizeXUnit="nm"><Channel ID="C:0" {wave}/></Pixels></I
 
 def said(used: str = "", wave: str = "") -> dict:
     file = SimpleNamespace(ome_metadata=OME.format(used=used, wave=wave), series=[SimpleNamespace(name="a")])
-    return metadata.of_ome(file, 0)
+    return frames.of_ome(file, 0)
 
 
 def test_the_objective_is_the_one_that_the_image_names():
@@ -48,18 +48,18 @@ def test_the_objective_is_the_one_that_the_image_names():
     ],
 )
 def test_lengths_have_three_outcomes(value, unit, found):
-    assert metadata.length(value, unit) == found
-    assert metadata.length("-0.3", "micron") == pytest.approx(3e-7)
+    assert frames.length(value, unit) == found
+    assert frames.length("-0.3", "micron") == pytest.approx(3e-7)
 
 
 def test_numbers_of_fits_headers_have_three_outcomes():
-    assert metadata.of_fits({}) == {"gain": None, "read": None, "saturation": None}
-    found = metadata.of_fits({"EGAIN": "1.3", "READNOIS": 0, "SATLEVEL": math.inf, "GAIN": 120})
+    assert frames.of_fits({}) == {"gain": None, "read": None, "saturation": None}
+    found = frames.of_fits({"EGAIN": "1.3", "READNOIS": 0, "SATLEVEL": math.inf, "GAIN": 120})
     assert (found["gain"], found["read"], found["saturation"]) == (1.3, 0.0, Unusable("inf"))
     assert "unsure" not in found
-    assert metadata.of_fits({"GAIN": 120})["unsure"] == "GAIN = 120"
-    assert metadata.of_fits({"BUNIT": "electron", "GAIN": 4.0}) == {"gain": 1.0, "read": None, "saturation": None}
-    assert metadata.of_fits({"RDNOISE": -1})["read"] == Unusable("-1")
+    assert frames.of_fits({"GAIN": 120})["unsure"] == "GAIN = 120"
+    assert frames.of_fits({"BUNIT": "electron", "GAIN": 4.0}) == {"gain": 1.0, "read": None, "saturation": None}
+    assert frames.of_fits({"RDNOISE": -1})["read"] == Unusable("-1")
 
 
 def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
@@ -76,11 +76,11 @@ def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
 
 
 def test_files_that_state_electron_multiplication_state_its_excess_noise():
-    assert metadata.of_fits({"EMGAIN": 300})["excess"] == 2.0
-    assert "excess" not in metadata.of_fits({"EMGAIN": 1})
+    assert frames.of_fits({"EMGAIN": 300})["excess"] == 2.0
+    assert "excess" not in frames.of_fits({"EMGAIN": 1})
     detector = '<Detector ID="Detector:0" Type="{}"/></Instrument>'
     for kind, found in (("EMCCD", 2.0), ("CMOS", None)):
         text = OME.format(used="", wave="").replace("</Instrument>", detector.format(kind), 1)
         assert detector.format(kind) in text
         file = SimpleNamespace(ome_metadata=text, series=[SimpleNamespace(name="a")])
-        assert metadata.of_ome(file, 0).get("excess") == found
+        assert frames.of_ome(file, 0).get("excess") == found

@@ -11,7 +11,7 @@ import tifffile
 import zarr
 
 from lommel import example_files, load_microscope, localize, microscopy
-from lommel.recorded import metadata
+from lommel.recorded import frames
 from lommel.recorded.recordings import RecordingError, open_recording, save_stack
 
 STACK = np.arange(2 * 5 * 8 * 9, dtype=np.uint16).reshape(2, 5, 8, 9)
@@ -143,9 +143,9 @@ LENGTHS = {
 
 def test_all_units_of_the_ome_schema_are_known():
     for unit, metres in LENGTHS.items():
-        assert metadata.length(repr(3e-7 / metres), unit, "µm") == pytest.approx(3e-7), unit
+        assert frames.length(repr(3e-7 / metres), unit, "µm") == pytest.approx(3e-7), unit
     for unit in ("micrometer", "Micron", "\\u00B5m", "decimeter", "nanometres", "foot", "angstrom"):
-        assert isinstance(metadata.length(0.5, unit), float), unit
+        assert isinstance(frames.length(0.5, unit), float), unit
 
 
 def test_a_step_in_decimetres_is_that(tmp_path):

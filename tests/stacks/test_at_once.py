@@ -20,7 +20,7 @@ import pytest
 import lommel as lm
 from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks.stack import Store
+from lommel.stacks.compute import Store
 
 OTHER = pytest.mark.parametrize("side", [9, 7], ids=["same shape", "another shape"])
 ONE, TWO = np.linspace(2.0, 3.0, 8), np.linspace(0.0, 1.0, 8)

@@ -135,16 +135,16 @@ KILLED = """
     from pathlib import Path
     sys.path[:0] = sys.argv[2:]
     import test_psf_to as test
-    from lommel.stacks import stack
+    from lommel.stacks import compute
 
     def die(*_):
         os.kill(os.getpid(), signal.SIGKILL)
 
     def case(path, when):
-        put, count = stack.Store.put, [0]
+        put, count = compute.Store.put, [0]
 
         def dying(self, parts, index):
-            mark = stack.MARKS in parts
+            mark = compute.MARKS in parts
             count[0] += mark == (when == "before the mark")
             if when != "after a chunk" and count[0] == 3:
                 if when == "within the values":
@@ -153,7 +153,7 @@ KILLED = """
                 die()
             put(self, parts, index)
 
-        stack.Store.put = dying
+        compute.Store.put = dying
         test.run(path, threads=1, progress=lambda done, _: when == "after a chunk" and done == 2 and die())
 
     for when in test.WHEN:

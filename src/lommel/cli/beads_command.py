@@ -14,14 +14,22 @@ from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
 from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, require_microscope
 from lommel.cli.options import JSON, OUTPUT, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
-from lommel.cli.progress import progress
+from lommel.cli.output import (
+    Facts,
+    Report,
+    Wrapped,
+    paragraphs,
+    progress,
+    require_file,
+    save_figure,
+    table_of,
+    written,
+)
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.localize.targets import find_spots
-from lommel.recorded.frames import read_each
-from lommel.recorded.metadata import of_all
+from lommel.recorded.frames import of_all, read_each
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -15,8 +15,7 @@ from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import LENS, STACK_FILE, CameraMaps, camera_option, require_microscope, require_order
 from lommel.cli.options import JSON, LENGTHS, OUTPUT_PATH, Group, command, documented, judged, option, plot_option
-from lommel.cli.output import Facts, Report, list_of, require_folder, save_figure, written
-from lommel.cli.progress import progress
+from lommel.cli.output import Facts, Report, list_of, progress, require_folder, save_figure, written
 from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
 from lommel.microscopy import restore
 from lommel.microscopy.deconvolution import FLAT

@@ -13,11 +13,19 @@ import numpy as np
 from lommel.base.plain import plain
 from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
-from lommel.cli.instruments import IMAGES, LENS
+from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, paragraphs, require_file, save_figure, table_of, written
-from lommel.cli.progress import progress
-from lommel.cli.retrieve_command import SeveralNumbers, StarCamera, numbers_of
+from lommel.cli.output import (
+    Facts,
+    Report,
+    Wrapped,
+    paragraphs,
+    progress,
+    require_file,
+    save_figure,
+    table_of,
+    written,
+)
 from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label

@@ -11,9 +11,9 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Group, Option, Parsed, option
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, option
 from lommel.cli.output import Facts
-from lommel.recorded.metadata import Found, Unusable
+from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -393,3 +393,52 @@ def camera_in_words(facts: Facts) -> str | None:
     told = [text.format(camera[name]) for name, text in units.items() if camera[name]]
     told += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
     return ", ".join([camera["name"], *told])
+
+
+class SeveralNumbers(Command):
+    """A command whose option ``--defocus`` takes all numbers that follow it."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Join the numbers to one word."""
+        joined: list[str] = []
+        for word, before in zip(args, ["", *args], strict=False):
+            if before == "--defocus" and joined[-1] == before:
+                joined[-1] = f"--defocus={word}"
+            elif joined and joined[-1].startswith("--defocus=") and _is_number(word):
+                joined[-1] += f" {word}"
+            else:
+                joined.append(word)
+        return super().parse_args(ctx, joined)
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+class StarCamera(CameraOptions, heading="Camera and noise"):
+    """The camera of star images, which may be in electrons."""
+
+    # fmt: off
+    white: float | None = option(type=float,
+        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
+        "By default that of the camera, or 1, images in electrons.")
+    object_distance: float | None = OBJECT_DISTANCE
+    # fmt: on
+
+    def on(self, lens: Path) -> Instrument:
+        """Return the instrument of a lens file with this camera, whose noise is in range."""
+        found = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
+        self.require()
+        return found
+
+
+def numbers_of(text: str) -> float | list[float]:
+    """Return the number of an option, or its numbers."""
+    words = text.replace(",", " ").split()
+    if not words or not all(map(_is_number, words)):
+        raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
+    return float(words[0]) if len(words) == 1 else [float(word) for word in words]

@@ -13,8 +13,7 @@ from rich.text import Text
 from lommel.base.units import pitch_in_words
 from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
 from lommel.cli.options import JSON, PATH, WINDOW, argument, command, option, plot_option
-from lommel.cli.output import Report, Wrapped, save_figure, table_of, written
-from lommel.cli.progress import progress
+from lommel.cli.output import Report, Wrapped, progress, save_figure, table_of, written
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
 

@@ -15,8 +15,7 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.cli.instruments import DEPTH, LENS, STACK_FILE, CameraMaps, differing, require_microscope, require_order
 from lommel.cli.options import JSON, OUTPUT, PATH, WINDOW, Group, command, documented, notes_of, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
-from lommel.cli.progress import progress
+from lommel.cli.output import Facts, Report, Wrapped, list_of, progress, require_folder, save_figure, written
 from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS

@@ -35,8 +35,7 @@ from lommel.cli.options import (
     option,
     with_options,
 )
-from lommel.cli.output import Facts, Report, written
-from lommel.cli.progress import progress
+from lommel.cli.output import Facts, Report, progress, written
 from lommel.imaging import (
     FocusPlan,
     OnePass,

@@ -20,8 +20,7 @@ from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
 from lommel.cli.options import JSON, OUTPUT, WINDOW, Group, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
-from lommel.cli.progress import progress
+from lommel.cli.output import Facts, Report, Wrapped, figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
 from lommel.io.registry import Format, suffixes

@@ -11,10 +11,15 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
-from lommel.cli.instruments import IMAGES, LENS, OBJECT_DISTANCE, CameraOptions, instrument_of
-from lommel.cli.options import JSON, OUTPUT, Command, Group, command, documented, option, plot_option
-from lommel.cli.output import Report, Wrapped, paragraphs, save_figure, table_of, written
-from lommel.cli.progress import progress
+from lommel.cli.instruments import (
+    IMAGES,
+    LENS,
+    SeveralNumbers,
+    StarCamera,
+    numbers_of,
+)
+from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
+from lommel.cli.output import Report, Wrapped, paragraphs, progress, save_figure, table_of, written
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
@@ -26,50 +31,8 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.estimation.phase_retrieval import Retrieval
-    from lommel.lensfiles.instrument import Instrument
 
 _UNITS = ("radians", "waves", "nm", "um")
-
-
-class SeveralNumbers(Command):
-    """A command whose option ``--defocus`` takes all numbers that follow it."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Join the numbers to one word."""
-        joined: list[str] = []
-        for word, before in zip(args, ["", *args], strict=False):
-            if before == "--defocus" and joined[-1] == before:
-                joined[-1] = f"--defocus={word}"
-            elif joined and joined[-1].startswith("--defocus=") and _is_number(word):
-                joined[-1] += f" {word}"
-            else:
-                joined.append(word)
-        return super().parse_args(ctx, joined)
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-class StarCamera(CameraOptions, heading="Camera and noise"):
-    """The camera of star images, which may be in electrons."""
-
-    # fmt: off
-    white: float | None = option(type=float,
-        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-        "By default that of the camera, or 1, images in electrons.")
-    object_distance: float | None = OBJECT_DISTANCE
-    # fmt: on
-
-    def on(self, lens: Path) -> Instrument:
-        """Return the instrument of a lens file with this camera, whose noise is in range."""
-        found = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
-        self.require()
-        return found
 
 
 class Search(Group, heading="Search"):
@@ -197,14 +160,6 @@ def _files(paths: tuple[Path, ...]) -> list[Path]:
         else:
             raise FileNotFoundError(errno.ENOENT, "No file matches", str(path))
     return found
-
-
-def numbers_of(text: str) -> float | list[float]:
-    """Return the number of an option, or its numbers."""
-    words = text.replace(",", " ").split()
-    if not words or not all(map(_is_number, words)):
-        raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
-    return float(words[0]) if len(words) == 1 else [float(word) for word in words]
 
 
 def _names(text: str) -> list[str]:

@@ -12,8 +12,7 @@ import numpy as np
 
 from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import JSON, OUTPUT_PATH, command, documented, option
-from lommel.cli.output import Report
-from lommel.cli.progress import progress
+from lommel.cli.output import Report, progress
 from lommel.psf import psf
 from lommel.stacks.compute import psf_to
 

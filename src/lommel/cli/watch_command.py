@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length
-from lommel.cli.depth_commands import BETWEEN, each_lens, lens_facts, lens_options, verdict_report
-from lommel.cli.depth_maps import finite
+from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
 from lommel.cli.output import Report, require_folder, written

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 from lommel.base import imports
 
 if TYPE_CHECKING:
-    from lommel.measures import axial as axial
     from lommel.measures import energy as energy
     from lommel.measures import pullback as pullback
     from lommel.measures import spot as spot

@@ -11,7 +11,7 @@ from lommel.base import validation
 from lommel.fit.findings import Findings
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.restoration import Restoration, shown
-from lommel.measures.axial import stage
+from lommel.measures.spot import stage
 from lommel.microscopy.stack_blur import TiledBlur
 from lommel.microscopy.stack_steps import Background, Counted
 from lommel.microscopy.total_variation import walk_of

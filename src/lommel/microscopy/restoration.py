@@ -27,7 +27,6 @@ from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
 from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, work_of_held_out
-from lommel.microscopy.hot_voxels import MOST, LeftOut, hot_pixels, hot_voxels, sharpness
 from lommel.microscopy.projections import Projecting, Projections
 from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
 from lommel.microscopy.stack_steps import Background, Counted, Move
@@ -35,7 +34,15 @@ from lommel.microscopy.total_variation import walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.recorded import recordings
-from lommel.recorded.camera_noise import contradiction, measured_noise
+from lommel.recorded.camera_noise import (
+    MOST,
+    LeftOut,
+    contradiction,
+    hot_pixels,
+    hot_voxels,
+    measured_noise,
+    sharpness,
+)
 from lommel.recorded.counts import full_value, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording

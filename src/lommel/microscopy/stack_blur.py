@@ -16,7 +16,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
 from lommel.imaging.linear import LinearBlur
-from lommel.measures.axial import stage
+from lommel.measures.spot import stage
 from lommel.psf import PSF
 
 

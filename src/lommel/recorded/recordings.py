@@ -17,8 +17,7 @@ from lommel.base import atomic, optional, reading, validation
 from lommel.base.arrays import Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
-from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, open_frames
-from lommel.recorded.metadata import Unusable
+from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Unusable, open_frames
 
 _JSON = 2**24  # bytes of a description that are parsed
 _CHUNK = (32, 256, 256)  # of an OME-Zarr that is written

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
-from lommel.methods.layers.disc_means import ETA
+from lommel.methods.layers.samples import ETA
 from lommel.special.legendre import gauss_legendre
 from objectives import FIVE, OIL
 from plane_waves import intensity

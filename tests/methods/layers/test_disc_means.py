@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import j0, j1, jv
 
-from lommel.methods.layers.disc_means import ETA, between, disc_means, gauss_error, growth
+from lommel.methods.layers.samples import ETA, between, disc_means, gauss_error, growth
 from lommel.special.legendre import gauss_legendre
 
 V = np.array([0.0, 0.3, 1.7, 5.0, 17.3, 120.0])

@@ -9,7 +9,7 @@ import pytest
 from scipy.special import jv
 
 import lommel as lm
-from lommel.methods.layers.disc_means import between
+from lommel.methods.layers.samples import between
 from lommel.methods.layers.scanning import Orders, Table, light, product
 from lommel.optics.layers.emitter import Absorbed
 from plane_waves import intensity

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.measures.small_shifts import phased_cells
+from lommel.measures.continuous_image import phased_cells
 from lommel.optics.aperture.mask import cell_centers
 
 OPENINGS = {

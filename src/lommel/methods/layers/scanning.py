@@ -19,8 +19,19 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
-from lommel.methods.layers.disc_means import ETA, HALF, Values, between, disc_means, gauss_error, growth, table_step
-from lommel.methods.layers.samples import Samples, disc_filter, light_samples
+from lommel.methods.layers.samples import (
+    ETA,
+    HALF,
+    Samples,
+    Values,
+    between,
+    disc_filter,
+    disc_means,
+    gauss_error,
+    growth,
+    light_samples,
+    table_step,
+)
 from lommel.methods.layers.stratified import Stratified, profiles
 from lommel.methods.method import RadialMethod, painted, storing
 from lommel.methods.pixels.averaging import averaged_images

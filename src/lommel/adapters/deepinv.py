@@ -8,17 +8,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Values
 from lommel.base.optional import library
 from lommel.imaging.linear import LinearBlur
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 
 def blur_physics(blur: LinearBlur, **options: Any) -> Any:
@@ -53,7 +56,7 @@ def blur_physics(blur: LinearBlur, **options: Any) -> Any:
     validation.instance("blur", blur, LinearBlur)
     act = _linear_function()
 
-    def checked(images: Any) -> Any:
+    def checked(images: Tensor) -> Any:
         wanted = blur.channels, *blur.shape
         if images.ndim != 4 or tuple(images.shape[1:]) != wanted:
             raise ValueError(f"images must have the shape (batch, {wanted}), got {tuple(images.shape)}")
@@ -72,18 +75,18 @@ def _linear_function() -> Callable[..., Any]:
     """Return what applies a NumPy function to a batch, with another as its gradient."""
     import torch
 
-    def mapped(images: Any, way: Callable[[NDArray[Any]], NDArray[Any]]) -> Any:
+    def mapped(images: Tensor, way: Callable[[Values], Values]) -> Any:
         made = [np.moveaxis(way(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
         return torch.from_numpy(np.ascontiguousarray(np.stack(made))).to(images)
 
     class Linear(torch.autograd.Function):  # type: ignore[misc]
         @staticmethod
-        def forward(ctx: Any, images: Any, way: Any, back: Any) -> Any:
+        def forward(ctx: Any, images: Tensor, way: Any, back: Any) -> Any:
             ctx.ways = way, back
             return mapped(images, way)
 
         @staticmethod
-        def backward(ctx: Any, gradient: Any) -> Any:
+        def backward(ctx: Any, gradient: Tensor) -> Tensor:
             way, back = ctx.ways
             return Linear.apply(gradient, back, way), None, None
 

@@ -26,7 +26,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 
 from lommel.base import reading
-from lommel.base.arrays import Values
+from lommel.base.arrays import Json, Values
 from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.validation import line
 
@@ -319,7 +319,7 @@ class Unfinished:
 
     place: Path
     room: Path
-    said: dict[str, Any]
+    said: Json
 
     @property
     def new(self) -> Path:
@@ -405,7 +405,7 @@ def begun(target: Path, request: Mapping[str, Any], fill: Callable[[Path], objec
     raise ValueError(f"{line(place)} is written by other calls again and again; name another")
 
 
-def _create(place: Path, room: Path, request: dict[str, Any], fill: Callable[[Path], object]) -> None:
+def _create(place: Path, room: Path, request: Json, fill: Callable[[Path], object]) -> None:
     identity = secrets.token_hex(16)
     said = {_IDENTITY: identity, "request": request}
 

@@ -12,15 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import reading
+from lommel.base.arrays import Json
 
 
-def plain(description: Mapping[str, Any]) -> dict[str, Any]:
+def plain(description: Mapping[str, Any]) -> Json:
     """Return a description as JSON holds it."""
-    found: dict[str, Any] = json.loads(json.dumps(description))
+    found: Json = json.loads(json.dumps(description))
     return found
 
 
-def sealed(description: dict[str, Any], arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Any]:
+def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
     """Return a description with the checksum of the arrays of a file and of all else that it says."""
     return description | {"checksum": checksum(description, arrays)}
 

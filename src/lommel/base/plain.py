@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from lommel.base.arrays import Json
+
 
 def plain(value: Any) -> Any:
     """Return a value as plain data.
@@ -36,7 +38,7 @@ def plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def fields_of(value: Any) -> dict[str, Any]:
+def fields_of(value: Any) -> Json:
     """Return the public fields of a dataclass that its repr shows."""
     shown = (each.name for each in dataclasses.fields(value) if each.repr and not each.name.startswith("_"))
     return {name: getattr(value, name) for name in shown}

@@ -30,10 +30,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Json, Values
 from lommel.base.optional import library
 
 if TYPE_CHECKING:
     import zipfile
+
+    from h5py import Dataset, File, Group
+    from PIL.Image import Image
+    from tifffile import TiffFile, TiffPageSeries
 
 Tags = dict[int, NDArray[np.generic]]
 
@@ -135,7 +140,7 @@ def decoded(data: bytes) -> str:
         raise ValueError(f"not UTF-8 text: {error}") from None
 
 
-def toml(text: str) -> dict[str, Any]:
+def toml(text: str) -> Json:
     """Return what a text in TOML holds; ValueError if it is none, or is nested more deeply than files here are."""
     import tomllib
 
@@ -253,7 +258,7 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
     return {name: partial(read, member) for name, member in members.items()}
 
 
-def png(data: bytes) -> Any:
+def png(data: bytes) -> Image:
     """Return a PNG file as Pillow opens it, none of it decoded, if its image may be what its header says."""
     from PIL.PngImagePlugin import PngImageFile
 
@@ -278,7 +283,7 @@ def png_takes(count: int, bits: int, colour: bool) -> int:
     return count * ((14 if bits == 16 else 8) if colour else 13)
 
 
-def jpeg(data: bytes) -> Any:
+def jpeg(data: bytes) -> Image:
     """Return a JPEG file as Pillow opens it, none of it decoded."""
     from PIL.JpegImagePlugin import JpegImageFile
 
@@ -295,7 +300,7 @@ def jpeg(data: bytes) -> Any:
     return file
 
 
-def webp(data: bytes) -> Any:
+def webp(data: bytes) -> Image:
     """Return a WebP file as Pillow opens it, none of it decoded; ValueError if it is another file in RIFF."""
     kind = data[12:16] if data[8:12] == b"WEBP" else b""
     if kind not in (b"VP8X", b"VP8L", b"VP8 ") or len(data) < 30:
@@ -336,16 +341,16 @@ HEIC = tuple(
 """The first bytes of HEIC files."""
 
 
-def heic(data: bytes) -> Any:
+def heic(data: bytes) -> Image:
     """Return a HEIC file as Pillow opens it by pillow-heif, none of it decoded."""
-    file = library("pillow_heif.as_plugin", "HEIC files need", "heic").HeifImageFile(io.BytesIO(data))
+    file: Image = library("pillow_heif.as_plugin", "HEIC files need", "heic").HeifImageFile(io.BytesIO(data))
     pixels(*file.size)
     afford(12.0 * file.size[0] * file.size[1], len(data))
     return file
 
 
 @contextmanager
-def tiff(data: bytes) -> Iterator[Any]:
+def tiff(data: bytes) -> Iterator[TiffFile]:
     """Open a TIFF file by tifffile; ValueError if pages are too large, or parts claim more than the file holds."""
     import tifffile
 
@@ -361,7 +366,7 @@ def tiff(data: bytes) -> Iterator[Any]:
         yield file
 
 
-def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
+def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     """Return a TIFF file of any size as tifffile opens it, and what this tells of it; its first page is checked.
 
     The pages that follow are like the first one; :func:`tiff_values` tells whether they are. Files that its OME
@@ -440,7 +445,7 @@ def _tiff_chain(file: int, data: mmap.mmap) -> tuple[dict[int, int], list[bytes]
     return pages, entries if len(entries) == len(pages) else []
 
 
-def _tell_pages(file: Any, places: list[int], entries: list[bytes]) -> None:
+def _tell_pages(file: TiffFile, places: list[int], entries: list[bytes]) -> None:
     """Tell tifffile of all pages, if they are like the first and each is one strip, as it would find them itself.
 
     It takes ten times as long. Of what is not so, or by another release of it, it finds the pages.
@@ -548,7 +553,7 @@ def _beside(path: Path, name: str) -> Path | None:
     return there
 
 
-def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Values:
     """Return the values of a page of a file on the disk, of the shape and type of the first.
 
     ValueError if it has others, or would take more memory than they do. Pages of a file share its handle: one thread
@@ -582,7 +587,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDAr
             handle.close()
 
 
-def tiff_array(page: Any) -> NDArray[Any]:
+def tiff_array(page: Any) -> Values:
     """Return the values of a page, of LZW by Pillow where tifffile cannot; ValueError where neither can."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
@@ -626,7 +631,7 @@ _LZW = 5
 _UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files as Pillow has them open
 
 
-def tiff_mapped(file: Any, series: Any, path: Path, count: int) -> NDArray[Any] | None:
+def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:
     """Return the planes of a series that lie in the file as one piece, of which fewer may have a page; else None.
 
     ValueError where a description tells of more than the file holds.
@@ -642,7 +647,7 @@ def tiff_mapped(file: Any, series: Any, path: Path, count: int) -> NDArray[Any] 
     return None
 
 
-def tiff_left_out(file: Any) -> str:
+def tiff_left_out(file: TiffFile) -> str:
     """Return of how many pages ImageJ's description says less, "5 pages, of which ...", or ""; ValueError of more."""
     count, series = len(file.pages), file.series[0]
     if not file.is_imagej or count <= 1:  # one page before all images, if there are more
@@ -756,14 +761,14 @@ def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool
         return True
 
 
-def hdf5(data: bytes) -> Any:
+def hdf5(data: bytes) -> File:
     """Return an HDF5 file as h5py opens it, of whose arrays :func:`hdf5_values` reads those that may be read."""
     import h5py
 
     return h5py.File(io.BytesIO(data), "r")
 
 
-def hdf5_below(group: Any, *names: str) -> Any:
+def hdf5_below(group: Group, *names: str) -> Dataset:
     """Return what is below a group, by hard links only, since others may lead to other files; None if nothing is."""
     import h5py
 
@@ -774,7 +779,7 @@ def hdf5_below(group: Any, *names: str) -> Any:
     return group
 
 
-def hdf5_values(found: Any, size: int) -> NDArray[np.generic]:
+def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
     """Return an array of an HDF5 file; ValueError if it is outside the file, or larger than `size` bytes can hold."""
     import h5py
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -192,7 +192,7 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
     return value
 
 
-def array(name: str, value: ArrayLike) -> NDArray[Any]:
+def array(name: str, value: ArrayLike) -> Values:
     """Return `value` as an array; TypeError where something of it is masked, for arrays do not keep that."""
     held = computed(value)
     refuse_masked(name, held)
@@ -208,7 +208,7 @@ def refuse_masked(name: str, value: object) -> None:
         raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
 
 
-def parted(name: str, value: object) -> tuple[NDArray[Any], NDArray[np.bool_] | None]:
+def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
     """Return the numbers of a container, or of several in a list, and their mask: True where not to be used, or None.
 
     TypeError if it holds something else, ValueError if masked containers in a list have several shapes.
@@ -260,7 +260,7 @@ def _masked(value: object) -> bool:
     )
 
 
-def number_array(name: str, value: ArrayLike) -> NDArray[Any]:
+def number_array(name: str, value: ArrayLike) -> Values:
     """Return `value` as an array of integers or floats; TypeError otherwise."""
     given = array(name, value)
     if given.dtype.kind not in "iuf":
@@ -293,7 +293,7 @@ def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
     return found
 
 
-def broadcast(names: str, *arrays: NDArray[Any]) -> tuple[Array, ...]:
+def broadcast(names: str, *arrays: Values) -> tuple[Array, ...]:
     """Return arrays in the shape that they broadcast to; ValueError with their `names`, as "x and y", otherwise."""
     try:
         return np.broadcast_arrays(*arrays)

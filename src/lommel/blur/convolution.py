@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import scipy
@@ -28,11 +28,14 @@ from lommel.blur.turbulence import Gate, Halo, between, table
 from lommel.core.engine import distinct_radii
 from lommel.special.legendre import gauss_legendre
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
 
 class Readout(NamedTuple):
     """A sparse matrix from samples, from `first` on, to pixels; `error` bounds its response for ``abs(w) <= 2``."""
 
-    matrix: Any
+    matrix: csr_array
     first: int
     error: float
     gain: float

@@ -56,7 +56,7 @@ def depth_line(low: float, high: float, unknown: float, focus: str) -> str:
     return f"depth {where}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")
 
 
-BETWEEN: Any = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
+BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
     help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.")  # fmt: skip
 
 

@@ -36,7 +36,7 @@ def camera_option(words: str) -> Any:
     return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
 
 
-EXCESS: Any = option(type=float,
+EXCESS = option(type=float,
     help="Excess noise factor of electron multiplication, 2 for an EMCCD, whose gain and read noise are then those "
     "of electrons before multiplication; by default that of the camera or the file, or 1.")  # fmt: skip
 
@@ -81,16 +81,16 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
 IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
 STACK_FILE: Any = click.Argument(["stack"], type=PATH)
 LENS: Any = click.Argument(["lens"], type=FILE)
-OBJECT_DISTANCE: Any = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
+OBJECT_DISTANCE = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
 CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
     "`lommel examples --find camera` lists, or a file; overrides the file."
 )
-SQUARE_PIXEL: Any = option(length="um",
+SQUARE_PIXEL = option(length="um",
     help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.")  # fmt: skip
-SHAPE: Any = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file.")
-STEP: Any = option(length="nm", help="Stage step between planes, such as 100nm; by default that of the file.")
-DEPTH: Any = option(length="um", heading="Microscopes",
+SHAPE = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file.")
+STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default that of the file.")
+DEPTH = option(length="um", heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.")  # fmt: skip
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 from rich.table import Column, Table
@@ -162,7 +162,7 @@ def methods() -> Report:
     return Report({"methods": rows}, [table])
 
 
-def _default(item: dataclasses.Field[Any]) -> str:
+def _default(item: dataclasses.Field[object]) -> str:
     """Return the default of an option as --set takes it."""
     factory = item.default_factory
     default = item.default if factory is dataclasses.MISSING else factory()

@@ -6,7 +6,7 @@ import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -20,6 +20,7 @@ from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
+from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -122,8 +123,7 @@ def localize(
                 parts.append(part if figure is not None else _brief(part))
     found = joined(parts)
     if figure is not None:
-        drawn: Any = found.plot().get_figure(root=True)
-        save_figure(drawn, figure)
+        save_figure(figure_of(found.plot()), figure)
     recorded, words = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
     facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | found.to_dict()

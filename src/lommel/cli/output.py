@@ -13,11 +13,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import click
 
 from lommel.base import atomic, optional
+from lommel.base.arrays import Json
 from lommel.base.validation import line, shown
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ def progress(description: str, total: int | None = None) -> Iterator[Steps]:
         yield Steps(bar, description, total)
 
 
-Facts: TypeAlias = dict[str, Any]
+Facts: TypeAlias = Json
 """Plain data as JSON has it: texts, numbers, lists and dictionaries of these, None."""
 
 

@@ -11,13 +11,14 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 import click
 import numpy as np
 from click.core import ParameterSource
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Values
 from lommel.base.units import format_length
 from lommel.cli.depth_maps import DepthMap, depth_facts, depth_line, finite
 from lommel.cli.instruments import CAMERA, instrument_of, mask_of, noise_of, radial_instrument
@@ -181,7 +182,7 @@ _TYPES: dict[str, np.dtype[np.generic]] = {
 
 _FRAMES, _FPS = 24, 12.0
 
-FOCUS: Any = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+FOCUS = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 
 
 class PhotoNoise(Group, heading="Noise"):
@@ -707,7 +708,7 @@ class Job:
             blur.watch = watch
         return plan()
 
-    def write(self, light: NDArray[Any]) -> float:
+    def write(self, light: Values) -> float:
         """Write the result and return the clipped fraction of its values."""
         quality = self.options.made.quality
         return write_like(

@@ -28,7 +28,7 @@ from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
-from lommel.show.drawing import STRETCHES
+from lommel.show.drawing import STRETCHES, figure_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -337,7 +337,7 @@ def _named(axes: Axes, name: str, title: str) -> str:
 
 def _entitle_figure(axes: Axes, name: str) -> None:
     """Set the name of a lens above the title of a figure of many axes."""
-    figure: Any = axes.get_figure(root=True)
+    figure = figure_of(axes)
     figure.suptitle(_named(axes, name, figure.get_suptitle()), fontsize=9)
 
 

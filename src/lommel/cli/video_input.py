@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
 
 import click
 import numpy as np
@@ -36,7 +36,7 @@ _BAND = 6.0  # rows, rms, in which the brightness of frames is compared
 _FAINT = 0.1  # of the mean: rows that are darker are not
 _TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
 
-ENCODING: Any = option(type=click.Choice(["srgb", "linear"]),
+ENCODING = option(type=click.Choice(["srgb", "linear"]),
     help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
     "sRGB.")  # fmt: skip
 

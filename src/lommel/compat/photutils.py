@@ -7,20 +7,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, optional, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.field.maps import FieldMap
 from lommel.io import fits_images
 from lommel.optics.pupil import Pupil
 from lommel.psf import psf
 
 _OF_FILES = 4  # the oversampling that readers of STDPSF files assume
-_Grid = tuple[NDArray[Any], Array, Array]
+_Grid = tuple[Values, Array, Array]
 
 
-def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> NDArray[Any]:
+def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> Values:
     """Return effective PSFs (ePSFs): pixel-integrated values, `oversampling` a pixel, around the middle of the array.
 
     Parameters

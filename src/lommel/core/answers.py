@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 
 DType = np.dtype[Any]  # the type of such values
 
@@ -17,7 +17,7 @@ class Declined(ValueError):  # noqa: N818 (no fault: another method is tried)
     """A pupil or a window is beyond what a method takes; the compiled core raises it too."""
 
 
-Pixels = NDArray[Any]  # values of images as they are stored, float32 or float64
+Pixels = Values  # values of images as they are stored, float32 or float64
 
 
 class ToleranceError(ArithmeticError):

@@ -19,6 +19,7 @@ from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.base.units import format_length
 from lommel.core import engine
+from lommel.core.answers import DType
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
@@ -324,7 +325,7 @@ def require_depth(depth: ArrayLike) -> Array:
     return metres
 
 
-def require_metres(kind: np.dtype[Any]) -> None:
+def require_metres(kind: DType) -> None:
     """Raise TypeError unless depth is in floats: integers are levels, of a scale that only their author knows."""
     if kind.kind != "f":
         raise TypeError(

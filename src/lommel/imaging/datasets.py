@@ -23,7 +23,7 @@ from typing import Any, Unpack
 import numpy as np
 
 from lommel.base import atomic, reading, validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.checksums import of_bytes, of_file, plain
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
@@ -165,7 +165,7 @@ class Rendered:
     done: int
     total: int
     files: tuple[Path, ...]
-    facts: dict[str, Any] = field(repr=False)
+    facts: Json = field(repr=False)
     failure: str | None = None
 
 
@@ -214,7 +214,7 @@ class _Job:
     values: DepthValues
     settings: Settings
 
-    def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> dict[str, Any]:
+    def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> Json:
         """Return the arguments that the pictures depend on, as JSON holds them."""
         apart = ("lenses", "noise", "settings", "values")
         given = {name: value for name, value in vars(self).items() if name not in apart}
@@ -379,7 +379,7 @@ def render_dataset(
     return _rendered(folder, job, pairs, shard, count, skip)
 
 
-def _begin(folder: Path, record: dict[str, Any]) -> None:
+def _begin(folder: Path, record: Json) -> None:
     """Make the folder of a data set, with a file of its arguments; ValueError if it is of others."""
     file = folder / _RECORD
     if not file.exists():
@@ -407,7 +407,7 @@ def _read(file: Path) -> Any:
         return None
 
 
-def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Any]]:
+def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
     """Yield the numbers of pictures all of whose files are there, and their facts."""
     if shard is None:
         for number in range(total):
@@ -428,7 +428,7 @@ def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, A
                 yield from _in_tar(tar, held)
 
 
-def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Any]]:
+def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
     """Yield the numbers of the pictures in a tar file, and their facts."""
     try:
         with tarfile.open(path) as tar:
@@ -480,7 +480,7 @@ def _missing(
             _pack(folder, index, shard, total)
     make = partial(_write, job, where, shard is not None, skip)
 
-    def told(number: int, files: list[str], facts: dict[str, Any], failure: str | None, said: list[str]) -> Rendered:
+    def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
         nonlocal done
         for note in said:
             validation.tell(note)
@@ -505,7 +505,7 @@ def _missing(
 
 def _by_processes(
     make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
-) -> Iterator[tuple[int, list[str], dict[str, Any], str | None, list[str]]]:
+) -> Iterator[tuple[int, list[str], Json, str | None, list[str]]]:
     """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
     from multiprocessing import get_context
 
@@ -571,7 +571,7 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
 
 def _write(
     job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path
-) -> tuple[list[str], dict[str, Any], str | None, list[str]]:
+) -> tuple[list[str], Json, str | None, list[str]]:
     """Render a picture and write its files; return their names, the facts, why it was skipped, and notes on it."""
     said: list[str] = []
     try:
@@ -614,7 +614,7 @@ def _tar(files: dict[str, bytes]) -> bytes:
     return made.getvalue()
 
 
-def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], dict[str, Any]]:
+def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], Json]:
     """Return the files of a picture, the facts last."""
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
@@ -679,10 +679,10 @@ _CHUNK = 512  # pixels on each side
 _AXES = {"defocus": ("step",), "psfs": ("step", "channel", "row", "column")}
 
 
-def _zarr(arrays: dict[str, Values], facts: dict[str, Any]) -> dict[str, bytes]:
+def _zarr(arrays: dict[str, Values], facts: Json) -> dict[str, bytes]:
     """Return the files of a Zarr group of arrays, in single precision but for indices."""
     zarr = library("zarr", "Zarr groups need", "zarr")
-    files: dict[str, Any] = {}
+    files: Json = {}
     group = zarr.open_group(zarr.storage.MemoryStore(files), mode="w", attributes=facts)
     for name, values in arrays.items():
         kept = values if values.dtype.kind == "u" else values.astype(np.float32)

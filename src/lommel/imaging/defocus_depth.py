@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.base.plain import plain
@@ -97,7 +97,7 @@ class DefocusDepth:
             raise ValueError("no depth is known, and so there is no sharp image: the photographs have no texture")
         return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the result as plain data, as JSON has it, without images; it is judged then, if it was not before.
 
         Returns
@@ -109,7 +109,7 @@ class DefocusDepth:
         """
         facts, inner = self.verdict.to_dict(), np.isfinite(self.errors)
         ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
-        mine: dict[str, Any] = plain(
+        mine: Json = plain(
             {
                 "shape": self.depth.shape,
                 "candidates": len(self.candidates),

@@ -6,21 +6,22 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
+from lommel.core.answers import DType
 from lommel.core.engine import FocalScale, FocalStream
 from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
 from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables, shifts
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 
-Frame = NDArray[Any]
+Frame = Values
 
 MAGNIFICATIONS = ("registered", "lens")
 """How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
@@ -136,7 +137,7 @@ class FrameForm:
             return np.asarray(frame, dtype=np.float32)
         raise TypeError(f"{name} must be of uint8, uint16 or floats, got {frame.dtype}")
 
-    def full(self, dtype: np.dtype[Any]) -> float:
+    def full(self, dtype: DType) -> float:
         """Return the value from which on pixels are full."""
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 

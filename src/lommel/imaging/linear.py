@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
+from lommel.core.answers import DType
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator
@@ -283,7 +284,7 @@ class WindowBlur:
         rows, columns = (slice(first, first + count) for count in self._shape)
         return rows, columns
 
-    def _room(self, kind: np.dtype[Any]) -> Values:
+    def _room(self, kind: DType) -> Values:
         rows, columns = self._places
         beyond = self._side - 1
         return np.zeros((len(rows) + beyond, len(columns) + beyond + _STEP), dtype=kind)

@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.estimation.focal_model import FocalLight, FocalModel
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import (
@@ -109,7 +109,7 @@ class LiveSharpen:
         return f"<LiveSharpen of frames of {size}, {near:g} to {far:g} m: {len(self._tables.basis)} images>"
 
     def __call__(
-        self, frame: NDArray[Any], depth: float | ArrayLike, out: NDArray[np.float32] | None = None
+        self, frame: Values, depth: float | ArrayLike, out: NDArray[np.float32] | None = None
     ) -> NDArray[np.float32]:
         """Return the sharp image of a frame, electrons.
 
@@ -376,7 +376,7 @@ class LiveDepth:
             f"for {', '.join(each)} electrons>"
         )
 
-    def __call__(self, *frames: NDArray[Any], known: NDArray[Any] | None = None) -> LiveDepthMap:
+    def __call__(self, *frames: Values, known: Values | None = None) -> LiveDepthMap:
         """Return the depth of frames, in arrays that the next call overwrites.
 
         Parameters
@@ -434,9 +434,7 @@ class LiveDepth:
         form, name = self._form, validation.path("path", path)
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
 
-    def _grey(
-        self, stored: list[NDArray[Any]], full: float, mask: NDArray[np.uint8] | None
-    ) -> tuple[list[NDArray[Any]], float]:
+    def _grey(self, stored: list[Values], full: float, mask: NDArray[np.uint8] | None) -> tuple[list[Values], float]:
         """Return the frames that depth is found in, sums of channels, and from which value on these are full."""
         if self._planes is None:
             return self._registered(stored, full, mask), full
@@ -608,7 +606,7 @@ class _Taken(NamedTuple):
     """What the last call took."""
 
     level: _Level
-    frames: list[NDArray[Any]]
+    frames: list[Values]
     full: float
     known: NDArray[np.uint8] | None
 

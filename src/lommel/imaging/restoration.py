@@ -22,13 +22,13 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import Any, Unpack
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
 from lommel.base.plain import fields_of, plain
@@ -194,7 +194,7 @@ class Restoration(Judged):
     photograph: float = 0.0
     findings: Findings = field(default_factory=Findings)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the result as plain data, as JSON has it, without images.
 
         Returns
@@ -205,7 +205,7 @@ class Restoration(Judged):
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
         numbers = {name: each for name, each in fields_of(self).items() if not isinstance(each, np.ndarray)}
         numbers.pop("light", None)  # None of tiles
-        found: dict[str, Any] = plain(verdict | numbers)
+        found: Json = plain(verdict | numbers)
         return found
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:

@@ -55,7 +55,7 @@ class SensorLight:
 
     def shares(self, pupil: Pupil, half: int) -> Array:
         """Return the share of the light in each pixel of the octant, shape (n, cells), up to `half` pixels."""
-        total: Any = 0.0
+        total: Array | float = 0.0
         for wavelength, weight in self.spectrum:
             there = pupil.in_light(wavelength)
             step = math.pi * self.pixel / there.scale

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
@@ -22,7 +22,7 @@ from lommel.imaging.traced_windows import AberratedWindows, Term, chebyshev, che
 from lommel.methods.pixels.rule import cells_alike, octant
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
-from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
+from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
 _SCALES = (4, 6, 8, 12, 16, 24, 32)  # windows of other sizes, as many as are needed of these
 _SCREENS = 16  # layers of occlusion at most
@@ -132,7 +132,7 @@ class TracedBlur:
     half = property(lambda self: self._static.half)
     error = property(lambda self: self._static.error)
 
-    def defocus(self, distance: Operand, *, focus_distance: Operand = None, f_number: Operand = None) -> Any:
+    def defocus(self, distance: Operand, *, focus_distance: Operand = None, f_number: Operand = None) -> Operand:
         """Return C_d in radians of objects at a `distance` (metres), differentiable.
 
         Parameters
@@ -276,7 +276,7 @@ class TracedBlur:
             start = xp.zeros(image.shape, dtype=image.dtype)
             total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
             return total
-        made: Any = 0.0
+        made: Operand = 0.0
         for k in range(count):
             made = made + one(down[k // across, ...], along[k % across, ...], nodes[k, ...])
         whole: Tensor = made
@@ -503,7 +503,7 @@ class TracedBlur:
     def _mixed(self, image: Operand, c: Operand, size: tuple[int, ...], kernels: list[Tensor]) -> Tensor:
         """Return the spectrum of the blurred image (..., channels, rows, columns)."""
         ns, xp, shape = self._static.namespace, self._static.namespace.xp, tuple(c.shape)
-        total: Any = 0.0
+        total: Operand = 0.0
         lead = (1,) * (len(image.shape) - 3)
         several = max(1, _CACHED // math.prod(image.shape))
         for weights, kernel in zip(self._weights(xp.reshape(c, (-1,))), kernels, strict=True):
@@ -531,18 +531,18 @@ class TracedBlur:
         static = self._static
         xp, screens = static.namespace.xp, static.screens
         cover = xp.ones_like(image)
-        covered: Any = 0.0
-        out: Any = 0.0
-        plain: Any = 0.0
+        covered: Operand = 0.0
+        out: Operand = 0.0
+        plain: Operand = 0.0
         for k, here in enumerate(screens):
             # Each point is in two layers, in shares that change linearly with C_d.
-            share: Any = 1.0
+            share: Operand = 1.0
             if k > 0:
                 share = xp.clip((screens[k - 1] - c) / (screens[k - 1] - here), 0.0, 1.0)
             if k + 1 < len(screens):
                 share = share * xp.clip((c - screens[k + 1]) / (here - screens[k + 1]), 0.0, 1.0)
             share = xp.expand_dims(share * xp.ones_like(c), axis=-3)
-            kernel: Any = 0.0
+            kernel: Operand = 0.0
             for layer, spectrum in enumerate(kernels):
                 mixture = self.tables[f"screens_{layer}"][k, ...]
                 kernel = kernel + xp.sum(spectrum * xp.reshape(mixture, (-1, 1, 1, 1)), axis=0)
@@ -625,7 +625,7 @@ def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
     return xp.cos(xp.astype(turns, tables["once"].dtype) * (math.tau / side)) * tables["once"]
 
 
-def _centred(xp: Any, windows: Operand, half: int, size: tuple[int, ...]) -> Operand:
+def _centred(xp: ArrayFunctions, windows: Operand, half: int, size: tuple[int, ...]) -> Operand:
     """Return windows (..., side, side) in arrays of a `size`, the middle at the first element."""
     for axis, length in ((-2, size[0]), (-1, size[1])):
         first = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
@@ -734,7 +734,7 @@ def traced_blur(
     sizes = 0.5 * (scales[0] + scales[1]) + 0.5 * (scales[1] - scales[0]) * sizes
     step = math.pi * pitch / (lens.wavelength * lens.working_f_number)
     aberrated: AberratedWindows | None = None
-    of_zernike: dict[str, Any] = {}
+    of_zernike: dict[str, Operand] = {}
     if optics.zernike:
         window = half, step / math.exp(scales[0])
         aberrated, of_zernike = traced_windows.make(lens, dict(optics.zernike), (low, high), colours, window, allowed)
@@ -765,7 +765,7 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     known = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     table, transform = _sizes(exact, nodes, known, scales, allowed)
-    tables: dict[str, NDArray[Any]] = {
+    tables: dict[str, Values] = {
         "windows": table,
         "transform": transform,
         "as given": _at_size(0.0, scales, transform).reshape(-1, 1, 1, 1),
@@ -847,7 +847,7 @@ def _optics(
     return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, waves, focus, stops, most, tuple(found))
 
 
-def _numbers(name: str, values: Any) -> NDArray[Any]:
+def _numbers(name: str, values: object) -> Values:
     """Return what is no array of a framework as one of numpy; TypeError or ValueError where it cannot be taken."""
     made = np.asarray(values)
     if made.dtype.kind not in "fiu":
@@ -857,7 +857,7 @@ def _numbers(name: str, values: Any) -> NDArray[Any]:
     return made
 
 
-def _pair(name: str, values: Any, least: float) -> tuple[float, float]:
+def _pair(name: str, values: ArrayLike, least: float) -> tuple[float, float]:
     found = np.sort(validation.real_array(name, values).ravel())
     if found.size != 2 or not least < found[0] < found[1]:
         raise ValueError(f"{name} must be two different numbers above {least:g}, got {validation.shown(values)}")
@@ -930,7 +930,7 @@ def _found_error(blur: TracedBlur, exact: _Exact, draw: np.random.Generator) -> 
     return float((np.abs(off).max(axis=-1) / truth.max(axis=-1)).max())
 
 
-def _placed(static: Blur, tables: Mapping[str, Any], device: object = None) -> TracedBlur:
+def _placed(static: Blur, tables: Mapping[str, Values], device: object = None) -> TracedBlur:
     """Return a blur with its tables, given in NumPy, on a device, in its precision."""
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
@@ -981,7 +981,7 @@ def _module_class() -> Any:
             """Return the function with the tables where they are now."""
             return TracedBlur(self._static, {name: getattr(self, f"table_{k}") for k, name in enumerate(self._names)})
 
-        def forward(self, image: Operand, distance: Operand, **options: Any) -> Any:
+        def forward(self, image: Operand, distance: Operand, **options: Operand) -> Operand:
             for name, value in self.named_parameters():
                 options.setdefault(name, value)
             return self.blur()(image, distance, **options)

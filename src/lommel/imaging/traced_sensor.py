@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from lommel.base import validation
 from lommel.recorded.noise import Noise
-from lommel.traced.namespaces import Operand
+from lommel.traced.namespaces import ArrayFunctions, Operand
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
 
-def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Any:
+def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     """Return an image as a sensor records it, with photon and read noise, differentiable in the image.
 
     ``image + sqrt(variance) * normal`` with the variance ``excess max(electrons, 0) + read^2`` of
@@ -55,7 +53,7 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Any:
     return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
 
 
-def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Any:
+def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
     """Return what a sensor with a Bayer pattern records of a colour image.
 
     Parameters
@@ -78,14 +76,14 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Any:
     shape = tuple(getattr(image, "shape", ()))
     if len(shape) < 3 or shape[-3] != 3 or shape[-2] % 2 or shape[-1] % 2:
         raise ValueError(f"image must have the shape (..., 3, height, width) with even sides, got {shape}")
-    total: Any = 0.0
+    total: Operand = 0.0
     for k in range(3):
         plane = image[..., k, :, :]
         total = total + plane * _sites(plane, colours, k)
     return total
 
 
-def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Any:
+def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
     """Return a colour image from that of a Bayer sensor, by bilinear interpolation; linear, hence differentiable.
 
     Missing values are the means of the nearest two or four recorded ones of their colour; beyond the edges the
@@ -124,7 +122,7 @@ def _colours(pattern: str) -> tuple[int, ...]:
     return tuple("RGB".index(colour) for colour in pattern)
 
 
-def _namespace(x: Operand) -> Any:
+def _namespace(x: Operand) -> Operand:
     """Return the namespace of an array."""
     if hasattr(x, "__array_namespace__"):
         return x.__array_namespace__()
@@ -143,14 +141,14 @@ def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
         xp.reshape(xp.arange(side, **where) % 2, shape) for side, shape in ((height, (-1, 1)), (width, (1, -1)))
     )
     place = 2 * row + column
-    found: Any = place < 0
+    found: Operand = place < 0
     for k, there in enumerate(colours):
         if there == colour:
             found = found | (place == k)
     return xp.astype(found, like.dtype)
 
 
-def _beside(xp: Any, x: Operand, axis: int) -> Operand:
+def _beside(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
     """Return the sum of both neighbours along an axis; beyond the edge is the one before the last pixel."""
     count = x.shape[axis]
 
@@ -164,9 +162,9 @@ def _beside(xp: Any, x: Operand, axis: int) -> Operand:
     return before + after
 
 
-def _smooth(xp: Any, x: Operand, axis: int) -> Operand:
+def _smooth(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
     return 0.5 * x + 0.25 * _beside(xp, x, axis)
 
 
-def _cross(xp: Any, x: Operand) -> Operand:
+def _cross(xp: ArrayFunctions, x: Operand) -> Operand:
     return 0.25 * (_beside(xp, x, -1) + _beside(xp, x, -2))

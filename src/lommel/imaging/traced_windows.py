@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.optics.lens import Lens
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -181,7 +181,7 @@ class AberratedWindows(NamedTuple):
         phase = xp.reshape(c, (-1, 1)) * tables["focus"] + moving
         made = []
         for channel in self.lights:
-            total: Any = 0.0
+            total: Operand = 0.0
             for stretch, weight in channel:
                 total = total + weight * self._light(
                     ns, tables, stretch * phase, tables["lattice"] * (stretch / scale)
@@ -223,7 +223,7 @@ def make(
     spectra: tuple[tuple[tuple[float, float], ...], ...],
     window: tuple[int, float],
     tol: float,
-) -> tuple[AberratedWindows, dict[str, NDArray[Any]]]:
+) -> tuple[AberratedWindows, dict[str, Values]]:
     """Return windows and their tables for coefficients up to those of `terms`, and C_d in a `reach`.
 
     `window` is the half width in pixels, and the pixel in v at the smallest scale and the wavelength of the lens.
@@ -259,7 +259,7 @@ def make(
             "a smaller range of distances or coefficients"
         )
 
-    def built(share: float) -> tuple[AberratedWindows, dict[str, NDArray[Any]]]:
+    def built(share: float) -> tuple[AberratedWindows, dict[str, Values]]:
         counts = [math.ceil(share * count) for count in (samples, chords, each)]
         nodes, shares = gauss_legendre(counts[0], -0.5, 0.5)
         angle = np.arange(1, counts[1] + 1) * (math.pi / (counts[1] + 1))
@@ -270,7 +270,7 @@ def make(
         weights = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss for sign in signs])
         rho, theta = np.hypot(x[:, None], y).ravel(), np.arctan2(y, x[:, None] + 0.0 * y).ravel()
         still = sum((value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho)
-        tables: dict[str, NDArray[Any]] = {
+        tables: dict[str, Values] = {
             "zernike": np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]),
             "focus": (2.0 * rho * rho - 1.0)[None],
             "fixed": still[None],

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import atomic, options, reading, validation
 from lommel.base.arrays import Array
+from lommel.core.answers import DType
 from lommel.io.photos import JPEG, PhotoError, find_depth, told
 from lommel.io.registry import Values
 
@@ -128,7 +129,7 @@ class DepthValues:
             )
         return found
 
-    def _invert(self, found: Array, kind: np.dtype[Any], ends: tuple[float, float], name: str) -> None:
+    def _invert(self, found: Array, kind: DType, ends: tuple[float, float], name: str) -> None:
         """Replace shares of the brightest level by metres."""
         assert self.inverse is not None
         if kind.kind != "f" and (kind.kind != "u" or kind.itemsize > 2):

@@ -253,7 +253,7 @@ def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
         return OPDMap(metres * values.astype(np.float64), spacing, wavelength)
 
 
-def _unit(text: Any) -> str | None:
+def _unit(text: object) -> str | None:
     """Return the unit that a file names, as this package names it where it knows it."""
     plain = str(text).strip()
     if not plain:

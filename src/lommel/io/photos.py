@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -26,6 +26,9 @@ from lommel.base.encoding import ENCODINGS, from_light, scene_light
 from lommel.base.optional import library, version
 from lommel.io import registry
 from lommel.io.registry import Description, Format, Values
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 PREFIX = b"Exif\0\0"
 """What JPEG has before EXIF."""
@@ -561,7 +564,7 @@ _ALPHA = (
 )
 
 
-def _array(image: Any) -> Values:
+def _array(image: Image) -> Values:
     """Return the values of an image of Pillow without alpha, which must be opaque; band by band, to save copies."""
     width, height = image.size
     plain = {"P": "RGB", "1": "L"}.get(image.mode)

@@ -11,7 +11,7 @@ import zipfile
 import zlib
 from collections.abc import Callable
 from functools import partial
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from lommel.optics.colour.spectrum import Spectrum
 from lommel.optics.layers.emitter import Beam
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
+
+if TYPE_CHECKING:
+    from h5py import File
 
 SLOPE = "derivative "
 """Prefix of the names of derivatives in a file."""
@@ -421,7 +424,7 @@ def write_hdf5(psf: Kept, description: Description) -> bytes:
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 
-    def fill(file: Any) -> None:
+    def fill(file: File) -> None:
         said = np.bytes_(text(description, arrays).encode())
         file.create_dataset("description", data=said, track_times=False)
         if isinstance(psf, ColourPSFLike):
@@ -468,7 +471,7 @@ def write_mat(psf: Kept, description: Description) -> bytes:
     arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
     arrays |= {"wavelength": waves[:, None], "weight": np.atleast_2d(shares).T} if waves.size else {}
 
-    def fill(file: Any) -> None:
+    def fill(file: File) -> None:
         for name, values in arrays.items():
             stored = file.create_dataset(name, data=values, track_times=False)
             stored.attrs["MATLAB_class"] = np.bytes_("single" if values.dtype == np.float32 else "double")
@@ -495,7 +498,7 @@ def _for_matlab(values: Values) -> Values:
     return values.transpose(*reversed(stack), values.ndim - 1, values.ndim - 2)
 
 
-def _hdf5(fill: Callable[[Any], None], head: bytes) -> bytes:
+def _hdf5(fill: Callable[[File], None], head: bytes) -> bytes:
     """Return a file that `fill` fills, with its head and a checksum."""
     import h5py
 
@@ -514,7 +517,7 @@ def _sum(data: bytes | bytearray) -> bytes:
     return f"{zlib.crc32(memoryview(data)[_BLOCK:]):08x}".encode()
 
 
-def _opened(data: bytes) -> Any:
+def _opened(data: bytes) -> File:
     if not data.startswith(_CHECKED, _SEAL):
         raise ValueError("no checksum of how it was written")
     if not data.startswith(_sum(data), _SEAL + len(_CHECKED)):
@@ -522,7 +525,7 @@ def _opened(data: bytes) -> Any:
     return reading.hdf5(data)
 
 
-def _array(file: Any, name: str, data: bytes) -> Values:
+def _array(file: File, name: str, data: bytes) -> Values:
     """Return an array that is stored contiguously in the file itself."""
     found = reading.hdf5_below(file, name)
     if not hasattr(found, "chunks"):  # a group, or nothing

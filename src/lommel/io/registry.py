@@ -13,6 +13,7 @@ from typing import Any, TypeAlias, TypeVar
 from numpy.typing import NDArray
 
 from lommel.base import optional, reading, validation
+from lommel.base.arrays import Json
 
 KINDS = {
     "psf": "a PSF",
@@ -35,7 +36,7 @@ Values: TypeAlias = NDArray[Any]
 Arrays: TypeAlias = dict[str, Values]
 """The arrays of a file, by name."""
 
-Description: TypeAlias = dict[str, Any]
+Description: TypeAlias = Json
 """How a PSF was computed, in plain types, written as JSON."""
 
 DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"

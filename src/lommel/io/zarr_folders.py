@@ -12,7 +12,7 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
@@ -20,6 +20,7 @@ from typing import Any, Self
 import numpy as np
 
 from lommel.base import reading, validation
+from lommel.base.arrays import Json
 from lommel.base.validation import shown
 from lommel.io.registry import Description, Values
 
@@ -194,13 +195,13 @@ META = "zarr.json"
 _KINDS = ("float32", "float64", "uint8", "int64")
 
 
-def write_group(folder: Path, attributes: Mapping[str, Any]) -> None:
+def write_group(folder: Path, attributes: Json) -> None:
     """Write a group, a folder that holds arrays."""
     folder.mkdir(parents=True, exist_ok=True)
     _write_meta(folder, {"zarr_format": 3, "node_type": "group", "attributes": attributes})
 
 
-def _write_meta(folder: Path, said: Mapping[str, Any]) -> None:
+def _write_meta(folder: Path, said: Json) -> None:
     (folder / META).write_text(json.dumps(said, indent=2, allow_nan=False), encoding="utf-8")
 
 
@@ -250,9 +251,7 @@ class ZarrArray:
     layout: Layout
     separator: str = "."  # between the numbers of a chunk in its file name
 
-    def create(
-        self, *, fill: float = 0, attributes: Mapping[str, Any] | None = None, values: Values | None = None
-    ) -> None:
+    def create(self, *, fill: float = 0, attributes: Json | None = None, values: Values | None = None) -> None:
         """Write the metadata of the array, of its group if that has none, and the chunks of the values, if given."""
         if not (self.folder.parent / META).exists():
             write_group(self.folder.parent, {})

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from lommel.base import atomic, display, reading, validation
+from lommel.base.arrays import Json
 from lommel.base.options import near
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import registry, text_files
@@ -188,7 +189,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
 
 def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[int, float]) -> None:
     """Write a table with the standard errors of some of its terms, in its unit; readers leave these out."""
-    settings: dict[str, Any] = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
+    settings: Json = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
     if table.obscuration:
@@ -256,7 +257,7 @@ _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 
 def build(
-    settings: Mapping[str, Any], terms: Sequence[tuple[str, object, str]], where: Callable[[str], str]
+    settings: Json, terms: Sequence[tuple[str, object, str]], where: Callable[[str], str]
 ) -> tuple[ZernikeTable | None, list[str]]:
     """Build a table from settings and terms (index, value, place in the file), or return all errors.
 

@@ -7,10 +7,11 @@ import time
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 
+from lommel.base.arrays import Array, Json
 from lommel.base.plain import plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
@@ -216,7 +217,7 @@ class ImageQuality(PointQuality):
         float
             Metres.
         """
-        of: Any = "image" if pixel else "optics"
+        of: Literal["image", "optics"] = "image" if pixel else "optics"
         return float(spot.energy_diameter(self.image, _SHARE, about="centroid", of=of))
 
     def mtf(self, frequency: float, angle: float = 0.0, *, pixel: bool = False) -> float:
@@ -294,7 +295,7 @@ class ImageQuality(PointQuality):
         within = iter(found.fraction.tolist())
         return [next(within) if r <= most else None for r in radii], found.error
 
-    def setup(self) -> dict[str, Any]:
+    def setup(self) -> Json:
         """Return what is known of the lens, its object and its sensor as plain data, without measures of images.
 
         Returns
@@ -328,7 +329,7 @@ class ImageQuality(PointQuality):
         }
         return dict(plain(found))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return all measures as plain data, None for infinity and what cannot be computed.
 
         Those along x have plain names, those along y end in "_y"; "refused" has the reasons of what is missing.
@@ -347,12 +348,12 @@ class ImageQuality(PointQuality):
                 reasons[str(reason)] = None
                 return None
 
-        def read(of: PointQuality, *names: str) -> dict[str, Any]:
+        def read(of: PointQuality, *names: str) -> Json:
             return {name: tried(partial(getattr, of, name)) for name in names}
 
         nothing: tuple[list[float | None], None] = [None] * len(radii), None
         seen, ideal = (tried(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True))
-        transfers: dict[str, Any] = {}
+        transfers: Json = {}
         for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
             nyquist = 0.5 / side
             transfers |= {
@@ -405,7 +406,7 @@ class ImageQuality(PointQuality):
             found[f"{name}_with_pixel"] = None if hidden else tried(partial(measure, pixel=True))
         return found
 
-    def _places(self) -> dict[str, Any]:
+    def _places(self) -> Json:
         """Return the description of the field, with places from the axis to a corner of the sensor."""
         assert self.instrument.sensor is not None  # as long as there is a map
         field, (height, width) = self.instrument.field(), self.instrument.sensor
@@ -428,7 +429,7 @@ def magnifies(lens: Lens) -> bool:
     return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
-def other_model(instrument: Instrument) -> dict[str, Any]:
+def other_model(instrument: Instrument) -> Json:
     """Return how the PSF changes with the other model of the lens, paraxial or aplanatic; or the "reason" why not.
 
     "peak_error" is the largest difference of the two PSFs in the window over the peak of the aplanatic one.
@@ -455,9 +456,7 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
     return found | {"geometric_radius": float(blur), "peak_error": difference}
 
 
-def sensor_mtf(
-    instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None
-) -> dict[str, Any]:
+def sensor_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None) -> Json:
     """Return the MTF, pixel included, along x and y at the Nyquist frequency and at half of it as plain data.
 
     "frequency" has the Nyquist frequencies along x and y, cycles per metre; "rows" one row for each place of a `grid`
@@ -485,7 +484,7 @@ def sensor_mtf(
     return {"frequency": nyquist, "rows": rows}
 
 
-def listed_terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:
+def listed_terms(terms: dict[tuple[int, int], Any]) -> list[Json]:
     """Return Zernike terms in waves rms, in Noll's order."""
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
@@ -493,7 +492,7 @@ def listed_terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:
     ]
 
 
-def _stop(stop: Shape | Segments) -> dict[str, Any]:
+def _stop(stop: Shape | Segments) -> Json:
     """Return of what a stop is made, and the spread of the phases of its segments."""
     shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
     parts = [part for one in shapes for part in one.parts if part != Disc()]  # but the rim itself
@@ -505,11 +504,11 @@ def _stop(stop: Shape | Segments) -> dict[str, Any]:
     }
 
 
-def _across(rho: Any, theta: Any) -> Any:
+def _across(rho: Array, theta: Array) -> Array:
     return rho * np.cos(theta)
 
 
-def _down(rho: Any, theta: Any) -> Any:
+def _down(rho: Array, theta: Array) -> Array:
     return rho * np.sin(theta)
 
 
@@ -527,7 +526,7 @@ _OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
 _OF_FOCUS = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
 
 
-def microscope_quality(microscope: Microscope, *, foci: bool = True) -> dict[str, Any]:
+def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
     """Return what is known of a microscope as plain data; with `foci`, also of a dipole at several depths.
 
     Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians. "refused" has
@@ -593,7 +592,7 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
 
 def compare_methods(
     instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
-) -> tuple[list[dict[str, Any]], dict[str, PSF]]:
+) -> tuple[list[Json], dict[str, PSF]]:
     """Return the errors and times of several methods against the `reference`, and the PSFs of those that apply.
 
     The PSF of the reference comes first, called "Hankel" or by name and tolerance. Those on other samples than it has
@@ -623,7 +622,7 @@ def compare_methods(
     answers, rows = {judge_name: truth}, []
     for method in methods:
         name = type(method).__name__
-        row: dict[str, Any] = {"method": name, "options": method.to_dict(), "reason": None}
+        row: Json = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
         if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and magnifies(instrument.lens):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any, TypedDict
+from typing import TypedDict
 
 from lommel.base import validation
+from lommel.base.arrays import Json
 from lommel.base.units import format_length
 from lommel.field.maps import FieldMap
 from lommel.measures.aperture_means import strehl
@@ -60,7 +61,7 @@ class Camera:
         excess = "" if self.excess == 1.0 else f", excess noise {self.excess:g}"
         return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return what is known of the camera besides its pixels as plain data.
 
         Returns

@@ -115,7 +115,7 @@ class _Mask(Section):
 
     @field_validator("file")
     @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+    def _file(cls, value: object, info: ValidationInfo) -> Any:
         if "holds" not in info.data:
             return value  # `holds` has an error of its own
         wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
@@ -156,7 +156,7 @@ class _Metres(float):
     """A length in metres, where other numbers are over the radius of the aperture."""
 
 
-def _extent(value: Any) -> float:
+def _extent(value: object) -> float:
     """Return a length of a shape: a text with a unit, or a number over the radius of the aperture."""
     if isinstance(value, str):
         return _Metres(finite(parse_length(value, "50 mm")))
@@ -242,7 +242,7 @@ class _Segments(Section):
 
     @field_validator("file")
     @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+    def _file(cls, value: object, info: ValidationInfo) -> Any:
         return None if value is None else read_beside(info.context, value, "the name of a text file", _read_phases)
 
     @classmethod
@@ -405,7 +405,7 @@ def _lengths(value: Any, info: ValidationInfo) -> Any:
     return parse_length(value, example)
 
 
-def _numbers(value: Any) -> Any:
+def _numbers(value: object) -> Any:
     return tuple(value) if isinstance(value, list) else value
 
 
@@ -585,7 +585,7 @@ class ChannelsSection(MadeSection):
 
     @field_validator("file")
     @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+    def _file(cls, value: object, info: ValidationInfo) -> Any:
         given = info.data
         if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
             return value  # the others have errors of their own
@@ -645,7 +645,7 @@ class _Field(_Seidel):
 
     @field_validator("rows")
     @classmethod
-    def _rows(cls, value: Any, info: ValidationInfo) -> Any:
+    def _rows(cls, value: object, info: ValidationInfo) -> Any:
         if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
             raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
         if not {"order", "columns"} <= info.data.keys():
@@ -656,7 +656,7 @@ class _Field(_Seidel):
 
     @field_validator("file")
     @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+    def _file(cls, value: object, info: ValidationInfo) -> Any:
         if "order" not in info.data:
             return value
         read = partial(tables.read_csv, order=info.data["order"])

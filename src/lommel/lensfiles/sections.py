@@ -49,7 +49,7 @@ def wavefront(table: ZernikeTable, wavelength: float) -> Wavefront:
     return replace(table, wavelength=own).wavefront(wavelength)
 
 
-def _read(value: Any) -> Any:
+def _read(value: object) -> Any:
     """Return a camera; what was wrong with it is raised here, so that it is told with all other errors."""
     if isinstance(value, ValueError):
         raise value
@@ -66,7 +66,7 @@ class Sensor(Section):
 
     @model_validator(mode="before")
     @classmethod
-    def _of_camera(cls, raw: Any, info: ValidationInfo) -> Any:
+    def _of_camera(cls, raw: object, info: ValidationInfo) -> Any:
         """Return the section with its camera read, whose pixels it has unless it states its own."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw

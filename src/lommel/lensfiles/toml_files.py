@@ -23,6 +23,7 @@ from pydantic import (
 from pydantic_core import ErrorDetails, InitErrorDetails
 
 from lommel.base import reading, validation
+from lommel.base.arrays import Json
 from lommel.base.options import near
 from lommel.base.units import parse_angle, parse_length, with_units
 from lommel.base.validation import shown
@@ -32,7 +33,7 @@ _Read = TypeVar("_Read")
 _Model = TypeVar("_Model", bound="Section")
 _Made = TypeVar("_Made")
 
-Toml: TypeAlias = dict[str, Any]
+Toml: TypeAlias = Json
 """The contents of a TOML file."""
 
 
@@ -59,7 +60,7 @@ def finite(value: float) -> float:
 def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
     """Return a check whose every error is a ValueError, as pydantic collects them."""
 
-    def checked(value: Any) -> _Made:
+    def checked(value: object) -> _Made:
         try:
             return check(value)
         except TypeError as error:
@@ -124,7 +125,7 @@ class Section(BaseModel):
 
     @model_validator(mode="wrap")
     @classmethod
-    def _with_fault(cls, raw: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+    def _with_fault(cls, raw: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
         """Validate, and tell a fault together with errors of the values."""
         told = cls.fault(raw) if isinstance(raw, dict) else None
         faults = (

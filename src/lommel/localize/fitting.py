@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Index, Values
 from lommel.core import engine
 from lommel.localize.detection import DEFECT, box_pixels
 from lommel.localize.table import Table
@@ -92,7 +92,7 @@ class Molecules:
     def __len__(self) -> int:
         return len(self.row)
 
-    def __getitem__(self, which: Any) -> Molecules:
+    def __getitem__(self, which: Index) -> Molecules:
         """Return some of the molecules, indexed as an array of them by a slice, a mask or an array of indices."""
         if np.ndim(np.empty(len(self))[which]) != 1:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
@@ -264,7 +264,7 @@ def _named(of: Array, several: bool, per: int) -> dict[str, Any]:
     return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*of[:, :3].T, *light)), strict=True))
 
 
-def _fitter(tables: tuple[Table, ...], matrices: bytes) -> Any:
+def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
     """Return what fits, with its templates, kept with the first table."""
     if len({(each.z, each.along) for each in tables}) > 1:
         raise ValueError("table must have channels of one range of z along the same direction")
@@ -305,7 +305,7 @@ def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[V
     return boxes
 
 
-def _cameras(tables: list[Table], noise: Any, *, placed: bool) -> list[Noise]:
+def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, *, placed: bool) -> list[Noise]:
     channels = len(tables)
     given = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
     for each in given if isinstance(given, Sequence) else [given]:
@@ -332,7 +332,7 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
     return found
 
 
-def _transforms(transforms: Any, channels: int) -> tuple[Array, Array]:
+def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Array]:
     """Return the matrix of each channel, (channels, 4), and its shift, (channels, 2)."""
     whole = np.tile(np.eye(2, 3), (channels, 1, 1))
     if transforms is not None:
@@ -345,7 +345,7 @@ def _transforms(transforms: Any, channels: int) -> tuple[Array, Array]:
     return np.ascontiguousarray(whole[:, :, :2]).reshape(channels, 4), whole[:, :, 2]
 
 
-def in_electrons(box: NDArray[Any], camera: Noise, corners: Array) -> tuple[Any, Any]:
+def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
     """Return boxes in electrons and the variance of reading, of each or of all, as float32."""
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
     pixels = box_pixels(corners.astype(np.int64), box.shape[1:])

@@ -11,13 +11,13 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic, validation
-from lommel.base.arrays import Values
+from lommel.base.arrays import Index, Json, Values
 from lommel.base.optional import library, version
 from lommel.fit.findings import Findings, FitReport
 from lommel.io import registry
@@ -111,7 +111,7 @@ class Localizations(FitReport):
         n = self.recording.frames
         return f"<Localizations: {len(self)} in {n} frame{'s' * (n != 1)}{': ' if counts else ''}{counts}>"
 
-    def __getitem__(self, which: Any) -> Localizations:
+    def __getitem__(self, which: Index) -> Localizations:
         """Return some of them, by a slice, a mask or an array of indices."""
         chosen = self.table[which]
         if chosen.ndim != 1:
@@ -134,7 +134,7 @@ class Localizations(FitReport):
         found = np.bincount(self.table["state"], minlength=len(self.states))
         return dict(zip(self.states, found.tolist(), strict=True))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the result as plain data, without the table.
 
         Returns

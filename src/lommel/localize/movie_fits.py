@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage, special
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.units import format_length
 from lommel.fit.findings import Finding, Findings, Severity
 from lommel.fit.goodness_of_fit import excess_test
@@ -164,7 +164,7 @@ class Checks:
         if not likelier:
             return
         name, (gain, count, error) = max(likelier.items(), key=lambda one: one[1])
-        numbers: dict[str, Any] = {"molecules": count, "log_likelihood": gain, "error": error}
+        numbers: Json = {"molecules": count, "log_likelihood": gain, "error": error}
         told = f"{count} molecules of the first frames are likelier"
         text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
         if name == "sign":

@@ -6,7 +6,7 @@ import math
 from collections import Counter, deque
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 from lommel import show
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.localize.detection import APART, Kernel, box_pixels, brightest, filled, image_counts, smoothed
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
@@ -276,7 +276,7 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
 
 def target_windows(
     counts: Counts, single: bool, center: Array, order: Values, box: tuple[int, int], score: Array, reasons: list[str]
-) -> dict[str, Any]:
+) -> Json:
     """Return what :class:`Targets` have: windows around those of an order, masked if pixels are left out anywhere."""
     (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
     at = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]

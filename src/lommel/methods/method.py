@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted, not_met
 from lommel.core.engine import Window, pixel_radii, pixel_values
 from lommel.optics.base_pupil import BasePupil, imaged
@@ -182,7 +182,7 @@ class Method(ABC, Generic[P]):
         if reason is not None:
             raise Declined(f"{type(self).__name__} {reason}")
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the method's name and options in plain types."""
         return described(self)
 
@@ -208,7 +208,7 @@ def beyond_period(what: str, reach: float, period: float) -> ValueError:
     )
 
 
-def described(thing: Any) -> dict[str, Any]:
+def described(thing: Any) -> Json:
     """Return the name and the fields of a dataclass as plain types, and likewise those of dataclasses in it."""
     options = {item.name: getattr(thing, item.name) for item in fields(thing)}
     for name, value in options.items():

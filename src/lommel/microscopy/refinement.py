@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
-from lommel.recorded.counts import plane_of
+from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
@@ -49,12 +49,12 @@ _EXPLAINED = 0.03  # of the misfit that these steps leave, by another PSF that i
 _AS_GOOD = 0.5  # of what the best PSF explains: others that explain so much are named beside it
 
 
-def crop_of(stack: Any, side: int, saturation: float) -> tuple[slice, slice]:
+def crop_of(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
     """Return rows and columns around the brightest detail, of a part as wide as PSFs of a `side`, within limits."""
     return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
 
-def brightest(stack: Any, size: int, saturation: float) -> tuple[slice, slice]:
+def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]:
     """Return rows and columns of a part of this size around the brightest detail, as far as voxels are known."""
     from scipy.ndimage import uniform_filter
 
@@ -88,7 +88,7 @@ def _places(names: int) -> int:
 class Looked(NamedTuple):
     """A stack, and what is known of it."""
 
-    stack: Any
+    stack: Stack
     model: DepthModel
     camera: Noise
     saturation: float

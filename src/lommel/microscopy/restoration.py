@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.atomic import Unfinished
 from lommel.base.optional import version
 from lommel.base.units import format_length, with_error
@@ -43,13 +43,15 @@ from lommel.recorded.camera_noise import (
     measured_noise,
     sharpness,
 )
-from lommel.recorded.counts import full_value, plane_of
+from lommel.recorded.counts import PlanePart, Stack, full_value, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 from lommel.show import estimates as pictures
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 
 INTERRUPTED = "interrupted"
 """Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
@@ -157,7 +159,7 @@ class RestoredStack(FitReport):
             f"{first.steps} steps, stopped by {first.stopped!r}>"
         )
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the result as plain data, as JSON has it, without values.
 
         Returns
@@ -381,7 +383,7 @@ def restore(
     wanted = [validation.choice("refine", name, PARAMETERS) for name in _listed("refine", refine)]
     tell = progress or _silent
     lens, given = _objective(objective)
-    hidden: Any = False
+    hidden: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
         stack, hidden = validation.parted("stack", stack)
     with recordings.open_recording(stack, time=time, axes=axes) as opened, ExitStack() as held:
@@ -456,7 +458,7 @@ def _silent(*_: object) -> None:
     return None
 
 
-def _listed(name: str, given: Any) -> list[Any]:
+def _listed(name: str, given: object) -> list[str]:
     if isinstance(given, str) or not isinstance(given, Sequence):
         raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(given)}')
     return list(given)
@@ -628,17 +630,21 @@ def _model(
 class _Turned:
     """A stack whose planes are taken in the other order."""
 
-    def __init__(self, stack: Any) -> None:
+    def __init__(self, stack: Stack) -> None:
         self._stack = stack
         self.shape, self.dtype = stack.shape, stack.dtype
 
     def __len__(self) -> int:
         return int(self.shape[0])
 
-    def __getitem__(self, at: Any) -> Values:
+    def __getitem__(self, at: PlanePart) -> Values:
         plane, *rest = at if isinstance(at, tuple) else (at,)
         found: Values = self._stack[(len(self) - 1 - plane, *rest)]
         return found
+
+
+Chunk = tuple[int, slice, slice, slice]
+"""The place of a chunk: channel, planes, rows, columns."""
 
 
 class _Target:
@@ -652,21 +658,21 @@ class _Target:
                 self._array = _opened(begun.new, "r+")["0"]
                 if getattr(self._array, "shape", None) != shape:
                     raise ValueError("it lacks its array")
-        self._kept: list[tuple[str, tuple[Any, ...]]] = []
+        self._kept: list[tuple[str, Chunk]] = []
 
-    def has(self, request: str, at: tuple[Any, ...]) -> bool:
+    def has(self, request: str, at: Chunk) -> bool:
         """Return whether a chunk of a request is done."""
         if self.begun is None or not self._same(request, at):
             return False
         self._kept.append((request, at))
         return True
 
-    def _same(self, request: str, at: tuple[Any, ...]) -> bool:
+    def _same(self, request: str, at: Chunk) -> bool:
         assert self.begun is not None
         with _damaged(self.begun):
             return self.begun.has(_name(at), request, np.asarray(self._array[at]))
 
-    def put(self, request: str, at: tuple[Any, ...], values: Values) -> None:
+    def put(self, request: str, at: Chunk, values: Values) -> None:
         """Write a chunk."""
         if self.begun is None:
             self._array[at] = values
@@ -703,7 +709,7 @@ def _damaged(begun: Unfinished) -> Iterator[None]:
         raise ValueError(f"{line(begun.room)} is damaged ({reading.reason(error)}); remove it") from None
 
 
-def _name(at: tuple[Any, ...]) -> str:
+def _name(at: Chunk) -> str:
     return f"{at[0]}.{at[2].start}.{at[3].start}"
 
 
@@ -733,7 +739,7 @@ def _opened(folder: Path, mode: Any) -> Any:
     return zarr.open(str(folder), mode=mode)
 
 
-def _hashed(stack: Any) -> str:
+def _hashed(stack: Stack) -> str:
     """Return the checksum of all values of a stack."""
     found = hashlib.sha256()
     for plane in range(len(stack)):
@@ -918,7 +924,7 @@ class _Job:
         """Return the codes of what is in doubt."""
         return tuple(each.code for each in self._findings if each.severity == "doubt")
 
-    def _without_hot(self, camera: Noise, limit: float) -> tuple[Any, float]:
+    def _without_hot(self, camera: Noise, limit: float) -> tuple[Stack, float]:
         """Return the stack without its hot pixels and voxels, and from which value on voxels are unknown."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
@@ -1005,7 +1011,7 @@ class _Job:
 
     def _tiles(
         self,
-        source: Any,
+        source: Stack,
         camera: Noise,
         limit: float,
         psfs: PSFs,
@@ -1024,7 +1030,7 @@ class _Job:
         tiles = sorted(_parts(height, width, side), key=lambda part: _off(part, height, width))
         alone = len(tiles) == 1
         overlap = self._model.window[1]
-        blurs: dict[tuple[int, ...], Any] = {}
+        blurs: dict[tuple[int, ...], TiledBlur | WideBlur] = {}
         aspect = self._model.pixel / self._model.objective.magnification / self._model.step
         course: list[Move] | None = None
         level = 0.0 if alone else _level(source, camera, limit)
@@ -1163,7 +1169,7 @@ def between(low: float, high: float) -> str:
     return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 
 
-def _level(stack: Any, camera: Noise, limit: float) -> float:
+def _level(stack: Stack, camera: Noise, limit: float) -> float:
     """Return the mean light of a stack, from which all chunks start."""
     total = weights = 0.0
     for plane in range(len(stack)):
@@ -1191,7 +1197,7 @@ def _around(part: slice, overlap: int, side: int) -> slice:
     return slice(max(part.start - overlap, 0), min(part.stop + overlap, side))
 
 
-def _loaded(source: Any, rows: slice, columns: slice) -> Values:
+def _loaded(source: Stack, rows: slice, columns: slice) -> Values:
     """Return part of all planes in memory, read by one thread, as files must be."""
     out = np.empty((source.shape[0], rows.stop - rows.start, columns.stop - columns.start), source.dtype)
     for plane in range(len(out)):

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lommel.base.arrays import Json
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import example_files
 from lommel.lensfiles.microscope_files import load_microscope
@@ -18,7 +19,7 @@ from lommel.psf import PSF
 from lommel.psf import psf as compute
 from lommel.recorded.recordings import open_recording
 
-LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
+LayerData: TypeAlias = tuple[Any, Json, str]
 """Data, options and type of a layer."""
 
 KEY = "lommel"  # of what a layer's metadata holds for this plugin
@@ -29,7 +30,7 @@ _METRES = {"meter": 1.0, "millimeter": 1e-3, "micrometer": 1e-6, "nanometer": 1e
 def layer_of(psf: PSF, name: str) -> LayerData:
     """Return a PSF as a layer with its voxel size in micrometres."""
     scale = voxel(psf)
-    options: dict[str, Any] = {"name": name, "metadata": {KEY: psf}, "colormap": "inferno", "gamma": 0.5}
+    options: Json = {"name": name, "metadata": {KEY: psf}, "colormap": "inferno", "gamma": 0.5}
     if scale is not None:
         options |= {"scale": scale, "units": ("um",) * len(scale)}
     return np.asarray(psf.values), options, "image"
@@ -50,7 +51,7 @@ def voxel(psf: PSF) -> tuple[float, ...] | None:
     return (*others, *steps, *sides)
 
 
-def psf_of(metadata: dict[str, Any]) -> PSF | None:
+def psf_of(metadata: Json) -> PSF | None:
     """Return the PSF that a layer was made of, by its metadata, or None."""
     found = metadata.get(KEY)
     return found if isinstance(found, PSF) else None

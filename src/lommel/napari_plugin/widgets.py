@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from lommel.base.arrays import Values
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import of_kind
@@ -200,6 +201,9 @@ _BY_DEPTH, _ESTIMATED, _STATED = "by depth, of the objective", "estimated from t
 _WIDTH = 60  # letters of a line of notes
 
 
+Restored = tuple[Any, Values, str, tuple[str, ...]]  # the layer, the values, a line on them, notes
+
+
 def deconvolution_widget() -> Container[Any]:
     """Return the widget: a stack with its voxels, an objective or a PSF, the camera's noise, and steps."""
     import napari
@@ -254,7 +258,7 @@ def deconvolution_widget() -> Container[Any]:
         psf.reset_choices()
         voxels()
 
-    def begin() -> Callable[[Callable[[float], None]], tuple[Any, Any, str, tuple[str, ...]]]:
+    def begin() -> Callable[[Callable[[float], None]], Restored]:
         if stack.value is None:
             raise ValueError("open a stack of planes, rows and columns first")
         source, most = layers[stack.value], steps.value
@@ -273,14 +277,14 @@ def deconvolution_widget() -> Container[Any]:
         given |= {"pixel": 1e-9 * pixel.value * found.objective.magnification, "noise": known}
         method = RichardsonLucy(steps=most, target=1.0)
 
-        def by_depth(tell: Callable[[float], None]) -> tuple[Any, Any, str, tuple[str, ...]]:
+        def by_depth(tell: Callable[[float], None]) -> Restored:
             values = np.asarray(source.data)
             made = restore(values, found, method=method, progress=lambda share, _: tell(share), **given)
             (each,) = made.channels
             words = f"{each.steps} steps, discrepancy {each.discrepancy:.3g}, stopped: {each.stopped}"
             return source, made.values, words, made.notes
 
-        def by_one(tell: Callable[[float], None]) -> tuple[Any, Any, str, tuple[str, ...]]:
+        def by_one(tell: Callable[[float], None]) -> Restored:
             assert kernel is not None
             assert known is not None
             values = np.asarray(source.data)
@@ -291,7 +295,7 @@ def deconvolution_widget() -> Container[Any]:
 
         return by_depth if kernel is None else by_one
 
-    def done(made: tuple[Any, Any, str, tuple[str, ...]]) -> str:
+    def done(made: Restored) -> str:
         source, values, words, notes = made
         options = {"scale": source.scale, "units": source.units, "colormap": "inferno", "metadata": {KEY: notes}}
         viewer.add_image(values, name=f"{source.name} deconvolved", **options)

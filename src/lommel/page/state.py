@@ -11,7 +11,7 @@ from urllib.parse import quote
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.lensfiles.instrument import Instrument
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.shapes import Spider
@@ -98,7 +98,7 @@ class Word(NamedTuple):
         """The default."""
         return self.choices[0]
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> Json:
         """Return the description for the page."""
         return {"initial": self.initial, "choices": list(self.choices), "about": self.about}
 
@@ -117,9 +117,9 @@ class Terms(NamedTuple):
         """The default."""
         return ""
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> Json:
         """Return the description for the page."""
-        limits: dict[str, Any] = {"terms": MOST_TERMS, "degree": HIGHEST_DEGREE, "waves": MOST_WAVES}
+        limits: Json = {"terms": MOST_TERMS, "degree": HIGHEST_DEGREE, "waves": MOST_WAVES}
         return {"initial": self.initial, "about": self.about} | limits
 
     def accepted(self, name: str, value: object) -> str:
@@ -362,7 +362,7 @@ def powers(n: int, m: int) -> list[tuple[int, int]]:
     ]
 
 
-def complete(given: Mapping[str, object]) -> dict[str, Any]:
+def complete(given: Mapping[str, object]) -> Json:
     """Return a complete state from given values and the defaults."""
     for name in given:
         validation.choice("a name of the state", name, tuple(FIELDS))
@@ -379,7 +379,7 @@ def link(state: Mapping[str, object]) -> str:
     )
 
 
-def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
+def state_of(instrument: Instrument) -> tuple[Json, str]:
     """Return the state that shows an instrument, and a list of its features that the page cannot show.
 
     A lens with an object or a focus nearer than infinity is shown by its distances, others by their defocus.
@@ -394,7 +394,7 @@ def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
     waves.pop((0, 0), 0.0)
     # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
     spherical = 6.0 * waves.pop((4, 0), 0.0)
-    state: dict[str, Any] = {"spherical": spherical}
+    state: Json = {"spherical": spherical}
     if distances:
         waves[2, 0] = waves.get((2, 0), 0.0) - 0.5 * spherical
         state["focus"] = "distances"
@@ -452,7 +452,7 @@ def edge_factor(n: int, m: int) -> float:
     return math.sqrt((1 if m == 0 else 2) * (n + 1))
 
 
-def _vanes(spider: Spider | None) -> dict[str, Any]:
+def _vanes(spider: Spider | None) -> Json:
     """Return the part of a state with the vanes of a spider; empty where there are none, or not at equal angles."""
     if spider is None or len(spider.angles) > MOST_VANES:
         return {}
@@ -475,7 +475,7 @@ def pupil_of(state: Mapping[str, object]) -> Pupil:
             wavefront += turned.rotated(math.radians(whole[f"{name}_angle"]))
     if listed := further_terms(whole["zernike"]):
         wavefront += Wavefront.zernike(listed, unit="waves")
-    shared: dict[str, Any] = {"obscuration": whole["obscuration"], "wavelength": whole["wavelength"] * 1e-9}
+    shared: Json = {"obscuration": whole["obscuration"], "wavelength": whole["wavelength"] * 1e-9}
     if whole["vanes"]:
         first = math.radians(whole["vane_angle"])
         shared["spider"] = Spider.equal(whole["vanes"], whole["vane_width"], first)

@@ -7,6 +7,7 @@ from os import PathLike
 from typing import Any
 
 from lommel.base import validation
+from lommel.base.arrays import Json
 from lommel.base.optional import library
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.lens_files import load_instrument
@@ -63,7 +64,7 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     """
     kind = _kind()
     look = {name: state.pop(name) for name in ("controls", "theme") if name in state}
-    start: dict[str, Any] = {}
+    start: Json = {}
     if lens is not None:
         if not isinstance(lens, Instrument):
             if not isinstance(lens, (str, PathLike)):
@@ -106,12 +107,12 @@ def _kind() -> type:
         theme = traitlets.Enum(("light", "dark"), default_value=None, allow_none=True).tag(sync=True)
 
         @property
-        def state(self) -> dict[str, Any]:
+        def state(self) -> Json:
             """What the controls say."""
             return {name: getattr(self, name) for name in FIELDS}
 
         @state.setter
-        def state(self, change: dict[str, Any]) -> None:
+        def state(self, change: Json) -> None:
             whole = complete(self.state | change)
             with self.hold_sync():
                 for name, value in whole.items():

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import methods
+from lommel.base.arrays import Json, Values
 from lommel.measures.errors import mse, peak_error
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -27,8 +28,8 @@ if TYPE_CHECKING:
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
-Arrays: TypeAlias = dict[str, NDArray[Any]]
-Facts: TypeAlias = dict[str, Any]
+Arrays: TypeAlias = dict[str, Values]
+Facts: TypeAlias = Json
 
 VARIANTS = ("printed", "corrected")
 # The reference of every error, with a proven bound; `Hankel` agrees with it.

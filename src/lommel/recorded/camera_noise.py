@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from itertools import product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.units import with_error
-from lommel.recorded.counts import plane_of
+from lommel.recorded.counts import PlanePart, Stack, plane_of
 from lommel.recorded.noise import Noise
 
 _SURE = 10.0  # standard deviations of the noise,
@@ -41,7 +40,7 @@ def sharpness(psf: Array) -> float:
     return top / max(float(around.max()), 1e-12 * top)
 
 
-def hot_pixels(stack: Any, noise: Noise, sharpest: float, limit: float = math.inf) -> NDArray[np.bool_]:
+def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> NDArray[np.bool_]:
     """Return which pixels are hot: above all of their neighbours in most planes, whatever is in focus there.
 
     A pixel exceeds the median of its eight neighbours by more than eight standard errors in the mean over the planes;
@@ -64,7 +63,7 @@ def hot_pixels(stack: Any, noise: Noise, sharpest: float, limit: float = math.in
 
 
 def _persistent(
-    stack: Any, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], steepest: float
+    stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], steepest: float
 ) -> NDArray[np.bool_]:
     """Return hot pixels beside those that are known."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
@@ -93,7 +92,7 @@ def _persistent(
     return np.asarray(sure & often & (steps > steepest * slopes) & (seen >= _FEW))
 
 
-def hot_voxels(stack: Any, noise: Noise, sharpest: float, limit: float = math.inf) -> Array:
+def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> Array:
     """Return plane, row and column of the hot voxels of a stack, shape ``(n, 3)``.
 
     A voxel is one where its excess over the median of the plane is more than twice `sharpest` times that of the
@@ -128,7 +127,7 @@ class LeftOut:
     """
 
     def __init__(
-        self, stack: Any, limit: float, *, voxels: Array | None = None, mask: NDArray[np.bool_] | None = None
+        self, stack: Stack, limit: float, *, voxels: Array | None = None, mask: NDArray[np.bool_] | None = None
     ) -> None:
         self.shape, self.dtype = stack.shape, stack.dtype
         self._stack, self._voxels = stack, np.zeros((0, 3), int) if voxels is None else voxels
@@ -140,10 +139,10 @@ class LeftOut:
     def __len__(self) -> int:
         return int(self.shape[0])
 
-    def __getitem__(self, at: Any) -> Values:
+    def __getitem__(self, at: PlanePart) -> Values:
         plane, *rest = at if isinstance(at, tuple) else (at,)
-        part: Values = np.array(self._stack[(plane, *rest)])
-        part[self._mask[(plane, *rest)]] = self._unknown
+        part: Values = np.array(self._stack[at])
+        part[self._mask[at]] = self._unknown
         here = self._voxels[self._voxels[:, 0] == plane][:, 1:]
         for axis, each in enumerate(rest):
             first, end, _ = each.indices(self.shape[1 + axis])
@@ -165,7 +164,7 @@ _DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may
 _UNSURE = 0.3  # standard error of the gain over itself, from which on it is of no use
 
 
-def estimate_noise(stack: Any, *, read: float = _READ, excess: float = 1.0) -> Noise:
+def estimate_noise(stack: Stack, *, read: float = _READ, excess: float = 1.0) -> Noise:
     """Estimate gain and offset of the camera from a stack (photon transfer within the images).
 
     Parameters
@@ -200,7 +199,7 @@ def estimate_noise(stack: Any, *, read: float = _READ, excess: float = 1.0) -> N
     return Noise(white=found.white * factor, read=read, offset=found.offset, excess=factor)
 
 
-def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
+def measured_noise(stack: Stack, read: float = _READ) -> tuple[Noise, float]:
     """Return the same, and the standard error of the gain over the gain."""
     sigma = validation.real("read", read, least=0.0)
     return _fitted(*_points(stack), sigma)
@@ -221,7 +220,7 @@ def _fitted(mean: Array, squares: Array, independent: float, sigma: float) -> tu
     return Noise(white=1.0 / slope, read=sigma, offset=min(offset, lowest)), error / slope
 
 
-def contradiction(stack: Any, noise: Noise) -> str | None:
+def contradiction(stack: Stack, noise: Noise) -> str | None:
     """Return in words how the noise of a stack differs from that of a camera by more than their errors, or None."""
     try:
         mean, squares, independent = _points(stack)
@@ -250,7 +249,7 @@ def contradiction(stack: Any, noise: Noise) -> str | None:
     return f"{said} The stack alone gives {alone} electrons per count and an offset of {float(found.offset):.4g}."
 
 
-def _points(stack: Any) -> tuple[Array, Array, float]:
+def _points(stack: Stack) -> tuple[Array, Array, float]:
     """Return local means, squares of the noise there, and which share of the squares are independent ones."""
     from scipy.ndimage import convolve1d, uniform_filter
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -222,7 +222,27 @@ def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
     return ""
 
 
-def plane_of(stack: Any, number: int) -> Values:
+PlanePart = int | tuple[int, *tuple[slice, ...]]
+"""A plane of a stack, or rows and columns of one."""
+
+
+class Stack(Protocol):
+    """Planes of one size, each read on its own: an array, or a recording that stays in its file."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Planes, rows and columns."""
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The type of the values as they are stored."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, at: PlanePart, /) -> Values: ...
+
+
+def plane_of(stack: Stack, number: int) -> Values:
     """Return a plane of a stack, NaN where it is infinite; ValueError where values are too large to be squared."""
     values = validation.array("stack", stack[number])
     if values.dtype.kind != "f":

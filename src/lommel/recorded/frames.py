@@ -18,16 +18,19 @@ from functools import partial
 from os import PathLike
 from pathlib import Path
 from types import SimpleNamespace, TracebackType
-from typing import Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
-from lommel.base.arrays import Values
+from lommel.base.arrays import Index, Json, Values
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
+
+if TYPE_CHECKING:
+    from tifffile import TiffFile, TiffPageSeries
 
 _PREFIXES = {
     "yotta": ("Y", 24), "zetta": ("Z", 21), "exa": ("E", 18), "peta": ("P", 15), "tera": ("T", 12), "giga": ("G", 9),
@@ -65,7 +68,7 @@ class Unusable:
     words: str
 
 
-Found = dict[str, Any]
+Found = Json
 """What a file says, by name; values are numbers, Unusable, or absent."""
 
 
@@ -98,7 +101,7 @@ def number(value: Any, *, least: float = 0.0) -> float | Unusable | None:
     return found if math.isfinite(found) and found > least else Unusable(validation.brief(str(value), 60))
 
 
-def of_ome(file: Any, place: int) -> Found:
+def of_ome(file: TiffFile, place: int) -> Found:
     """Return what the OME-XML of a TIFF file says of an image."""
     try:
         root = reading.xml(file.ome_metadata or "")
@@ -137,9 +140,9 @@ def of_ome(file: Any, place: int) -> Found:
     return found
 
 
-def of_imagej(file: Any) -> Found:
+def of_imagej(file: TiffFile) -> Found:
     """Return what ImageJ says in a TIFF file."""
-    said, page = file.imagej_metadata or {}, file.pages[0]
+    said, page = file.imagej_metadata or {}, file.pages.first
     unit = said.get("unit")  # of the others, too, unless they have their own
     found: Found = {"step": length(said.get("spacing"), said.get("zunit", unit))}
     for key, tag, own in (("pixel", "XResolution", unit), ("down", "YResolution", said.get("yunit", unit))):
@@ -162,7 +165,7 @@ def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[
     return found
 
 
-def of_fits(header: Mapping[str, Any]) -> Found:
+def of_fits(header: Mapping[str, object]) -> Found:
     """Return what the header of a FITS image says of its camera: electrons per count, read noise, full pixels."""
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
@@ -181,7 +184,7 @@ def of_fits(header: Mapping[str, Any]) -> Found:
     return found
 
 
-def fits_notes(header: Mapping[str, Any]) -> list[str]:
+def fits_notes(header: Mapping[str, object]) -> list[str]:
     """Return what a FITS header states and what is not taken into account, in sentences."""
     said = {name: validation.brief(str(header[name]), 60) for name in _NAMED if header.get(name) not in (None, "", 0)}
     return [f"The header of the images states {name} = {value}, {_NAMED[name]}." for name, value in said.items()]
@@ -220,7 +223,7 @@ class Planes(Protocol):
     """Images of one size, each read on its own."""
 
     sides: tuple[int, int]
-    dtype: np.dtype[Any]
+    dtype: np.dtype[np.generic]
 
     @property
     def stored(self) -> int:
@@ -271,7 +274,7 @@ class Frames:
         return self.numbers.shape + self.planes.sides
 
     @property
-    def dtype(self) -> np.dtype[Any]:  # noqa: D102
+    def dtype(self) -> np.dtype[np.generic]:  # noqa: D102
         return self.planes.dtype
 
     @property
@@ -282,7 +285,7 @@ class Frames:
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __getitem__(self, at: Any) -> Values:
+    def __getitem__(self, at: Index) -> Values:
         given = at if isinstance(at, tuple) else (at,)
         if any(one is Ellipsis for one in given):
             k = next(k for k, one in enumerate(given) if one is Ellipsis)
@@ -300,7 +303,7 @@ class Frames:
             whole[place] = self.planes.plane(int(one))[part]
         return whole
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         out = self[...]
         return out if dtype is None else out.astype(dtype)
 
@@ -402,9 +405,9 @@ class _Held:
 class _Pages:
     """Pages of a TIFF file."""
 
-    def __init__(self, path: Path, series: Any) -> None:
+    def __init__(self, path: Path, series: TiffPageSeries) -> None:
         self._path, self._pages, self._several = path, series.pages, series.is_multifile
-        self.sides: tuple[int, int] = tuple(series.shape[-2:])
+        self.sides: tuple[int, int] = (series.shape[-2], series.shape[-1])
         self.dtype = np.dtype(series.dtype).newbyteorder("=")
         self._lock = threading.Lock()  # pages share a handle
 
@@ -560,7 +563,7 @@ def _of_array(values: Any, name: str) -> Frames:
     return Frames(_Held(values, name), numbers, f"{UNKNOWN * len(lead)}YX")
 
 
-def require_numbers(name: str, dtype: Any) -> None:
+def require_numbers(name: str, dtype: DTypeLike) -> None:
     """Raise TypeError if values are no real numbers."""
     if np.dtype(dtype).kind not in "iufb":
         raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
@@ -596,9 +599,9 @@ def _tiff(path: Path, image: int | None) -> Frames:
             raise
 
 
-def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
+def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     notes: list[str] = []
-    every = file.series
+    every: Sequence[Any] = file.series
     if image is None and len(every) > 1 and _are_pages(file, every):
         every = [_joined(every)]
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
@@ -649,7 +652,7 @@ def _of_tiff(path: Path, file: Any, image: int | None) -> Frames:
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
 
 
-def _are_pages(file: Any, every: Sequence[Any]) -> bool:
+def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:
     """Return whether a file holds grey images of one size and type that were written one after the other."""
     kinds = {(one.axes, one.shape, one.dtype) for one in every}
     return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
@@ -732,14 +735,14 @@ def _grey(values: Values) -> Values:
     return values
 
 
-def _png(data: bytes, _part: str | None) -> tuple[Values, dict[str, Any]]:
+def _png(data: bytes, _part: str | None) -> tuple[Values, Found]:
     values: Values = photos.read_png(data)[0]
     if values.ndim != 2:
         raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
     return values, {}
 
 
-def _fits(data: bytes, part: str | None) -> tuple[Values, dict[str, Any]]:
+def _fits(data: bytes, part: str | None) -> tuple[Values, Found]:
     found = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
     return found.values, {**found.primary, **found.header}  # what an extension does not state, the primary does
 

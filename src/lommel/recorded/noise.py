@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.base.cached import EqualByContent
 
 
@@ -176,7 +175,7 @@ class Noise(EqualByContent):
             return value
         raise ValueError(f"{name}, of shape {value.shape}, must have a value for each pixel, got images of {shape}")
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types; ``Noise(**plain)`` is the inverse."""
         return {name: v if v is None or isinstance(v, float) else v.tolist() for name, v in vars(self).items()}
 

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import atomic, optional, reading, validation
-from lommel.base.arrays import Values
+from lommel.base.arrays import Json, Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Unusable, open_frames
@@ -78,7 +78,7 @@ class Recording:
         return (channels, planes, *self.frames.planes.sides)
 
     @property
-    def dtype(self) -> np.dtype[Any]:  # noqa: D102
+    def dtype(self) -> np.dtype[np.generic]:  # noqa: D102
         return self.frames.dtype
 
     def __repr__(self) -> str:
@@ -100,7 +100,7 @@ class Recording:
         """Close the file."""
         self.frames.close()
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         return np.asarray(self.only("stack"), dtype)
 
     def stack(self, channel: int = 0) -> Frames:
@@ -308,13 +308,13 @@ def require_own(path: Path) -> None:
 def _fill_tiff(target: Path, values: Values, recording: Recording, description: str) -> None:
     import tifffile
 
-    fields: dict[str, Any] = {"axes": "CZYX", "Description": description}
+    fields: Json = {"axes": "CZYX", "Description": description}
     for key, letters in (("pixel", "XY"), ("step", "Z")):
         if (value := getattr(recording, key)) is not None:
             for letter in letters:
                 fields[f"PhysicalSize{letter}"] = float(f"{1e6 * value:.12g}")
                 fields[f"PhysicalSize{letter}Unit"] = "µm"
-    channel: dict[str, Any] = {"Name": list(recording.names)}
+    channel: Json = {"Name": list(recording.names)}
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         waves = getattr(recording, key)
         if waves and all(wave is not None for wave in waves):
@@ -342,7 +342,7 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: s
             "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": sides}]}],
         }
     ]
-    channels: list[Any] = [{"label": name, "active": True, "color": "FFFFFF"} for name in recording.names]
+    channels: list[Json] = [{"label": name, "active": True, "color": "FFFFFF"} for name in recording.names]
     for each, wave in zip(channels, recording.emission, strict=False):
         if wave is not None:
             each["emission_wavelength"] = float(f"{1e9 * wave:.12g}")

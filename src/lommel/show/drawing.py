@@ -122,9 +122,16 @@ def columns_of(count: int) -> int:
     return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
 
 
+def figure_of(drawn: Figure | Axes) -> Figure:
+    """Return the whole figure of axes, or of a part of it."""
+    figure = drawn.get_figure(root=True)
+    assert figure is not None
+    return figure
+
+
 def fitted(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
     """Return a title broken between words into lines no wider than its figure, for letters of so many points."""
-    figure: Any = drawn.get_figure(root=True)
+    figure = figure_of(drawn)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
     return "\n".join(part for line in text.split("\n") for part in _wrapped(line, letters))
 

@@ -13,7 +13,7 @@ from scipy import ndimage
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.base.units import format_length
-from lommel.show.drawing import COLOURS, USER, entitle, fitted, new_axes, pyplot, round_length
+from lommel.show.drawing import COLOURS, USER, entitle, figure_of, fitted, new_axes, pyplot, round_length
 from lommel.show.labels import length_in_words
 
 if TYPE_CHECKING:
@@ -206,7 +206,7 @@ def picture(
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
     colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
     axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
-    figure: Any = axes.get_figure(root=True)
+    figure = figure_of(axes)
     if not flat:
         figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")

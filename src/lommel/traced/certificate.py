@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
 from lommel.traced.phases import PhaseRule
@@ -232,7 +232,7 @@ def mean_on_curve(
     return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
 
 
-def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tuple[NDArray[Any], NDArray[Any]]:
+def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tuple[Values, Values]:
     """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
@@ -241,7 +241,7 @@ def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tupl
     return px.ravel(), py.ravel()
 
 
-def polynomials(terms: tuple[tuple[int, int], ...], x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.complex128]:
+def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDArray[np.complex128]:
     """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
 from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
 from lommel.methods import bounds
@@ -89,7 +89,7 @@ def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
     return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
 
 
-def _basis(powers: bool, count: int, t: NDArray[Any]) -> NDArray[Any]:
+def _basis(powers: bool, count: int, t: Values) -> Values:
     """Return powers of t or Legendre terms at real or complex t, each up to a constant, ``(count,) + t.shape``."""
     if powers:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])

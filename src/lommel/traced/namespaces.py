@@ -10,9 +10,9 @@ from importlib import import_module
 from typing import Any, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Values
 from lommel.base.optional import library
 
 _EXTRAS = ("jax", "torch", "cupy")
@@ -95,7 +95,7 @@ class Namespace:
     def __reduce__(self) -> tuple[Callable[[str], Namespace], tuple[str]]:
         return Namespace.of, (self.name,)
 
-    def put(self, values: NDArray[Any], device: object, dtype: object = None) -> Tensor:
+    def put(self, values: Values, device: object, dtype: object = None) -> Tensor:
         """Return a NumPy array as one of the namespace, on a device, and at once even while JAX traces."""
         if self.name == "torch":
             values = np.array(values)  # PyTorch warns of arrays that are read-only
@@ -182,7 +182,7 @@ class Namespace:
                 return False
         return True
 
-    def values_now(self, x: Operand) -> NDArray[Any] | None:
+    def values_now(self, x: Operand) -> Values | None:
         """Return the values of `x` on a processor as a NumPy array, or None under transforms and tracing."""
         if self.name == "numpy":
             return np.asarray(x)
@@ -204,7 +204,7 @@ class Namespace:
         """Return whether a temporary `x` may be overwritten, which saves PyTorch a pass over the memory."""
         return self.name == "torch" and not x.requires_grad and self.values_now(x) is not None
 
-    def to_numpy(self, x: Operand) -> NDArray[Any]:
+    def to_numpy(self, x: Operand) -> Values:
         """Return an array as one of NumPy."""
         if self.name == "cupy":
             x = x.get()

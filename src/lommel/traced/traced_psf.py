@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
@@ -176,7 +176,7 @@ class TracedPSF:
     precision = property(lambda self: self._static.precision)
     dtype = property(lambda self: self._static.dtype)
 
-    def __call__(self, c: Operand, *, check: bool = True) -> Any:
+    def __call__(self, c: Operand, *, check: bool = True) -> Operand:
         """Return images.
 
         Parameters
@@ -199,7 +199,7 @@ class TracedPSF:
         """
         return self.certified(c, check=check)[0]
 
-    def certified(self, c: Operand, *, check: bool = True) -> tuple[Any, Any]:
+    def certified(self, c: Operand, *, check: bool = True) -> tuple[Operand, Operand]:
         """Return images, and for each a proven bound on its largest error relative to its largest value.
 
         Parameters
@@ -224,11 +224,11 @@ class TracedPSF:
             self._require(c, bound)
         return images, bound
 
-    def error(self, c: Operand) -> Any:
+    def error(self, c: Operand) -> Operand:
         """Return the error bounds for coefficients `c`, shape (...), without comparing them with the tolerance."""
         return self._answer(c)[1]
 
-    def defocus(self, distance: Operand) -> Any:
+    def defocus(self, distance: Operand) -> Operand:
         """Return C_d in radians of objects, as :meth:`lommel.Lens.defocus`; differentiable.
 
         Parameters
@@ -284,10 +284,10 @@ class TracedPSF:
                     ),
                 )
 
-            def forward(self, c: Operand, *, check: bool = True) -> Any:
+            def forward(self, c: Operand, *, check: bool = True) -> Operand:
                 return self.traced()(c, check=check)
 
-            def certified(self, c: Operand, *, check: bool = True) -> Any:
+            def certified(self, c: Operand, *, check: bool = True) -> Operand:
                 return self.traced().certified(c, check=check)
 
         return Module()
@@ -549,9 +549,7 @@ def _between(c: Array, *, boxed: bool) -> Array:
     return np.asarray(low + inside * (high - low))
 
 
-def of_radii(
-    grid: Grid, step: float, stretch: float, allowed: float
-) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
+def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
 
     `step` is the pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
@@ -579,13 +577,13 @@ def of_radii(
     return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _places(index)}
 
 
-def _places(index: NDArray[Any]) -> NDArray[np.int32]:
+def _places(index: Values) -> NDArray[np.int32]:
     return index.ravel().astype(np.int32)
 
 
 def of_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
-) -> tuple[Pixels, tuple[Array, Array], dict[str, NDArray[Any]]]:
+) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
     """Return the pixels of any pupil, the rows and columns in v of its samples, and tables."""
     # I(v) = U(v) conj(U(conj(v))) is entire in either coordinate, and at most exp(2 |Im v|) times the square of the
     # amplitude of the pupil. On the ellipse of b round a pixel that is exp(step sinh b), so that p Gauss nodes a side

@@ -35,7 +35,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,9 @@ from lommel.methods.pixels.averaging import Taps, finer, fitted, samples_across,
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.special.legendre import gauss_legendre
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 HALF = 6  # half of the points that an interpolation takes
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
@@ -64,7 +67,7 @@ class DiscMeans(NamedTuple):
     """Radii where an intensity has to be known, and the weights of its means over discs."""
 
     places: Array  # rising v
-    weights: tuple[Any, ...]  # sparse (places, radii), of the orders m and -m for each m
+    weights: tuple[csr_array, ...]  # sparse (places, radii), of the orders m and -m for each m
     gain: float  # factor by which errors of the values may grow
     error: float  # of the means, over the peak of the intensity without aberration
 

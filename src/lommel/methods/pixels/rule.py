@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Pixels
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 from lommel.special.legendre import gauss_legendre
 
 
@@ -171,7 +174,7 @@ class LocalRule(NamedTuple):
     """
 
     v: Array
-    matrix: Any
+    matrix: csr_array
 
 
 _SPACING, _STENCIL = 0.4, 16  # in v, and values that I between them follows from

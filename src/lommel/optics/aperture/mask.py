@@ -6,9 +6,9 @@ import base64
 import hashlib
 import sys
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -173,7 +173,7 @@ class Mask(EqualByContent):
         return {**kept, "squares": True} if self.squares else kept
 
     @classmethod
-    def from_dict(cls, description: Mapping[str, Any]) -> Mask:
+    def from_dict(cls, description: Json) -> Mask:
         """Rebuild a mask from a `description` by :meth:`to_dict`; KeyError, TypeError or ValueError if it is none."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
         packed = base64.b64decode(description["values"], validate=True)

@@ -7,7 +7,7 @@ to y. `margin` of a shape is positive inside and changes by at most the distance
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
@@ -566,7 +566,7 @@ class Spider(Shape):
         return {"name": "Spider", "width": self.width, "angles": list(self.angles)}
 
     @classmethod
-    def from_dict(cls, description: Mapping[str, Any]) -> Spider:
+    def from_dict(cls, description: Json) -> Spider:
         """Rebuild a spider from a `description` by :meth:`to_dict`, with or without its name."""
         return cls(**{name: value for name, value in description.items() if name != "name"})
 
@@ -876,7 +876,7 @@ _KINDS: dict[str, Callable[..., Shape]] = {
 }
 
 
-def shape_from_dict(description: Mapping[str, Any], depth: int = 0) -> Shape | Segments:
+def shape_from_dict(description: Json, depth: int = 0) -> Shape | Segments:
     """Rebuild what `to_dict` of a shape or of segments describes; KeyError, TypeError or ValueError if neither."""
     parts = dict(description)
     name = validation.choice("name", parts.pop("name", None), (*_KINDS, *_STEPS, "Segments"))

@@ -149,7 +149,7 @@ class ObjectivePupil(BasePupil):
         if isinstance(jones := plain.get("polarization"), list):
             plain["polarization"] = tuple(complex(*part) for part in jones)
         layers = description["layers"]
-        numbers: dict[str, Any] = {name: validation.real(name, layers[name]) for name in _NUMBERS}
+        numbers: Json = {name: validation.real(name, layers[name]) for name in _NUMBERS}
         pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
         exponent = tuple(validation.real_array("exponent", layers.get("exponent", ())).tolist())
         planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}

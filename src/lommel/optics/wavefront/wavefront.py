@@ -760,7 +760,7 @@ class Wavefront(EqualByContent, display.Shown):
         return plain
 
     @classmethod
-    def from_dict(cls, description: Mapping[str, Any]) -> Self:
+    def from_dict(cls, description: Json) -> Self:
         """Rebuild a wavefront from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         parts = dict(description)
         if "terms" in parts:

@@ -8,8 +8,7 @@ from scipy.optimize import minimize
 
 import lommel as lm
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import Background, Counted
-from lommel.microscopy.total_variation import VariationWalk, walk_of
+from lommel.microscopy.stack_steps import Background, Counted, VariationWalk, walk_of
 
 NOISE = lm.Noise(read=1.0)
 SHAPE = (4, 6, 7)

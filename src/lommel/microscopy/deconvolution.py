@@ -13,8 +13,7 @@ from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.spot import stage
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import Background, Counted
-from lommel.microscopy.total_variation import walk_of
+from lommel.microscopy.stack_steps import Background, Counted, walk_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise

@@ -29,8 +29,7 @@ from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSF
 from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, work_of_held_out
 from lommel.microscopy.projections import Projecting, Projections
 from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
-from lommel.microscopy.stack_steps import Background, Counted, Move
-from lommel.microscopy.total_variation import walk_of
+from lommel.microscopy.stack_steps import Background, Counted, Move, walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.recorded import recordings

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -28,14 +25,6 @@ def test_files_and_tables_hold_what_python_computes(call_lommel, lenses, tmp_pat
     assert "red" in result.stdout
     assert "8 from 440 nm to 630 nm" in result.stdout
     assert result.stdout.split("wrote ")[1:] == ["a.npz\n", "a.tif\n", "a.png\n", "p.png\n"]
-
-
-def test_a_file_without_channels_has_red_green_and_blue(call_lommel, lenses, tmp_path):
-    result = call_lommel("psf", lenses["phone"], "--colour", "--shape", "9", "--json", folder=tmp_path)
-    facts = json.loads(result.stdout)
-    assert [one["name"] for one in facts["channels"]] == ["red", "green", "blue"]
-    assert [one["wavelengths"] for one in facts["channels"]] == [[600e-9], [540e-9], [460e-9]]
-    assert facts["shape"] == [3, 9, 9]
 
 
 def test_a_field_is_in_colour(call_lommel, lenses, tmp_path):
@@ -69,10 +58,3 @@ def test_a_field_in_colour_in_a_file_that_holds_none_is_refused_before_it_is_com
         assert result.returncode == 2
         assert ".hdf5, .mat, .raw for a grid of PSFs at several distances or in channels, got" in result.stderr
         assert result.stderr.count("\n") == 1
-
-
-def test_a_microscope_has_one_wavelength(call_lommel, tmp_path):
-    file = Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
-    result = call_lommel("psf", file, "--colour", folder=tmp_path)
-    assert result.returncode == 2
-    assert "--colour is for lenses" in result.stderr

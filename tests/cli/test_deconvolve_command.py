@@ -113,14 +113,6 @@ def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, out
     assert ("the same command goes on" in found.output) == kept
 
 
-def test_notes_name_options(files):
-    sized = (files / "lens.toml").read_text() + '[stack]\nplanes = 9\nstep = "250 nm"\n'
-    (files / "lens.toml").write_text(sized)
-    words = (files / "plain.tif", files / "lens.toml", "--axes", "ZYX", *CAMERA, "--direction", "up")
-    found = run(*words, "--json", "-o", files / "restored.ome.tif")
-    assert "250 nm of the stage; --step states another." in " ".join(json.loads(found.output)["notes"])
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [

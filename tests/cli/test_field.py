@@ -50,19 +50,6 @@ def test_every_file_holds_what_python_computes(written, expected):
     assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", figure]
 
 
-def test_the_tables_show_the_largest_value_of_each_psf_in_its_place(written, expected):
-    _, text = written
-    lines = text.splitlines()
-    assert lines[0] == "35 mm f/2 camera lens at full aperture, over a full-frame sensor"
-    assert "24 mm x 36 mm (height x width)" in text
-    assert "3 x 4 PSFs of 21 x 17 float32, 1 = unaberrated peak" in text
-    head = next(k for k, line in enumerate(lines) if line.startswith("Largest value"))
-    assert lines[head + 1].split() == ["-13.5", "mm", "-4.5", "mm", "4.5", "mm", "13.5", "mm"]
-    for row, values in zip(lines[head + 2 : head + 5], expected.values, strict=True):
-        shown = re.split(r"\s{2,}", row.strip())
-        assert shown[1:] == [f"{float(image.max()):.4g}" for image in values]
-
-
 def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     result = call_lommel("psf", lenses["camera-field"], *OPTIONS, "--json", folder=tmp_path)
     data = json.loads(result.stdout)
@@ -92,11 +79,8 @@ def test_a_lens_file_may_narrow_the_aperture_of_its_field(call_lommel, lenses, t
     ("arguments", "what"),
     [
         (["--field", "5"], "--field must be ROWSxCOLUMNS such as 5x7, got 5"),
-        (["--field", "5x7x9"], "'5x7x9' is not a size; write 65 or 64x128"),
-        (["--field", "axb"], "'axb' is not a size"),
         (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
         (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npy, .npz, .fits,"),
-        (["-o", "a.zarr"], ".mat, .raw for a PSF, got '.zarr' in 'a.zarr'"),
         (["--field", "2x2", "--plot", "a.tif"], "a figure must end in .png, .pdf or .svg"),
     ],
 )  # fmt: skip
@@ -105,22 +89,6 @@ def test_what_makes_no_sense_is_one_line(call_lommel, lenses, tmp_path, argument
     assert result.returncode == 2
     assert what in result.stderr
     assert not list(tmp_path.iterdir())
-
-
-def test_a_lens_file_without_a_field_is_told(call_lommel, lenses, tmp_path):
-    result = call_lommel("psf", lenses["phone"], "--field", "2x2", folder=tmp_path)
-    assert result.returncode == 2
-    assert "must have a section [field] for PSFs over the field" in result.stderr
-
-
-def test_a_window_that_loses_light_is_told_with_what_helps(call_lommel, lenses, tmp_path):
-    small, large = (
-        call_lommel("psf", lenses["camera-field"], "--field", "3x3", "--shape", shape, folder=tmp_path).stdout
-        for shape in (9, 81)
-    )
-    assert "One window holds only" in small
-    assert "energy in the window" in large
-    assert "holds only" not in large
 
 
 def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):

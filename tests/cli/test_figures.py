@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import replace
-
 import pytest
 from matplotlib.colors import LogNorm, PowerNorm
 from matplotlib.figure import Figure
 
-import lommel as lm
 from lommel.cli import psf_command
 from lommel.cli.main import main
 
@@ -23,21 +19,6 @@ def drawn(monkeypatch):
 
 def draw(lens, tmp_path, *options):
     main(["psf", str(lens), "--shape", "9", "--plot", str(tmp_path / "a.png"), *options], standalone_mode=False)
-
-
-def test_the_title_has_the_distance_that_was_asked_for(lenses, tmp_path, drawn):
-    draw(lenses["nifty-fifty"], tmp_path, "--object-distance", "1.2 m")
-    name, setting, window = drawn[0].axes[0].get_title().split("\n")
-    assert name == lm.load_instrument(lenses["nifty-fifty"]).name
-    assert setting == "550 nm, focus at 2 m, object at 1.2 m"
-    assert window.startswith("9 × 9 pixels of 3.45 µm")
-
-
-def test_names_of_examples_state_no_object_distance(lenses):
-    for path in lenses.values():
-        instrument = lm.load_instrument(path)
-        assert "seen" not in instrument.name
-        assert replace(instrument, object_distance=math.inf).name == instrument.name
 
 
 @pytest.mark.parametrize(("stretch", "norm"), [("sqrt", PowerNorm), ("log", LogNorm)])

@@ -219,17 +219,6 @@ def test_a_movie_without_spots_is_told(folder, call_lommel):
     assert "no spot is above --threshold: check --offset, --gain and --read" in " ".join(result.stdout.split())
 
 
-def test_maps_single_frames_and_lengths_are_said_in_plain_words(folder, call_lommel):
-    tifffile.imwrite(folder / "one.tif", tifffile.imread(folder / "movie.tif")[0])
-    np.save(folder / "read.npy", np.full((SIDE, SIDE), 1.6))
-    arguments = ["one.tif", "objective.toml", *NOISE, "--read", "read.npy", "--pixel", "6.93um", "-o", "a.csv"]
-    text = " ".join(call_lommel("localize", *arguments, folder=folder).stdout.split())
-    assert "movie 1 frame of 72 x 72, 110 nm a pixel" in text
-    assert "offset 100 counts (by the option), read noise by a map (by the option)" in text
-    facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
-    assert facts["pixel_in_sample"] == 1.1e-7 != 6.93e-6 / 63
-
-
 @pytest.mark.parametrize(
     ("terms", "ambiguous"),
     [
@@ -250,18 +239,6 @@ def test_wavefronts_that_leave_the_sign_of_z_open_are_told(terms, ambiguous, fol
     assert ("sign_open" in said(json.loads(result.stdout))) == ambiguous
 
 
-def test_an_objective_without_aberrations_is_told(folder, call_lommel):
-    text = EXAMPLE.read_text(encoding="utf-8")
-    plain = text[: text.index("\n[aberrations")] + text[text.index("\n[stack]") :]
-    (folder / "plain.toml").write_text(plain, encoding="utf-8")
-    result = call_lommel("localize", "movie.tif", "plain.toml", *NOISE, "-o", "a.csv", folder=folder)
-    text = " ".join(result.stdout.split())
-    assert "sign open: the wavefront has no even term besides defocus" in text
-    assert "--flat gives x and y alone" in text
-    with_them = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
-    assert "nearly alike" not in with_them.stdout
-
-
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -269,8 +246,6 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
         (["movie.tif", "objective.toml", "--read", 1], "Missing option '-o' / '--output'"),
         (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"],
          "Error: --output must end in .csv, .hdf5 for a table of molecules, got '.txt' in 'a.txt'"),
-        ([*GIVEN, "-o", "no/a.csv"], "Error: no/a.csv: No such file or directory"),
-        (["nowhere.tif", *GIVEN[1:], "-o", "a.csv"], "Error: nowhere.tif: No such file or directory"),
         (["objective.toml", *GIVEN[1:], "-o", "a.csv"],
          "Error: objective.toml is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr"),
         (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"],
@@ -279,14 +254,9 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
          "Error: --read must be a number or the file of a map (.tif, .npy), got 'some'"),
         (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"],
          "Error: --read must be one image, got 8 in movie.tif"),
-        (["movie.tif", "objective.toml", "--read", -1, "-o", "a.csv"], "Error: --read must be finite and >= 0"),
-        ([*GIVEN, "--gain", 0, "-o", "a.csv"], "Error: --gain must be > 0 electrons"),
         ([*GIVEN, "--z", "1um", "0um", "-o", "a.csv"], "Error: --z must be (lowest, highest)"),
-        ([*GIVEN, "--z", "1", "2", "-o", "a.csv"], "Invalid value for '--z'"),
         ([*GIVEN, "--threshold", 1, "-o", "a.csv"], "Error: --threshold must be >= 3"),
-        ([*GIVEN, "--box", 100, "-o", "a.csv"], "Error: --box must be"),
         ([*GIVEN, "--box", 4, "-o", "a.csv"], "Error: --box must be 5 to 64 pixels a side, 15 is usual, got (4, 4)"),
-        ([*GIVEN, "--box", "15x3", "-o", "a.csv"], "Error: --box must be 5 to 64 pixels a side, 15 is usual"),
         (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"],
          "Error: the order is MOVIE LENS, the movie first, got objective.toml and then movie.tif"),
         ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"],

@@ -10,7 +10,6 @@ import pytest
 
 import lommel as lm
 
-ROOT = Path(__file__).resolve().parents[2]
 LENS = """\
 [lens]
 focal_length = "4.3 mm"
@@ -55,15 +54,6 @@ def test_a_perfect_lens_has_the_contrast_of_overlapping_discs_and_of_its_pixels(
         assert row[name] == pytest.approx(expected, abs=1e-6)
 
 
-def test_the_table_shows_the_numbers(call_lommel, tmp_path):
-    (tmp_path / "lens.toml").write_text(LENS.replace('["1.22 um", "2.44 um"]', '"1.22 um"'), encoding="utf-8")
-    shown = call_lommel("psf", "lens.toml", "--mtf", folder=tmp_path).stdout
-    head, row, said = shown[shown.index("MTF, pixel included") :].splitlines()[1:4]
-    assert head.split("  ")[0].strip() == "x, Nyquist"
-    assert row.split()[:2] == ["0.3170", "0.3170"]
-    assert said.startswith("Nyquist frequency: 409.8 cycles/mm")
-
-
 def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lommel, tmp_path):
     file = lenses["camera-field"]
     found = told(file, "--field", "2x3", "--colour", "--shape", "5")
@@ -77,10 +67,3 @@ def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lomme
         assert row["half_nyquist"][1] == pytest.approx(float(expected), abs=2e-6)
     shown = call_lommel("psf", file, "--mtf", "--field", "2x3", "--shape", "5", folder=tmp_path).stdout
     assert sum(" mm, " in line for line in shown[shown.index("MTF, pixel") :].splitlines()) == 6
-
-
-def test_what_has_no_such_contrast_is_refused(call_lommel, tmp_path):
-    objective = ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
-    result = call_lommel("psf", objective, "--mtf", folder=tmp_path)
-    assert result.returncode == 2
-    assert "--mtf is for lenses" in result.stderr

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import json
 import re
 
@@ -89,14 +88,6 @@ def test_a_window_that_is_wide_enough_holds_about_98_per_cent(wavefront, obscura
     assert 0.97 < lm.psf(pupil, side, pixel).energy < 0.9995
 
 
-def test_distances_that_differ_are_shown_with_the_digits_it_takes(call_lommel, lenses, tmp_path):
-    rows = dict(LINE.findall(call_lommel("info", lenses["microscope-20x"], folder=tmp_path).stdout))
-    assert (rows["focus distance"], rows["object distance"]) == ("10.5 mm", "10.502 mm")
-    at_focus = call_lommel("info", lenses["phone"], "--object-distance", "0.5 m", folder=tmp_path)
-    rows = dict(LINE.findall(at_focus.stdout))
-    assert rows["focus distance"] == rows["object distance"] == "500 mm"
-
-
 def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
     shown = call_lommel("info", lenses["camera-field"], folder=tmp_path).stdout
     facts = json.loads(call_lommel("info", lenses["camera-field"], "--json", folder=tmp_path).stdout)["field"]
@@ -133,29 +124,6 @@ def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel
     facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
     assert facts["fwhm"] is None
     assert facts["refused"]
-
-
-def test_the_axis_of_a_table_over_the_field_has_the_unit_of_the_others(call_lommel, lenses, tmp_path):
-    shown = call_lommel("psf", lenses["camera-field"], "--field", "1x3", "--shape", "5", folder=tmp_path).stdout
-    lines = shown.splitlines()
-    head, row = next(pair for pair in itertools.pairwise(lines) if pair[0].split()[:2] == ["-12", "mm"])
-    assert head.split() == ["-12", "mm", "0", "mm", "12", "mm"]
-    assert row.split()[:2] == ["0", "mm"]
-
-
-def test_methods_are_listed_with_their_options(call_lommel, tmp_path):
-    shown = call_lommel("methods", folder=tmp_path)
-    assert (shown.returncode, shown.stderr) == (0, "")
-    rows = json.loads(call_lommel("methods", "--json", folder=tmp_path).stdout)["methods"]
-    from lommel.cli.psf_command import build_method
-    from lommel.methods import METHODS
-
-    assert [row["name"] for row in rows] == list(METHODS)
-    for row in rows:
-        assert f"\n{row['name']} " in shown.stdout
-        # What is shown as the default is taken by --set, and is it.
-        settings = tuple(f"{name}={value}" for name, value in row["options"].items())
-        assert build_method(row["name"], settings) == METHODS[row["name"]]()
 
 
 def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):

@@ -136,12 +136,9 @@ FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif
     [
         (FULL.replace("--white 5000 ", ""), "--white is missing: the number of electrons"),
         (FULL.replace("--read 3 ", ""), "--read is missing: the read noise"),
-        (FULL.replace("5000", "0"), "white must be > 0 electrons"),
         (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
-        (FULL.replace("sharp.tif", "sharp.bmp"), "--output must end in"),
         (f"{FULL} --strength 0.1", "--strength needs --method total-variation"),
         (f"{FULL} --method total-variation --target 0", "target must be > 0"),
-        (f"{FULL} --steps 0", "steps must be from 1"),
         (f"{FULL} --saturation -1", "saturation must be > 0"),
         (f"{FULL} --saturation 1e-6 --offset -1", "pixels that are neither masked, NaN nor saturated"),
     ],

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import lommel as lm
 
-ROOT = Path(__file__).resolve().parents[2]
 ARCSEC = math.pi / 648000.0
 TELESCOPE = """\
 [lens]
@@ -47,11 +45,6 @@ def test_the_window_holds_the_light_that_seeing_spreads(asked, tmp_path):
     assert lm.PSF.load(tmp_path / "seen.npz").energy > 0.95
 
 
-def test_without_a_file_the_report_says_that_nothing_is_kept(asked):
-    assert "Nothing is written" in asked("--shape", 9).stdout
-    assert "Nothing is written" not in asked("--shape", 9, "-o", "star.npz").stdout
-
-
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -65,8 +58,3 @@ def test_what_has_no_such_blur_is_refused(asked, options, message):
     result = asked(*options)
     assert result.returncode != 0
     assert message in " ".join(result.stderr.split())
-
-
-def test_microscopes_have_no_atmosphere(call_lommel):
-    result = call_lommel("psf", "examples/objectives/zeiss-63x-1.4-oil.toml", "--seeing", 1, folder=ROOT)
-    assert "--seeing is for lenses" in " ".join(result.stderr.split())

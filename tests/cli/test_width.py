@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import tifffile
 
-from lommel.cli.main import COMMANDS, commands
+from lommel.cli.main import COMMANDS
 
 LENSES = ["phone", "hubble-1990", "microscope-20x", "newtonian-off-axis", "camera-field", "fast-portrait"]
 OBJECTIVES = ["zeiss-63x-1.4-oil", "zeiss-100x-1.4-oil"]
@@ -81,19 +81,3 @@ def test_help_fits_80_columns_without_a_broken_word(name, call_lommel, tmp_path,
     assert not re.search(r"--[a-z-]*-$", shown[80], re.MULTILINE)
     summaries = shown[80].partition("Commands:")[2]
     assert "..." not in summaries
-
-
-def test_commands_are_listed_in_the_order_in_which_they_are_met():
-    assert list(commands()) == list(COMMANDS)
-    assert list(COMMANDS)[:4] == ["examples", "info", "psf", "live"]
-
-
-def test_long_examples_go_on_before_an_option_and_are_whole():
-    text = commands()["depth"].help or ""
-    example = re.search(r"  lommel depth(?:.*\\\n)+.*", text)
-    assert example is not None
-    joined = " ".join(example[0].replace("\\\n", " ").split())
-    assert joined == (
-        "lommel depth near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 "
-        "-o d.tif"
-    )

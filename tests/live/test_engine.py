@@ -211,21 +211,6 @@ def test_profiles_are_relative_to_the_unaberrated_peak(engine, light):
         assert np.array(found[name])[: 4 * 128 + 1 : 4] == pytest.approx(row.values[0][:129], abs=1e-6), name
 
 
-def test_mean_and_light_in_a_window_are_those_of_its_pixels(engine):
-    state = {"coma": 0.6, "coma_angle": 40, "obscuration": 0.3, "side": 512}
-    made, found = engine.psf(state), engine.measures(state)
-    values = np.array(made["values"])
-    assert found["inside"] == pytest.approx(values.sum(), abs=1e-5)
-    flat = lm.psf(pupil_of(state).unaberrated(), 1, made["pixel"] * 1e-6, integrate=False).values[0, 0]
-    assert found["peak_strehl"] == pytest.approx(values.max() / flat, rel=1e-5)
-    place = (np.arange(512) - 256) * made["pixel"]
-    distance = np.hypot(place[:, None], place).ravel()
-    at = np.array(found["profile"]["r"])
-    for i in (20, 60):
-        ring = np.abs(distance - at[i]) < 0.5 * made["pixel"]
-        assert values[ring].mean() / flat == pytest.approx(found["profile"]["mean"][i], rel=0.05)
-
-
 def windows(count):
     """Settings of every view and window, with vanes or without, that are averaged in little time."""
     rng = np.random.default_rng(12)
@@ -296,11 +281,6 @@ def test_the_light_in_large_windows_is_that_of_closed_forms_and_of_exact_average
         found = engine.measures({"coma": 1, "f_number": 5, "view": "averaged", "pixel": pixel})
         assert abs(found["inside"] - exact) <= found["inside_error"] + 1e-8
         assert found["inside_error"] < 1e-6
-
-
-def test_few_pixels_have_no_more_light_than_there_is(engine):
-    many, few = (engine.measures({"coma": 1.0, "side": side})["inside"] for side in (512, 16))
-    assert many - 0.02 <= few <= many
 
 
 def test_the_wavefront_is_that_of_the_pupil(engine):
@@ -418,12 +398,6 @@ def test_the_same_files_make_the_same_bytes_elsewhere(module, tmp_path):
     assert again.read_bytes() == before
 
 
-def test_what_is_no_state_is_left_out(engine):
-    plain = engine.psf({"side": 32})
-    odd = engine.psf({"side": 32, "toString": 1, "defocus": "NaN", "f_number": None, "__proto__": {"coma": 3}})
-    assert odd["values"] == plain["values"]
-
-
 def test_python_and_the_page_ask_for_the_same_of_a_state(engine):
     """`w.psf()` of a notebook is what its page shows: the same window, pixels and light."""
     rng = np.random.default_rng(5)
@@ -500,11 +474,6 @@ def test_a_wavefront_with_further_terms_is_that_of_the_pupil(engine):
     assert np.array(made).reshape(side, side)[rho <= 1] == pytest.approx(exact[rho <= 1], abs=1e-6)
 
 
-def test_a_focus_nearer_than_the_focal_length_is_refused(engine):
-    failed = engine.psf({"focus": "distances", "focus_distance": 0.05})
-    assert failed["error"] == "the focus distance must exceed the focal length of 50 mm, and is 0.05 m"
-
-
 LENS = {"focus": "distances", "focal_length": 6, "f_number": 2.8, "focus_distance": 0.7, "wavelength": 632.8}
 REFUSED = [
     {"defocus": 50, "coma": 10, "astigmatism": 10, "light": "white"},
@@ -560,21 +529,6 @@ def test_a_refusal_is_quick_and_what_it_advises_computes(engine, state):
         found = re.fullmatch(r"it would take too long\. (.*)\.", said)
         for advice in found[1].split(", or "):
             assert ask(method, followed(state, advice))[0] == "", advice
-
-
-def test_advice_names_less_defocus_and_smaller_pixels(engine):
-    state = {"defocus": 30, "coma": 8, "light": "white", "view": "averaged", "pixel": 40, "side": 64, "vanes": 4}
-    said = engine.ask("psf", state)["error"]
-    assert "educe the defocus to" in said or "educe defocus and" in said
-    assert "educe the pixel to" in said
-
-
-def test_advice_for_the_mtf_helps(engine):
-    state = {"defocus": 25, "spherical": -14, "coma": 7.7, "coma_angle": -156, "astigmatism": 4.7, "trefoil": 3}
-    state |= {"vanes": 8, "vane_width": 0.44, "light": "white", "view": "sampled", "side": 64}
-    said = engine.measures(state)["mtf"]["refused"]
-    found = re.fullmatch(r"No MTF: it would take too long\. (.*)\.", said)
-    assert "refused" not in engine.measures(followed(state, found[1]))["mtf"]
 
 
 def test_the_image_of_large_defocus_is_that_of_quadrature_over_the_disk(engine):
@@ -804,28 +758,6 @@ def test_an_mtf_that_would_take_long_is_made_of_the_image_within_the_error_it_st
         assert np.array(found[name])[which].max() > 0.9
 
 
-def test_no_mtf_of_vanes_is_given_that_would_take_long(engine):
-    state = {"defocus": 40, "coma": 5, "astigmatism": 9, "vanes": 6, "vane_width": 0.2, "obscuration": 0.3}
-    found = engine.measures(state)
-    assert 0 < found["mtf"]["error"] < 0.01
-    assert 0.79 < np.interp(found["d80_axis"] / 2, found["energy"]["r"], found["energy"]["share"]) < 0.81
-    assert engine.measures({**state, "defocus": 2, "coma": 0.5, "astigmatism": 0.5})["mtf"]["error"] == 0
-
-
-def test_a_thin_vane_hardly_changes_large_aberrations(engine):
-    state = {"defocus": 20, "spherical": 3, "coma": 1}
-    clear, cut = engine.measures(state), engine.measures({**state, "vanes": 1, "vane_width": 0.001})
-    hidden = 0.001 / math.pi
-    for name in ("share", "reference"):
-        assert cut["energy"][name] == pytest.approx(clear["energy"][name][::4], abs=5 * hidden)
-    assert cut["d80"] == pytest.approx(clear["d80"], rel=1e-3)
-    mean = np.array(clear["profile"]["mean"])[::4]
-    assert cut["profile"]["mean"] == pytest.approx(mean, abs=math.sqrt(hidden) * mean.max())
-    for name in ("x", "y"):
-        same = np.interp(clear["mtf"]["f"], cut["mtf"]["f"], cut["mtf"][name])
-        assert same == pytest.approx(clear["mtf"][name], abs=5 * hidden + 1e-3)
-
-
 @pytest.mark.parametrize(
     "state",
     [
@@ -865,18 +797,6 @@ def test_averages_of_large_aberrations_are_of_the_pixels_with_light_and_within_t
         assert off <= (found["bound"] + 1e-4) * found["peak"]
 
 
-@pytest.mark.parametrize(
-    "state", [{"defocus": 20, "pixel": 15}, {"spherical": 12, "pixel": 4, "obscuration": 0.3}], ids=("wide", "narrow")
-)
-def test_averages_of_round_images_follow_the_light_within_circles(engine, state):
-    state = {"defocus": 0, "side": 256, "f_number": 8, "view": "averaged", **state}
-    found = engine.psf(state)
-    exact = psf_of(state, tol=1e-7, dtype=np.float64).values
-    off = np.abs(np.array(found["values"]).reshape(256, 256) - exact).max() / exact.max()
-    assert off <= found["bound"] + 1e-7
-    assert found["bound"] <= 1e-6
-
-
 def heavy_states():
     """Settings with large defocus, and with large coma, astigmatism and trefoil: of every kind, obscured or not."""
     rng = np.random.default_rng(8)
@@ -900,18 +820,6 @@ def test_the_mtf_of_large_aberrations_is_that_of_the_package(engine, state):
     for name, (fx, fy) in {"x": (1e3 * f[which], 0.0), "y": (0.0, 1e3 * f[which])}.items():
         exact = lm.mtf(pupil, fx, fy, tol=1e-6)
         assert np.array(found[name])[which] == pytest.approx(exact, abs=1e-5), name
-
-
-@pytest.mark.parametrize("distance", [0.05, 0.02, 0.01, 0.006])
-def test_the_mtf_of_a_lens_focused_far_from_the_object_is_that_of_the_package(engine, distance):
-    terms = "2,2:.045;2,-2:-.12;3,1:-.06;3,-1:.15;4,0:.21;3,3:-.02;3,-3:.03;6,0:-.05"
-    state = {"focus": "distances", "focal_length": 6, "f_number": 2.8, "focus_distance": 0.7, "wavelength": 632.8}
-    state |= {"object_distance": distance, "zernike": terms, "side": 64}
-    found, pupil = engine.measures(state)["mtf"], stated_pupil(state)
-    f = np.array(found["f"])
-    which = np.unique(np.linspace(0, f.size - 1, 9).astype(int) // 4 * 4)
-    exact = lm.mtf(pupil, 1e3 * f[which], 0.0, tol=1e-6)
-    assert np.array(found["x"])[which] == pytest.approx(exact, abs=1e-5)
 
 
 @pytest.mark.parametrize("quality", ["settled", "drag"])
@@ -987,14 +895,6 @@ def test_peak_to_valley_is_of_the_closed_aperture(engine, state, depth):
         "(given) => { const { low, high } = engine.maps(given, 40); return high - low }", state
     )
     assert made == pytest.approx(depth, abs=1e-5)
-
-
-def test_the_fine_view_has_no_photons_for_its_samples_are_no_pixels(engine):
-    state = {"side": 64, "noise": "on", "photons": 1000}
-    assert "counts" not in engine.psf(state)
-    counts = engine.psf({**state, "view": "averaged", "side": 65, "read_noise": 0})["counts"]
-    assert 800 < sum(counts) < 1200
-    assert max(counts) > 20
 
 
 @pytest.mark.parametrize(

@@ -109,13 +109,6 @@ def test_what_is_typed_is_exact_and_out_of_range_changes_nothing(visit: Callable
     assert box(page, "defocus").input_value() == "7"
 
 
-def test_distances_of_a_telescope_are_computed(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#focus=distances&focal_length=1000&f_number=5")  # 239 waves of defocus
-    assert page.locator(".notice").is_hidden()
-    assert page.locator('dd[data-number="strehl"]').inner_text().startswith("<")
-    assert page.locator('dd[data-number="d80"]').inner_text() != "–"
-
-
 def test_units_change_what_is_shown_and_not_the_state(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&defocus=0.5&wavelength=600&f_number=5&focal_length=1000&length_unit=um")
     before = state(page)
@@ -202,28 +195,6 @@ def test_a_picture_of_ones_own_is_blurred_here_and_stays_here(visit: Callable[..
     page.locator(".notice", has_text="no.png is not a picture").wait_for()
 
 
-def test_a_large_picture_is_said_to_be_reduced_and_has_larger_pixels(visit: Callable[..., Any]) -> None:
-    image = pytest.importorskip("PIL.Image")
-    page = visit("/mounted#side=64&pixel=2&defocus=3")
-    sides = {}
-    for width, height in ((600, 400), (2400, 1600)):
-        file = io.BytesIO()
-        values = np.zeros((height, width), dtype=np.uint8)
-        values[:, width // 2 :] = 255
-        image.fromarray(values).save(file, "PNG")
-        page.locator("input[type=file]").set_input_files(
-            {"name": f"{width}.png", "mimeType": "image/png", "buffer": file.getvalue()}
-        )
-        page.wait_for_function("live.state.picture === 'own'")
-        page.wait_for_timeout(100)
-        rest(page)
-        sides[width] = page.locator(".picture canvas").evaluate("node => [node.width, node.height, node.title]")
-        page.evaluate("live.set({ picture: 'bars' })")
-        rest(page)
-    assert sides[600] == [600, 400, ""]
-    assert sides[2400] == [849, 566, "Reduced to 849 × 566 pixels, of 5.66 µm each"]
-
-
 REFUSING = """const { postMessage } = Worker.prototype;
 Worker.prototype.postMessage = function (message) {
   const refused = message.arguments[0].defocus === 13;
@@ -231,14 +202,6 @@ Worker.prototype.postMessage = function (message) {
 };"""
 COUNTING = """window.made = []; const Plain = Worker;
 Worker = class extends Plain { constructor(...given) { super(...given); made.push(this); } };"""
-
-
-LISTENING = """window.heard = []; const { postMessage } = Worker.prototype; const known = [];
-Worker.prototype.postMessage = function (message) {
-  if (!known.includes(this)) known.push(this);
-  heard.push([message.method, known.indexOf(this)]);
-  postMessage.call(this, message);
-};"""
 
 
 def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callable[..., Any]) -> None:
@@ -271,45 +234,6 @@ def test_a_newer_setting_does_not_wait_for_one_that_takes_long(visit: Callable[.
     assert page.locator(".notice").is_hidden()
 
 
-def test_pictures_that_are_not_computed_say_so(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    labels = """() => {
-        const { shadowRoot } = document.querySelector(".lommel-live-host");
-        return [...shadowRoot.querySelectorAll("canvas[role=img], svg[role=img]")].map((x) => x.ariaLabel);
-    }"""
-    names = ["Point spread function", "Profile", "Encircled energy", "MTF"]
-    before = page.evaluate(labels)
-    assert not any("not computed" in label for label in before)
-    page.evaluate("live.set({ defocus: 50, coma: 10, astigmatism: 10, light: 'white' })")
-    rest(page)
-    notice = page.locator(".notice").inner_text()
-    assert notice.startswith("This setting cannot be computed: it would take too long. Choose one wavelength")
-    assert page.locator(".ruler").is_hidden()  # there is nothing to measure
-    refused = page.evaluate(labels)
-    for name in names:
-        assert f"{name}: not computed for this setting." in refused
-    page.evaluate("live.set({ light: 'mono' })")
-    rest(page)
-    assert page.locator(".notice").is_hidden()
-    after = page.evaluate(labels)
-    assert not any("not computed" in label for label in after)
-    assert not set(names) & {a.split(":")[0] for a, b in zip(after, before, strict=True) if a == b}
-
-
-def test_a_lens_at_distances_is_left_for_one_in_waves(visit: Callable[..., Any]) -> None:
-    """Of the answers on the page the focal length stays that of their own lens, until the new ones come."""
-    page = visit("/mounted#side=64&focus=distances&focus_distance=1&object_distance=2&focal_length=50")
-    page.locator(".notice").evaluate(
-        """(node) => { window.told = []; new MutationObserver(() => node.textContent && told.push(node.textContent))
-        .observe(node, { childList: true, characterData: true, subtree: true }); }"""
-    )
-    page.evaluate("live.set({ focus: 'waves', focal_length: 20000, defocus: 1, length_unit: 'lambdaN' })")
-    rest(page)
-    assert page.evaluate("told") == []
-    assert page.locator(".notice").is_hidden()
-    assert page.evaluate("live.result().state.focal_length") == 20000
-
-
 def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=COUNTING)
     page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")
@@ -317,20 +241,3 @@ def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     rest(page)
     assert page.evaluate("live.result().state.defocus") == 1
     assert page.evaluate("made.length") == 3
-
-
-def test_image_and_curves_are_computed_at_a_time(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", before=LISTENING)
-    page.evaluate("live.set({ coma: 0.4 })")
-    rest(page)
-    heard = page.evaluate("heard")
-    assert {worker for method, worker in heard if method in ("psf", "maps")} == {0}
-    assert {worker for method, worker in heard if method in ("curves", "blur")} == {1}
-    result = page.evaluate("live.result().measures")
-    alone = page.evaluate(
-        """async () => { const { createCore, Engine } = await import("./lommel-live.js");
-        return new Engine(await createCore()).measures(live.state); }"""
-    )
-    # Two of them are those of the image.
-    for key in ("inside", "peak_strehl", "strehl", "d80"):
-        assert result[key] == alone[key], key

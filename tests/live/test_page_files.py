@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from live_page import rest
 
 
 def saved(page: Any, name: str) -> bytes:
@@ -60,43 +59,6 @@ def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> No
         assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, rel=1e-7, abs=near)
         assert max(len(row[head].replace(".", "").lstrip("0")) for row in rows) <= 11
     assert f"# diameter_80_percent_about_axis_um={float(wide):.4g}" in lines
-
-
-def test_the_csv_of_a_comparison_has_the_settings_as_they_look(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&vanes=4&pixel=4&stretch=sqrt")
-    page.get_by_role("button", name="Hold as A").click()
-    page.get_by_label("Stretch").select_option("log")
-    rest(page)
-    lines = saved(page, "csv").decode().splitlines()
-    assert "# stretch=log *" in lines
-    assert "# vanes=4 *" in lines
-    rows = list(csv.DictReader(io.StringIO("\n".join(line for line in lines if not line.startswith("#")))))
-    for axis in "xy":
-        wanted = page.evaluate(f"Array.from(live.result().measures.mtf.pixel_{axis})")
-        column = [float(row[f"MTF {axis} with pixel"]) for row in rows if row[f"MTF {axis} with pixel"]]
-        assert column == pytest.approx(wanted, abs=5.1e-7)
-
-
-def test_the_link_of_a_lens_file_has_its_name_and_says_that_no_picture_is_in_it(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", permissions=["clipboard-read", "clipboard-write"])
-    text = 'name = "Our 200 mm & more"\n[lens]\nfocal_length = "200 mm"\nf_number = 4\nwavelength = "550 nm"\n'
-    text += '[sensor]\npixel = "3 um"\n'
-    assert page.evaluate("text => live.open(new File([text], 'ours.toml'))", text)
-    rest(page)
-    page.locator('[data-action="link"]').click()
-    page.wait_for_timeout(50)
-    link = page.evaluate("navigator.clipboard.readText()")
-    assert page.locator(".tip").is_hidden()
-    there = visit(link[link.index("/mounted") :])
-    assert there.locator("h2.name").inner_text() == "Our 200 mm & more"
-    there.evaluate("live.set({ coma: 0.3 })")
-    rest(there)
-    assert there.locator("h2.name").inner_text() == "Changed from: Our 200 mm & more"
-    page.evaluate("live.set({ picture: 'own' })")
-    rest(page)
-    page.locator('[data-action="link"]').click()
-    page.wait_for_timeout(50)
-    assert page.locator(".tip").inner_text() == "Not in the link: your own picture."
 
 
 def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:

@@ -6,12 +6,9 @@ import itertools
 import os
 import re
 import shlex
-import shutil
-import subprocess
 import tomllib
 from pathlib import Path
 
-import pytest
 import yaml
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -55,30 +52,6 @@ def test_workflows_run_what_is_there():
     ]
 
 
-def test_the_tests_run_on_three_systems_with_the_oldest_and_the_newest_python():
-    tests = WORKFLOWS["tests.yml"]
-    # YAML 1.1 reads the key `on` as true.
-    assert set(tests[True]) == {"push", "pull_request", "schedule"}
-    classifiers = " ".join(PROJECT["project"]["classifiers"])
-    pythons = sorted(re.findall(r"Python :: (3\.\d+)", classifiers), key=lambda version: int(version[2:]))
-    others = tests["jobs"]["others"]["strategy"]["matrix"]
-    assert others["os"] == ["macos-latest", "windows-latest"]
-    for job in ("linux", "others"):
-        assert tests["jobs"][job]["strategy"]["matrix"]["python"] == [pythons[0], pythons[-1]]
-    (pytest_line,) = re.findall(r"^pytest := \.venv/bin/(.*)$", MAKEFILE, re.MULTILINE)
-    assert f"python -m {pytest_line} --quick" in [step.get("run") for step in tests["jobs"]["others"]["steps"]]
-
-
-def test_all_tests_run_every_night_and_before_wheels_are_built():
-    nightly = WORKFLOWS["tests.yml"]["jobs"]["everything"]
-    assert nightly["if"] == "github.event_name == 'schedule'"
-    wheels = WORKFLOWS["wheels.yml"]["jobs"]
-    for steps in (nightly["steps"], wheels["everything"]["steps"]):
-        assert next(step["run"] for step in steps if "run" in step).split()[:2] == ["make", "test-all"]
-    assert {wheels[job]["needs"] for job in ("sources", "release")} == {"everything"}
-    assert wheels["wheels"]["needs"] == "sources"
-
-
 def test_workflows_install_packages_by_their_hashes_alone():
     run = [line for _, step in STEPS for line in step.get("run", "").splitlines()]
     lines = [line for line in run if "install" in line]
@@ -99,28 +72,6 @@ def test_workflows_may_only_read_and_pin_what_they_use():
     assert [use for use in used if not re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", use)] == []
 
 
-def test_hooks_are_those_of_the_environment_and_see_every_file_that_make_formats():
-    (local,) = yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text(encoding="utf-8"))["repos"]
-    hooks = {hook["id"]: hook for hook in local["hooks"]}
-    assert set(hooks) == {"ruff", "ruff-format", "clang-format", "mypy"}
-    for hook in hooks.values():
-        program = hook["entry"].split()[0]
-        assert hook["language"] == "system"
-        assert f"\t{program}" in MAKEFILE or f"@{program}" in MAKEFILE, program
-    (patterns,) = re.findall(r"^cpp_formatted := \$\(wildcard (.*)\)$", MAKEFILE, re.MULTILINE)
-    formatted = {path.relative_to(ROOT).as_posix() for pattern in patterns.split() for path in ROOT.glob(pattern)}
-    there = {path.relative_to(ROOT).as_posix() for top in ("cpp", "tests") for path in (ROOT / top).rglob("*.*pp")}
-    assert {name for name in there if re.search(hooks["clang-format"]["files"], name)} == formatted
-
-
-def test_forms_ask_for_something():
-    for path in GITHUB.glob("ISSUE_TEMPLATE/*.yml"):
-        form = yaml.safe_load(path.read_text(encoding="utf-8"))
-        assert form["name"], path
-        assert form["description"], path
-        assert any(field.get("validations", {}).get("required") for field in form["body"]), path
-
-
 def test_every_fragment_of_the_changelog_has_a_known_type():
     kinds = [kind["directory"] for kind in PROJECT["tool"]["towncrier"]["type"]]
     pattern = re.compile(rf"(\d+|\+[\w-]+)\.({'|'.join(kinds)})(\.\d+)?\.md")
@@ -128,13 +79,3 @@ def test_every_fragment_of_the_changelog_has_a_known_type():
     assert [name for name in names if not pattern.fullmatch(name)] == []
     about = (ROOT / "changes" / "README.md").read_text(encoding="utf-8")
     assert re.findall(r"^- `(\w+)`:", about, re.MULTILINE) == kinds
-
-
-@pytest.mark.skipif(shutil.which("make") is None, reason="no make")
-def test_help_lists_every_target_that_has_a_text():
-    command = ["make", "--no-print-directory", "help"]
-    shown = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    described = re.findall(r"^([a-z-]+):.*## (.*)$", MAKEFILE, re.MULTILINE)
-    assert [re.match(r"make (\S+) +(.*)", line).groups() for line in shown.splitlines()] == described
-    (phony,) = re.findall(r"^\.PHONY: (.*)$", MAKEFILE, re.MULTILINE)
-    assert {name for name, _ in described} <= set(phony.split())

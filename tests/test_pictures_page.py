@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 import matplotlib.pyplot as plt
-import pytest
 
 import drawn
 from check import empty_axes
@@ -29,27 +28,3 @@ def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
         assert any(re.search(r"\(.+\)", label) for label in labels), labels
     assert made == names
     assert not plt.get_fignums()
-
-
-def test_the_code_of_readme_draws_its_picture():
-    assert not empty_axes(drawn.first_psf())
-    assert "(docs/first-psf.png)" in (drawn.PAGE.parents[1] / "README.md").read_text(encoding="utf-8")
-    assert (drawn.PAGE.parent / "first-psf.png").exists()
-
-
-def test_pictures_are_written_as_files(tmp_path):
-    page = tmp_path / "page.md"
-    page.write_text(
-        "```python\nimport matplotlib.pyplot as plt\nplt.plot([0, 1])\n```\n![a](_generated/pictures/one.png)\n",
-        encoding="utf-8",
-    )
-    assert [name for name, _ in drawn.parts(page)] == ["one"]
-    drawn.write(tmp_path / "out", [page])
-    assert (tmp_path / "out" / "pictures" / "one.png").read_bytes()[:4] == b"\x89PNG"
-
-
-def test_a_picture_without_code_is_an_error(tmp_path):
-    page = tmp_path / "page.md"
-    page.write_text("![a](_generated/pictures/one.png)\n", encoding="utf-8")
-    with pytest.raises(ValueError, match=r"page\.md: no code above the picture one draws one"):
-        list(drawn.parts(page))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import runpy
 import shutil
 import subprocess
 import sys
@@ -61,13 +60,6 @@ def test_what_is_installed_first_is_of_the_lock_and_has_hashes():
     entries = re.findall(r"^([\w.-]+)==[^\n]*\\\n(?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+", lock, re.MULTILINE)
     assert len(entries) == len(re.findall("==", re.sub("[<>=!]= '.*", "", lock)))
     assert FIRST | set(TOOLS) <= set(entries)
-
-
-def test_the_group_asks_for_nothing_that_the_extras_and_the_builder_do_not():
-    names = {Requirement(text).name for text in GROUPS["build"]}
-    building = {Requirement(text).name for text in PROJECT["build-system"]["requires"]}
-    assert names - building <= {Requirement(text).name for text in EXTRAS["cli"]}
-    assert building <= names
 
 
 def test_the_first_picture_imports_no_package_of_the_second_stage(tmp_path):
@@ -234,36 +226,6 @@ def test_packages_are_installed_in_two_stages_and_only_by_their_hashes(place):
     assert len(place.make("env", "requirements.lock")) == 3
 
 
-def test_an_environment_of_another_folder_or_python_is_made_anew(place):
-    place.make("env")
-    named = f"PYTHON={place.bin / 'python3'}"
-    assert len(place.make_again("env", named)) == 3
-    assert not place.make_again("env", named)
-    assert not place.make_again("env")
-    place.root = place.root.rename(place.root.with_name("moved"))
-    assert len(place.make_again("env")) == 3
-
-
-def test_what_builds_is_fetched_where_path_has_none(place):
-    (place.root.parent / "missing").write_text("cmake>=3.26 ninja>=1.5\n")
-    tools = place.make("build")[2:4]
-    for line, name in zip(tools, ("cmake", "ninja"), strict=True):
-        assert has(line, *LOCKED)
-        assert line.endswith(f"--group {name}")
-
-
-def test_uv_is_fetched_by_its_hashes_where_path_has_none(place):
-    (place.bin / "uv").rename(place.root.parent / "uv")
-    pip, *_ = place.make("build")
-    assert has(pip, "--require-hashes", "--no-deps")
-    assert pip.endswith("--requirement .tools/uv.txt")
-    text = (place.root / ".tools" / "uv.txt").read_text()
-    assert re.fullmatch(
-        r"uv==[\d.]+ \\\n(    --hash=sha256:[0-9a-f]{64} \\\n)+    --hash=sha256:[0-9a-f]{64}\n", text
-    )
-    assert not [line for line in place.make("env") + place.make("build") if line.startswith("pip")]
-
-
 @pytest.mark.parametrize(
     ("name", "script", "words"),
     [
@@ -291,34 +253,6 @@ def test_what_is_missing_is_said_before_anything_is_installed(name, script, word
     assert not (place.root / ".tools").exists()
 
 
-@pytest.mark.parametrize("name", ["g++", "clang++"])
-def test_a_compiler_of_any_name_is_the_one_that_compiles(name, place):
-    (place.bin / "c++").rename(place.bin / name)
-    place.make("build")
-    assert place.environment()["CXX"] == name
-    (place.bin / name).rename(place.bin / "mine")
-    assert place.run("lock", CXX="mine").returncode == 0
-    assert place.environment()["CXX"] == "mine"
-
-
-def test_of_another_environment_only_indexes_caches_and_certificates_count(place):
-    kept = (
-        "PIP_INDEX_URL", "PIP_CERT", "PIP_TRUSTED_HOST", "UV_DEFAULT_INDEX", "UV_INDEX_OWN_PASSWORD", "UV_CACHE_DIR",
-        "UV_NO_CACHE", "UV_OFFLINE", "UV_HTTP_TIMEOUT", "UV_INSECURE_HOST", "SSL_CERT_FILE", "HTTPS_PROXY",
-    )  # fmt: skip
-    lost = (
-        "PIP_TARGET", "PIP_CONSTRAINT", "UV_CONSTRAINT", "UV_NO_VERIFY_HASHES", "UV_PYTHON", "UV_EXCLUDE_NEWER",
-        "UV_PROJECT_ENVIRONMENT", "PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "CONDA_PREFIX",
-    )  # fmt: skip
-    run = place.run("env", **dict.fromkeys([*kept, *lost], "given"))
-    assert run.returncode == 0, run.stderr
-    seen = place.environment()
-    assert {name for name in kept if seen.get(name) != "given"} == set()
-    assert {name for name in lost if name in seen} == set()
-    assert seen["UV_SYSTEM_CERTS"] == "1"
-    assert seen["UV_PYTHON_DOWNLOADS"] == "never"
-
-
 def test_an_edit_of_the_core_is_compiled_without_a_new_install(place):
     place.make("build")
     folder = str(place.core.parent)
@@ -329,56 +263,3 @@ def test_an_edit_of_the_core_is_compiled_without_a_new_install(place):
     assert has(copied, "cmake", "--install", folder, "--strip", "--prefix")
     assert len(place.make_again("build")) == 1
     assert len(place.make("build", "src/lommel/two.py")) == 1
-
-
-@pytest.mark.parametrize("what", ["a file is gone", "the project changed", "a wheel was built"])
-def test_the_package_is_installed_anew_where(what, place):
-    place.make("build")
-    changed = []
-    if what == "a file is gone":
-        (place.root / "src" / "lommel" / "two.py").unlink()
-    elif what == "the project changed":
-        changed.append("pyproject.toml")
-    else:
-        assert has(place.make("wheel")[-1], "uv build --wheel")
-    line = place.make("build", *changed)[0]
-    assert has(line, "--reinstall"), line
-    assert has(line, "--editable", "."), line
-
-
-def test_a_core_that_does_not_compile_is_compiled_again(place):
-    place.make("build")
-    working = (place.bin / "cmake").read_text()
-    place.program("cmake", "exit 1")
-    assert place.run("build").returncode != 0
-    (place.bin / "cmake").write_text(working)
-    assert len(place.make_again("build")) == 1
-
-
-def test_everything_is_not_begun_where_there_is_no_browser_for_the_live_page(place):
-    run = place.run("test-all")
-    assert run.returncode != 0
-    assert "Chromium" in run.stderr
-    assert place.log.read_text() == ""
-
-
-@pytest.mark.parametrize("status", [0, 3])
-def test_what_a_compiler_takes_is_written_down(status, tmp_path):
-    script = runpy.run_path(str(ROOT / "benchmarks" / "setup_times.py"))
-    (tmp_path / "launcher.py").write_text(script["LAUNCHER"])
-    busy = f"x = bytearray(50_000_000)\nfor _ in range(10**6): pass\nraise SystemExit({status})"
-    command = [
-        sys.executable,
-        "-IS",
-        tmp_path / "launcher.py",
-        tmp_path / "log",
-        sys.executable,
-        "-c",
-        busy,
-        "-c a.cpp",
-    ]
-    assert subprocess.run(command, check=False).returncode == status
-    cpu, memory, source = (tmp_path / "log").read_text().rstrip("\n").split(maxsplit=2)
-    assert float(cpu) > 0.0
-    assert float(memory) * (1 if sys.platform == "darwin" else 1024) > 50e6
-    assert source == "-c a.cpp"

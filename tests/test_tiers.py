@@ -55,19 +55,6 @@ def test_listed_tests_are_left_out_and_a_function_stands_for_its_cases(listed):
     ]
 
 
-def test_a_hundredth_of_the_slow_tests_is_drawn_anew_by_each_commit(listed, monkeypatch):
-    names = [f"tests/b.py::test_three[{i}]" for i in range(20_000)]
-    drawn = [name for name in names if tiers.is_quick(Item(name), tiers.DRAWN)]
-    assert 140 < len(drawn) < 260
-    assert drawn == [name for name in names if tiers.is_quick(Item(name), tiers.DRAWN)]
-    monkeypatch.setattr(tiers, "commit", lambda: "another")
-    others = [name for name in names if tiers.is_quick(Item(name), tiers.DRAWN)]
-    assert len({*drawn} & {*others}) < 20
-    assert not tiers.is_quick(Item("tests/live/test_page.py::test_x"), 1.0)
-    assert not tiers.is_quick(Item("tests/a.py::test_x", "theorem"), 1.0)
-    assert tiers.is_quick(Item(names[0], "quick"), 0.0)
-
-
 def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs():
     here = "tests/test_tiers.py::test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs"
     before = {
@@ -79,20 +66,3 @@ def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs()
     assert tiers.lines({}, before) == [f"  2.0 {here}\n", "  0.3 tests/test_tiers.py::listed\n"][::-1]
     assert tiers.lines({here: 0.1}, before) == ["  0.3 tests/test_tiers.py::listed\n"]
     assert tiers.lines({here: 0.26}, {}) == [f"  0.3 {here}\n"]
-
-
-def test_a_function_is_listed_where_all_of_its_cases_are_slow():
-    slow = {
-        "t.py::test_a[1]": 0.4,
-        "t.py::test_a[2]": 0.8,
-        "t.py::test_b[1]": 0.4,
-        "t.py::test_b[2]": 0.1,
-        "t.py::test_c": 1.0,
-    }
-    assert tiers.lines(slow, {}) == ["  0.6 t.py::test_a\n", "  0.4 t.py::test_b[1]\n", "  1.0 t.py::test_c\n"]
-
-
-def test_the_time_of_children_counts(run_lommel, tmp_path):
-    before = tiers.processor_time()
-    run_lommel("--version", folder=tmp_path)
-    assert tiers.processor_time() > before

@@ -84,16 +84,6 @@ def test_a_wheel_that_is_built_now_works_on_its_own(tmp_path):
     check(wheel, tmp_path, *flags)
 
 
-def test_what_builds_wheels_knows_every_python_that_the_package_names():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    assert project["tool"]["scikit-build"]["wheel"]["py-api"] == "cp312"
-    built = project["tool"]["cibuildwheel"]["build"]
-    # 3.11 has no stable ABI that nanobind can use; the wheel of 3.12 is that of all later ones.
-    assert {"cp311-*", "cp312-*"} <= set(built)
-    named = [line.rpartition(" ")[2] for line in project["project"]["classifiers"] if "Python :: 3." in line]
-    assert min(named, key=lambda version: int(version.partition(".")[2])) == "3.11"
-
-
 def test_the_changelog_is_about_the_version_of_the_package():
     lines = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").splitlines()
     first = next(line for line in lines if line.startswith("## "))
@@ -120,21 +110,3 @@ def test_wheels_carry_the_notices_of_all_that_is_linked_into_them():
     pinned = (ROOT / "requirements.lock").read_text()
     for package, release in re.findall(r"\b(nanobind|ziglang) ([\d.]+\d)", table):
         assert f"\n{package}=={release} " in pinned  # a newer one may have other notices
-
-
-def test_wheels_are_built_by_what_is_locked():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    pinned = re.findall(r"^([\w.-]+)==.*\\$", (ROOT / "requirements.lock").read_text(encoding="utf-8"), re.MULTILINE)
-    required = {re.split(r"[<>=]", line)[0] for line in project["build-system"]["requires"]}
-    assert required | {"cmake", "ninja", "packaging", "pathspec"} <= set(pinned)
-    building = project["tool"]["cibuildwheel"]
-    assert building["build-frontend"] == "build[uv]"
-    for part in (building, building["macos"]):
-        assert part["environment"]["UV_CONSTRAINT"] == "requirements.lock"
-
-
-def test_actions_are_pinned_by_the_hash_of_a_commit():
-    for workflow in (ROOT / ".github" / "workflows").glob("*.yml"):
-        used = re.findall(r"uses: (.*)", workflow.read_text(encoding="utf-8"))
-        assert used
-        assert all(re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", line) for line in used), used

@@ -77,21 +77,6 @@ def test_sixteen_bits_of_colour_are_read_as_other_programs_write_them(tmp_path):
     np.testing.assert_array_equal(read_photo(tmp_path / "a.png").values, values)
 
 
-def test_sixteen_bits_of_colour_are_what_other_programs_read(tmp_path):
-    light = RNG.random(COLOUR)
-    write_photo(tmp_path / "a.png", light, dtype=np.uint16)
-    with Image.open(tmp_path / "a.png") as file:
-        np.testing.assert_array_equal(np.asarray(file), from_light(light, "srgb", np.uint16) >> 8)
-
-
-def test_a_jpeg_comes_back_nearly(tmp_path):
-    y, x = np.mgrid[0:64, 0:48] / 64
-    light = np.stack([x, y, 0.5 + 0.0 * x], axis=2)
-    write_photo(tmp_path / "a.jpg", light, quality=98)
-    back = read_photo(tmp_path / "a.jpg")
-    assert np.abs(back.values.astype(int) - from_light(light, "srgb", np.uint8)).max() <= 3
-
-
 @pytest.mark.parametrize("orientation", range(1, 9))
 @pytest.mark.parametrize("name", ["a.png", "a.jpg", "a.tif"])
 def test_a_photo_is_turned_as_its_exif_says(tmp_path, name, orientation):
@@ -384,23 +369,6 @@ def test_zero_is_unknown_only_where_one_says_so(tmp_path):
     np.testing.assert_array_equal(found, [[np.nan, 1.0], [2.0, np.nan]])
 
 
-@pytest.mark.parametrize("kind", [np.int32, np.float32])
-@pytest.mark.parametrize("suffix", [".tif", ".npy"])
-def test_other_values_are_unknown_where_one_says_so(kind, suffix, tmp_path):
-    stored, path = np.array([[-1, 1000], [255, 4000]], kind), tmp_path / f"a{suffix}"
-    if suffix == ".npy":
-        np.save(path, stored)
-    else:
-        tifffile.imwrite(path, stored, photometric="minisblack")
-    found = read_depth(path, scale=1e-3, unknown=(-1, 255))
-    np.testing.assert_allclose(found, [[np.nan, 1.0], [np.nan, 4.0]])
-    assert np.nanmin(read_depth(path, scale=1e-3, unknown=[-1])) == pytest.approx(0.255)
-    with pytest.raises(
-        ValueError, match=r"> 0 metres, got -0\.001; if the value -1 means unknown, state it as `unknown`"
-    ):
-        read_depth(path, scale=1e-3)
-
-
 def npy(values: np.ndarray) -> bytes:
     buffer = io.BytesIO()
     np.save(buffer, values, allow_pickle=True)
@@ -474,17 +442,3 @@ def test_a_raw_photograph_is_refused_with_the_way_out_and_never_read_as_its_prev
     for read in (imaging.read_photo, imaging.read_depth, lambda path: read_images([path])):
         with pytest.raises(PhotoError, match=r"is a raw photograph.*rawpy.imread\(path\).postprocess\(gamma="):
             read(tmp_path / name)
-
-
-def test_a_picture_with_smaller_ones_below_it_is_no_raw_photograph(tmp_path):
-    with tifffile.TiffWriter(tmp_path / "a.tif") as file:
-        file.write(np.full((48, 64), 7, np.uint16), subifds=1, metadata=None)
-        file.write(np.zeros((24, 32), np.uint16), subfiletype=1, metadata=None)
-    assert np.all(imaging.read_photo(tmp_path / "a.tif").values == 7)
-
-
-def test_a_black_photograph_that_compresses_too_well_is_stored_plainly(tmp_path):
-    for name, dtype, shape in (("a.png", np.uint8, (4600, 4600)), ("b.png", np.uint16, (4600, 4600))):
-        imaging.write_photo(tmp_path / name, np.zeros(shape, np.float32), dtype=dtype)
-        assert (tmp_path / name).stat().st_size > 4600**2
-        assert imaging.read_photo(tmp_path / name).values.shape == shape

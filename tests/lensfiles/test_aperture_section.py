@@ -50,11 +50,6 @@ def test_vignetting_is_an_ellipse_or_a_cats_eye(load):
     assert load("[aperture.cat_eye]\nshift = [0.4, 0.2]\n").pupil().vignetting == lm.CatEye((0.4, 0.2))
 
 
-def test_the_pupil_of_every_object_has_the_aperture(load):
-    lens = load('[aperture.spider]\nvanes = 3\nwidth = "2 mm"\n').lens
-    assert lens.pupil([1e3, 1e4]).spider == lens.spider is not None
-
-
 @pytest.mark.parametrize("suffix", [".npy", ".png", ".tif", ".fits", ".fits.gz"])
 @pytest.mark.parametrize("holds", ["amplitude", "intensity"])
 def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_path, suffix, holds):
@@ -174,14 +169,6 @@ def test_a_telescope_is_named(load, name):
     assert lens.stop == getattr(lm.telescopes, name)()
 
 
-def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
-    pistons = [0.1] * 17 + [0.0]
-    text = f'[aperture]\ntelescope = "jwst"\n[aperture.segments]\npiston = {pistons}\n'
-    assert load(text).lens.stop == lm.telescopes.jwst().phased(2 * math.pi * np.array(pistons))
-    half = '[[aperture.blocked]]\ntype = "polygon"\ncorners = [[0, -2], [2, -2], [2, 2], [0, 2]]\n'
-    assert load(text + half).pupil().area == pytest.approx(0.5 * load(text).pupil().area, rel=1e-4)
-
-
 @pytest.mark.parametrize(
     ("section", "what"),
     [
@@ -226,29 +213,3 @@ def test_complex_numbers_are_no_intensity(load, tmp_path):
     load('[aperture.mask]\nfile = "phase.npy"\n')
     with pytest.raises(ValueError, match=r'must hold real numbers with holds = "intensity", got complex ones'):
         load('[aperture.mask]\nfile = "phase.npy"\nholds = "intensity"\n')
-
-
-def test_all_faults_of_shapes_are_told_with_their_lines(load):
-    text = """[aperture.spider]
-width = "9 m"
-vanes = 3
-[[aperture.blocked]]
-type = "disc"
-radius = 0
-[[aperture.blocked]]
-type = "disc"
-radius = 0.3
-center = [3, 0]
-[[aperture.clear]]
-type = "strip"
-start = [0, 0]
-end = [0, 0]
-width = 0.1
-"""
-    with pytest.raises(LensFileError) as caught:
-        load(text)
-    _, *lines = str(caught.value).splitlines()
-    names = ("spider.width (line 10)", "clear, entry 1, strip (line 19)", "blocked, entry 1, disc (line 12)",
-             "blocked, entry 2, disc (line 15)")  # fmt: skip
-    assert [line.strip().partition(":")[0] for line in lines] == [f"aperture.{name}" for name in names]
-    assert lines[3].endswith("wholly beyond its rim; lengths are over the radius of the aperture")

@@ -164,10 +164,3 @@ def test_a_fault_is_told_with_its_key_and_line(load, text, what):
     with pytest.raises(LensFileError) as caught:
         load(text)
     assert what in str(caught.value)
-
-
-def test_faults_in_the_table_and_elsewhere_are_told_at_once(load, tmp_path):
-    with pytest.raises(LensFileError) as caught:
-        load(TABLE.replace("24 mm", "24 kg").replace("0.5", '"a"') + "W131 = nan\nfile = 3\n")
-    message = str(caught.value)
-    assert all(f"\n  field.{key} " in message for key in ("sensor", "rows", "W131", "file"))

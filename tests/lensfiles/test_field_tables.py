@@ -78,14 +78,6 @@ def test_a_fault_is_told_with_its_row_and_column(columns, rows, what):
         read_rows(columns, rows, "noll")
 
 
-def test_every_fault_is_told_at_once_up_to_twelve():
-    told = "column 'W4' .*; row 1, height: 'a' is not .*; row 1, Z5: .*'b'; row 2 must have 3 cells"
-    with pytest.raises(ValueError, match=told):
-        read_rows(["height", "W4", "Z5"], [["a", 1, "b"], [0, 1]], "noll")
-    with pytest.raises(ValueError, match=r"; and 8 more$"):
-        read_rows(["height", "Z4"], [[0]] * 20, "noll")
-
-
 @pytest.mark.parametrize(
     ("data", "what"),
     [

@@ -57,10 +57,6 @@ def test_every_example_loads_and_says_where_its_figures_come_from(lens_file):
     assert lm.load_instrument(str(lens_file)).lens == instrument.lens
 
 
-def test_a_long_focal_length_with_its_unit_is_not_asked_about(load):
-    assert load('focal_length = "1.2 m"', 'focus_distance = "inf"').lens.f_number == pytest.approx(2.0)
-
-
 def test_a_key_of_another_section_is_told_where_it_is(load):
     for text, told in (
         ("[aperture]\nobscuration = 0.3\n", r"aperture.obscuration \(line 17\): unknown key; it is in \[lens\]$"),
@@ -226,10 +222,6 @@ def test_a_file_may_say_whether_its_pixels_average(load, line, integrate):
     assert load(text=PLAIN.replace("shape = 33", f"shape = 33\n{line}")).integrate is integrate
 
 
-def test_a_file_without_a_name_has_that_of_the_file(load):
-    assert load(text=PLAIN.replace('name = "camera"', "")).name == "lens"
-
-
 @pytest.mark.parametrize("distance", ["1.5 m", "1.9 m", "2 m"])
 def test_a_file_without_a_shape_has_a_window_for_about_98_per_cent_of_the_light(load, distance):
     found = load(text=PLAIN.replace("shape = 33", "").replace("1.5 m", distance))
@@ -237,13 +229,6 @@ def test_a_file_without_a_shape_has_a_window_for_about_98_per_cent_of_the_light(
     assert found.window[0] == found.window[1] >= 33
     assert 0.975 < lm.psf(found.pupil(), found.window, found.pixel, integrate=True).energy < 0.999
     assert load().window == (33, 33)
-
-
-@pytest.mark.parametrize("key", ["focal_length", "wavelength", "pixel"])
-def test_a_missing_entry_is_named(load, key):
-    message = fault(load, text=PLAIN.replace(f"{key} =", "# "))
-    section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor."}[key]
-    assert message == f"{section}{key}: is missing"
 
 
 @pytest.mark.parametrize(
@@ -256,11 +241,6 @@ def test_a_missing_entry_is_named(load, key):
 )
 def test_entries_that_contradict_each_other_are_named(load, change, what):
     assert what in fault(load, change)
-
-
-def test_a_lens_without_an_aperture_is_told_both_ways_to_give_it(load):
-    message = fault(load, text=PLAIN.replace("f_number = 2.0", ""))
-    assert "exactly one of f_number and aperture_diameter" in message
 
 
 def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
@@ -308,25 +288,9 @@ def test_a_bad_radius_is_told_with_its_key_and_line(load, value, what):
     assert "\n" not in message
 
 
-@pytest.mark.parametrize(
-    "text", ["lens = 5\n" + PLAIN[:33], PLAIN.replace("[lens]", "[[lens]]")], ids=["5", "[[lens]]"]
-)
-def test_what_is_no_section_is_told_without_names_from_inside_the_package(load, text):
-    message = fault(load, text=text)
-    assert "lens" in message
-    assert "_Lens" not in message
-
-
 @pytest.mark.parametrize("text", ["[lens", "a = ", PLAIN + "[lens]\n", PLAIN + "\x00", "a = " + "[" * 5000])
 def test_what_is_no_toml_is_told(load, text):
     assert fault(load, text=text).startswith("not valid TOML: ")
-
-
-@pytest.mark.parametrize("data", [PLAIN.encode() + b"# caf\xe9\n", PLAIN.encode("utf-16"), bytes(range(256))])
-def test_what_is_not_utf_8_is_told(tmp_path, data):
-    (tmp_path / "lens.toml").write_bytes(data)
-    with pytest.raises(LensFileError, match=r"lens.toml: not valid TOML: .*utf-8"):
-        lm.load_instrument(tmp_path / "lens.toml")
 
 
 @pytest.mark.parametrize("suffix", [".tif", ".png", ".jpg", ".npy"])
@@ -338,27 +302,6 @@ def test_an_image_in_place_of_a_lens_file_is_named_so(tmp_path, suffix):
         Image.fromarray(np.zeros((600, 900), np.uint8)).save(path)
     with pytest.raises(LensFileError, match=rf"photo{suffix} is an image, not a lens file"):
         lm.load_instrument(path)
-
-
-@pytest.mark.parametrize(
-    "data", [PLAIN.replace("\n", "\r\n").encode(), b"\xef\xbb\xbf" + PLAIN.encode()], ids=["CRLF", "BOM"]
-)
-def test_files_from_windows_load(tmp_path, data):
-    (tmp_path / "lens.toml").write_bytes(data)
-    assert lm.load_instrument(tmp_path / "lens.toml").name == "camera"
-
-
-def test_what_cannot_be_read_is_an_os_error_with_its_name(tmp_path):
-    with pytest.raises(FileNotFoundError, match=r"nowhere\.toml"):
-        lm.load_instrument(tmp_path / "nowhere.toml")
-    with pytest.raises(IsADirectoryError):
-        lm.load_instrument(tmp_path)
-
-
-def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
-    assert issubclass(LensFileError, ValueError)
-    missing = fault(load, text="").split("\n  ")[1:]
-    assert missing == ["lens: is missing", "sensor: is missing"]
 
 
 ZERNIKE = """\
@@ -463,12 +406,6 @@ def test_a_fault_of_a_table_is_told_with_its_name_and_that_of_the_lens_file(load
     assert message.startswith("aberrations.zernike.file (line 17): ")
     assert "a.csv" in message
     assert told in message
-
-
-def test_faults_among_zernike_terms_are_told_with_all_others(load):
-    text = PLAIN.replace("wavelength = ", "wave = ") + ZERNIKE.replace('"nm"', '"kg"')
-    told = [line.strip().split(":")[0] for line in fault(load, text=text).strip("\n").split("\n")]
-    assert sorted(told) == ["aberrations.zernike.unit (line 18)", "lens.wave (line 8)", "lens.wavelength"]
 
 
 @pytest.mark.parametrize(

@@ -86,11 +86,6 @@ def test_a_bad_argument_is_told_in_one_sentence(name, value, said):
     assert "\n" not in str(caught.value)
 
 
-def test_without_a_fault_there_is_a_psf():
-    assert psf().shape == (3, 3)
-    assert len(TABLE) >= 25
-
-
 @each(
     ("make", "said"),
     [
@@ -121,12 +116,6 @@ def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
         psf(coverslip=lm.Layer(1.5255, 5e-3), design=lm.Design(1.518, GLASS))
 
 
-def test_a_film_that_is_a_little_too_thick_was_not_meant_in_another_unit():
-    with pytest.raises(ValueError, match="films") as caught:
-        psf(films=[lm.Layer(1.46, 3e-6)])
-    assert "give" not in str(caught.value)
-
-
 def test_depths_and_planes_that_do_not_go_together_are_told():
     with pytest.raises(ValueError, match=r"depth.* and .*must broadcast, got shapes \(2,\) and \(3,\)"):
         psf(depth=np.array([1e-6, 2e-6]), z=np.zeros(3))
@@ -151,12 +140,6 @@ def test_depths_and_planes_that_do_not_go_together_are_told():
 def test_what_takes_the_pupil_of_a_lens_says_what_to_do_with_another(take, said):
     with pytest.raises(TypeError, match=said):
         take(lm.Objective(**OBJECTIVE))
-
-
-def test_a_microscope_of_a_file_has_a_pupil():
-    found = lm.Microscope("", "", lm.Objective(**OBJECTIVE), 520e-9, 2e-6, 6.5e-6, lm.Scalar())
-    with pytest.raises(TypeError, match=r"a Microscope; microscope.pupil\(\) is its pupil"):
-        lm.psf(found, 3, 6.5e-6)
 
 
 def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():

@@ -53,11 +53,6 @@ def test_stars_between_the_pixels_have_an_axis_each(seidel):
         assert np.abs(stack.values[i, j] - alone).max() <= 1.1 * tol * alone.max()
 
 
-def test_a_map_without_aberrations_of_the_field_is_the_same_everywhere():
-    field = lm.FieldMap.from_seidel(1.0, W040=0.5)
-    assert field.pupil([0.0, 0.5], 0.0).wavefront == lm.Wavefront.from_seidel(W040=[0.5, 0.5])
-
-
 def test_what_is_added_to_a_map_is_added_everywhere(seidel):
     more = seidel + lm.Wavefront(2.0, nonradial={(2, 2): 1.0}) + lm.Wavefront(1.0)
     found = (more.pupil([0.0, 1e-2], 0.0).wavefront - seidel.pupil([0.0, 1e-2], 0.0).wavefront).nonradial

@@ -79,14 +79,6 @@ def test_objects_at_infinity_are_the_limit_of_far_ones():
     assert np.abs(a - SCENE).max() > 0.1
 
 
-def test_depth_may_be_of_any_floats():
-    depth = np.where(np.arange(60) < 30, 2, 5) * np.ones((50, 1))
-    a, b = (
-        depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear").values for d in (depth, depth.astype(np.float16))
-    )
-    assert np.array_equal(a, b)
-
-
 @pytest.mark.parametrize(
     ("kind", "step"), [(np.uint8, 1 / 255), (np.uint16, 1 / 65535), (np.float16, 1e-3), (np.float32, 1e-6)]
 )
@@ -99,12 +91,6 @@ def test_photographs_have_the_type_of_the_image(kind, step, encoding):
     exact = depth_of_field(image.astype(float) / most, depth, LENS, PIXEL, encoding=encoding, dtype=np.float64).values
     assert values.dtype == kind
     assert np.abs(values.astype(float) / most - exact).max() <= step
-
-
-def test_a_photograph_is_an_array():
-    photograph = depth_of_field(SCENE, np.full(SCENE.shape, 2.0), LENS, PIXEL, encoding="linear")
-    assert np.asarray(photograph).shape == SCENE.shape
-    assert np.array_equal(np.asarray(photograph, dtype=np.float32), photograph.values.astype(np.float32))
 
 
 def test_in_focus_shorter_wavelengths_blur_less():

@@ -203,14 +203,6 @@ def test_what_is_impossible_is_refused_by_name():
             call()
 
 
-@pytest.mark.parametrize("defocus", [0.0, 1.0, math.pi, -7.3])
-@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
-def test_the_strehl_ratio_of_defocus_is_a_sinc_squared(defocus, normalize):
-    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), (4, 5), 0.7, method=lm.Hankel(), normalize=normalize)
-    expected = (math.sin(defocus) / defocus) ** 2 if defocus else 1.0
-    assert float(answer.strehl) == pytest.approx(expected, rel=1e-12, abs=1e-15)
-
-
 def test_the_strehl_ratio_of_an_obscured_lens_is_relative_to_itself():
     assert float(lm.psf(lm.Pupil(obscuration=0.6), 3, 0.7, method=lm.Hankel()).strehl) == pytest.approx(
         1.0, rel=1e-13

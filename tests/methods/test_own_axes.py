@@ -254,12 +254,6 @@ def test_axes_that_cannot_be_are_refused(center, said):
         lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 9, 0.5, center=center)
 
 
-@pytest.mark.parametrize("center", [(["a", "b"], 4), ([1j, 2], 4), (None, [1, 2]), ([[1, 2], [3]], 4)])
-def test_what_is_no_number_is_refused_by_its_place(center):
-    with pytest.raises(TypeError, match=r"center\[0\] must hold real numbers"):
-        lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 9, 0.5, center=center)
-
-
 @pytest.mark.parametrize("name", ["metric", "coma"])
 def test_measures_are_those_of_each(name):
     pupil = PUPILS[name][:4]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import subprocess
 import sys
 
@@ -196,32 +195,6 @@ def test_a_stack_whose_z_runs_the_other_way_is_told_in_words_of_microscopes():
     assert "direction of z" in found.stopped
     assert "lens" not in found.stopped
     assert "photo" not in found.stopped
-
-
-class _Terminal(io.StringIO):
-    def isatty(self):
-        return True
-
-
-@pytest.mark.parametrize("terminal", [True, False])
-def test_a_long_job_shows_where_it_is_in_terminals_only(monkeypatch, terminal):
-    from lommel.imaging import restoration
-
-    shown = _Terminal() if terminal else io.StringIO()
-    monkeypatch.setattr(sys, "stderr", shown)
-    stack, way = np.full((3, 12, 12), 200.0), lm.imaging.RichardsonLucy(steps=3, target=0.0)
-    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
-    assert shown.getvalue() == ""  # it was too quick to be worth a word
-    monkeypatch.setattr(restoration, "_QUIET", 0.0)
-    monkeypatch.setattr(restoration, "_PAUSE", 0.0)
-    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
-    if terminal:
-        lines = shown.getvalue().split("\r")
-        assert [line[:7] for line in lines[1:-1]] == ["step 0,", "step 1,", "step 2,", "step 3,"]
-        assert "s left" in lines[1]
-        assert lines[-1] == "\x1b[K"
-    else:
-        assert shown.getvalue() == ""
 
 
 def test_progress_is_told_of_each_step_and_may_end_the_work():

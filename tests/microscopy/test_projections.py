@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 import lommel as lm
 from objectives import OIL_60X
@@ -52,12 +51,3 @@ def test_a_wrong_psf_leaves_a_pattern_in_the_residual(stack):
     (xy, xz) = restored(stack).channels[0].projections.residual  # light in one plane is no image of a point
     assert np.abs(xy[6:11, 8:13]).max() > 10.0
     assert np.abs(xz[3, 8:13]).max() > 10.0
-
-
-def test_channels_are_drawn_below_each_other_with_a_scale_bar(stack):
-    found = restored(np.stack([stack, stack]))
-    figure = found.plot()
-    assert isinstance(figure, Figure)
-    titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    assert titles == [f"channel {k}: {words}" for k in (0, 1) for words in ("recorded", "restored", "residual")]
-    assert [text.get_text() for axes in figure.axes for text in axes.texts] == [" 1 µm; z is that of the stage"] * 2

@@ -18,7 +18,6 @@ from astropy.io import fits
 from PIL import Image
 
 import containers
-from lommel import microscopy
 from lommel.recorded.frames import open_frames
 from objectives import OIL_FILE
 from small_recordings import DEPTH, bead, coloured, grey, movie, pair, sky, stack, stars
@@ -354,111 +353,12 @@ def test_extensions_have_the_numbers_and_versions_of_fits_and_the_header_of_the_
             open_frames(f"{folder}/all.fits[{part}]")
 
 
-def test_a_mask_of_stars_leaves_out_pixels(folder, call_lommel, caplog):
-    spoilt, mask = stars().copy(), np.zeros(stars().shape[1:], np.uint8)
-    spoilt[:, 10, 12:14], mask[10, 12:14] = 60000, 1
-    fits.HDUList([fits.PrimaryHDU(spoilt), fits.ImageHDU(mask, name="BAD")]).writeto(folder / "spoilt.fits")
-    words = [*options_of("retrieve"), "--json"]
-    masked = call_lommel(
-        "retrieve", folder / "spoilt.fits[0]", *words, "--mask", folder / "spoilt.fits[BAD]", folder=folder
-    )
-    fits.PrimaryHDU(np.where(mask, np.nan, stars())).writeto(folder / "without.fits")
-    without = call_lommel("retrieve", folder / "without.fits", *words, folder=folder)
-    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
-
-
-@pytest.mark.parametrize("command", ["beads", "localize"])
-def test_pixels_and_wavelengths_that_are_not_those_of_the_microscope_are_told(command, folder, call_lommel):
-    sizes = {"PhysicalSizeX": 0.16, "PhysicalSizeY": 0.16, "Channel": {"EmissionWavelength": 680}}
-    axes = "TYX" if command == "localize" else "ZYX"
-    tifffile.imwrite(folder / "other.ome.tif", IMAGES[command](), metadata={"axes": axes, **sizes})
-    result = call_lommel(command, folder / "other.ome.tif", *options_of(command), "--json", folder=folder)
-    notes = " ".join(json.loads(result.stdout)["notes"])
-    assert "The images state pixels of 160 nm in the sample; " in notes
-    assert "The images state an emission of 680 nm; " in notes
-
-
-def test_a_wavelength_of_the_stack_that_is_not_the_objective_s_is_told(folder, call_lommel):
-    sizes = {"PhysicalSizeX": 0.1, "PhysicalSizeY": 0.1, "PhysicalSizeZ": 0.25}
-    meta = {"axes": "ZYX", **sizes, "Channel": {"EmissionWavelength": 680}}
-    tifffile.imwrite(folder / "red.ome.tif", stack(), metadata=meta)
-    words = [*options_of("deconvolve"), "--step", "300nm", "--json"]
-    notes = " ".join(
-        json.loads(call_lommel("deconvolve", folder / "red.ome.tif", *words, folder=folder).stdout)["notes"]
-    )
-    assert "The stack has an emission wavelength of 680 nm, the objective file " in notes
-    assert "was taken, not that of the file." in notes
-
-
-def test_a_mask_of_beads_leaves_out_pixels(folder, call_lommel, caplog):
-    spoilt, mask = bead().copy(), np.zeros(bead().shape[1:], np.uint8)
-    spoilt[:, 2, 3], mask[2, 3] = 9000, 1
-    np.save(folder / "spoilt.npy", spoilt)
-    np.save(folder / "mask.npy", mask)
-    np.save(folder / "without.npy", np.where(mask, np.nan, bead()))
-    masked = call_lommel("beads", "spoilt.npy", *options_of("beads"), "--mask", "mask.npy", "--json", folder=folder)
-    without = call_lommel("beads", "without.npy", *options_of("beads"), "--json", folder=folder)
-    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
-
-
-def test_a_flat_top_of_a_movie_is_told(folder, call_lommel):
-    np.save(folder / "clipped.npy", np.minimum(movie(), int(np.sort(movie().ravel())[-30])))
-    result = call_lommel("localize", "clipped.npy", *options_of("localize"), "--json", folder=folder)
-    (told,) = (one for one in json.loads(result.stdout)["findings"] if one["code"] == "flat_top")
-    assert "pixels have exactly the largest value" in told["text"]
-
-
 @pytest.mark.parametrize("command", list(IMAGES))
 def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, caplog):
     words = containers.set_of_ome(IMAGES[command](), folder)
     (folder / "plane-1.ome.tif").unlink()
     answer = answered(call_lommel(command, *words, *options_of(command), "--json", folder=folder), folder, caplog)
     assert WAY.search(answer.refusal), answer.refusal
-
-
-def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
-    words = [*containers.ome(stack(), folder, axes="CYX"), *options_of("deconvolve"), "--json"]
-    told = answered(call_lommel("deconvolve", *words, folder=folder), folder, caplog).refusal
-    (wave,) = re.findall(r"give --wavelength, .*such as (\S+)$", told)
-    after = answered(call_lommel("deconvolve", *words, "--wavelength", wave, folder=folder), folder, caplog).refusal
-    assert "without a unit" not in after
-
-
-def test_what_deconvolve_says_of_several_images_names_an_option(folder, call_lommel):
-    words = [*containers.thumbnail(stack(), folder), *options_of("deconvolve")]
-    told = call_lommel("deconvolve", *words, folder=folder).stdout
-    assert "image 1, counted from 0, was taken" in " ".join(told.split())
-    assert "image=" not in told
-
-
-@pytest.mark.parametrize("name", ["imagej, zunit of its own", "ome-tiff in dm", "ome-tiff, planes in reverse"])
-def test_beads_are_told_of_another_step_in_any_unit(name, folder, call_lommel):
-    words = [*containers.STATED[name](bead(), folder), *options_of("beads"), "--step", "300nm"]
-    assert "states planes 250 nm apart; --step 300 nm was taken" in " ".join(
-        call_lommel("beads", *words, folder=folder).stdout.split()
-    )
-
-
-@pytest.mark.parametrize("name", containers.STATED)
-def test_voxels_are_those_that_the_file_states(name, tmp_path):
-    (word,) = containers.STATED[name](stack(), tmp_path)
-    with microscopy.open_recording(word) as found:
-        assert found.pixel == pytest.approx(containers.PIXEL, rel=1e-6)
-        assert found.step == pytest.approx(containers.STEP, rel=1e-6)
-        np.testing.assert_array_equal(np.asarray(found.stack()), stack())
-
-
-@pytest.mark.parametrize("name", ["tiff", "npy, big-endian", "fits", "fits.gz", "pngs", "imagej", "ome-tiff in nm"])
-def test_the_largest_number_of_16_bits_is_saturated_in_any_file(name, folder, call_lommel):
-    """The numbers of FITS are signed, and an offset makes them others."""
-    full = stars().copy()
-    full[1, 11:14, 12:14] = 65535
-    words = [*containers.ALL[name](full, folder), *options_of("retrieve"), "--json"]
-    found = json.loads(call_lommel("retrieve", *words, folder=folder).stdout)
-    np.save(folder / "known.npy", np.where(full == 65535, np.nan, full))
-    words = ["known.npy", *options_of("retrieve"), "--json"]
-    known = json.loads(call_lommel("retrieve", *words, folder=folder).stdout)
-    assert found["coefficients"] == known["coefficients"]
 
 
 def test_the_blank_of_fits_is_as_unknown_as_nan(folder, call_lommel):

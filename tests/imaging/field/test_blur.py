@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.sparse.linalg import lsqr
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FieldBlur, field_blur
@@ -247,17 +246,6 @@ def test_light_that_distortion_moves_is_followed():
     assert np.abs(made - exact).max() < 0.1
 
 
-def test_least_squares_find_the_light():
-    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, energy=0.9, largest=40)
-    operator, light = blur.as_linear_operator(), np.random.default_rng(0).random(960)
-    image = operator @ light
-    np.testing.assert_array_equal(image.reshape(SHAPE), blur.forward(light.reshape(SHAPE)))
-    before, after = (
-        np.linalg.norm(lsqr(operator, image, atol=0.0, btol=0.0, iter_lim=steps)[0] - light) for steps in (3, 60)
-    )
-    assert after < 0.3 * before
-
-
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_the_transpose_is_what_pylops_takes_for_one(dtype):
     pylops = pytest.importorskip("pylops", reason="pylops is not installed")
@@ -275,10 +263,6 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
     assert np.abs(blur.window(17, 3) - window / window.sum()).sum() <= blur.error
     one, other = dot(blur)
     assert one == pytest.approx(other, rel=1e-12)
-
-
-def test_windows_as_large_as_the_refusal_of_smaller_ones_says_are_enough():
-    assert FieldBlur(OF_LENS, SHAPE, PIXEL, largest=22).lost <= 0.02
 
 
 @pytest.mark.parametrize(

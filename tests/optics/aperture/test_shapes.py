@@ -114,14 +114,6 @@ def test_files_keep_the_aperture(shape, suffix, tmp_path):
     assert np.abs(loaded.values - answer.values).max() <= 2e-5 * answer.values.max()
 
 
-@SHAPED
-def test_without_a_method_the_non_uniform_fft_is_taken_and_named(shape):
-    plan = lm.Plan(9, 0.5)
-    assert plan(Pupil(**shape)).method == lm.NonuniformFFT()
-    assert plan(Pupil(obscuration=0.3)).method == lm.NijboerZernike()
-    assert plan(Pupil(**shape)).values.dtype == np.float32
-
-
 def test_rays_that_are_stopped_do_not_widen_the_blur():
     # |grad Phi| = 4 C_d rho; the ellipse reaches 0.8 at most, the cat's eye 0.3.
     for vignetting, farthest in ((Ellipse(0.8, 0.4, 0.3), 0.8), (CatEye((0.1, 0.0), 0.2), 0.3)):

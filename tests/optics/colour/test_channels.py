@@ -41,12 +41,6 @@ def test_a_band_has_the_moments_of_an_even_one():
             assert weights @ ((waves - middle) / 40e-9) ** k == pytest.approx(expected, abs=1e-9)
 
 
-def test_wavelengths_are_named_so_that_they_differ():
-    assert lm.Channels.of_wavelengths([450e-9, 550e-9]).names == ("450 nm", "550 nm")
-    close = lm.Channels.of_wavelengths([550.001e-9, 550.002e-9])
-    assert close.names == ("550.001 nm", "550.002 nm")
-
-
 @pytest.mark.parametrize("paths", [1e-6, 5e-6, 12e-6])
 @pytest.mark.parametrize("tol", [1e-2, 1e-4])
 def test_few_wavelengths_are_off_by_no_more_than_they_say(paths, tol):

@@ -210,10 +210,6 @@ def test_a_stack_is_indexed_as_numpy_indexes_its_phases(index):
     np.testing.assert_array_equal(stack[index].phase(0.7), stack.phase(0.7)[index])
 
 
-def test_iterating_a_stack_gives_its_wavefronts():
-    assert list(Wavefront([1.0, 2.0])) == [Wavefront(1.0), Wavefront(2.0)]
-
-
 def test_a_single_wavefront_cannot_be_indexed():
     with pytest.raises(TypeError, match="single wavefront"):
         Wavefront(1.0)[0]
@@ -240,15 +236,6 @@ def test_wavefronts_differ_where_any_coefficient_or_the_shape_does(other):
 def test_wavefronts_are_equal_where_their_coefficients_are():
     assert Wavefront(1.0) == Wavefront(1, 0.0, [0.0])
     assert Wavefront([1.0, 1.0]) == Wavefront([1.0, 1.0], [0.0, 0.0])
-
-
-@given(wavefronts)
-def test_the_repr_of_a_wavefront_is_an_expression_for_it(wavefront):
-    assert eval(repr(wavefront)) == wavefront
-
-
-def test_the_repr_of_a_stack_says_its_shape_and_range():
-    assert repr(Wavefront([1.0, 2.0, 4.0], 0.5)) == "Wavefront(defocus=<array (3,) from 1 to 4>, spherical=0.5)"
 
 
 @given(wavefronts)
@@ -391,17 +378,6 @@ def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
     assert len({lens, lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, aberrations=plain)}) == 1
     assert len({lens.pupil(2.0), lens.pupil(2.0), lens.pupil(3.0)}) == 2
     assert len({lm.load_instrument(lenses["phone"]), lm.load_instrument(lenses["phone"])}) == 1
-
-
-def test_an_aberration_by_name_is_told_how_it_is_made():
-    with pytest.raises(TypeError, match=r"has no argument 'coma'; .*Wavefront\.zernike\(.*Wavefront\.from_seidel\("):
-        lm.Wavefront(1.0, coma=1.0)
-
-
-def test_the_radius_that_is_out_of_range_is_named_and_no_other():
-    with pytest.raises(ValueError, match=r"radius must be > 0 and <= 1, got 1\.5$"):
-        Wavefront(1.0).scaled([1.0, 1.5])
-    assert Wavefront(1.0).scaled([0.5, 1.0]).defocus == pytest.approx([0.25, 1.0])
 
 
 @pytest.mark.parametrize("given", [{"defocus": []}, {"spherical": np.zeros((2, 0))}, {"nonradial": {(3, 1): []}}])

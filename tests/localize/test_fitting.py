@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 import simulated_movies as simulated
 from cases import each
-from lommel.localize import Molecules, Table, fit
+from lommel.localize import Table, fit
 
 ASTIGMATISM = lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
 OBJECTIVE = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
@@ -207,13 +207,6 @@ def test_pixels_that_are_nan_do_not_count(table):
     assert (found.errors.z >= 0.99 * fit(table, counts).errors.z).all()
 
 
-@pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.int32, np.float32, np.float64])
-def test_images_of_any_numbers_are_alike(table, kind):
-    counts = np.random.default_rng(12).poisson(400.0 * images(*places(3, 13)) + 3.0)
-    assert counts.max() < 256
-    np.testing.assert_array_equal(fit(table, counts.astype(kind)).z, fit(table, counts).z)
-
-
 def test_maps_of_the_camera_are_those_of_each_box(table):
     rng = np.random.default_rng(14)
     shape = (60, 70)
@@ -347,21 +340,6 @@ def test_any_number_of_threads_says_the_same(table):
     one = fit(table, counts, threads=1, progress=lambda done, total: told.append((done, total)))
     np.testing.assert_array_equal(one.z, fit(table, counts, threads=2).z)
     assert told[-1] == (300, 300)
-
-
-def test_molecules_are_chosen_and_written(table, tmp_path):
-    counts = np.random.default_rng(21).poisson(2000.0 * images(*places(6, 22)) + 5.0)
-    found = fit(table, counts)
-    assert repr(found) == "<Molecules: 6: 6 converged>"
-    assert len(found) == 6
-    assert repr(found.errors) == "<MoleculeErrors of 6 molecules>"
-    some = found[found.z > 0.0]
-    assert isinstance(some, Molecules)
-    np.testing.assert_array_equal(some.errors.row, found.errors.row[found.z > 0.0])
-    with pytest.raises(TypeError, match="which must be a slice, a mask or indices, got 3"):
-        found[3]
-    none = fit(table, np.empty((0, 15, 15)))
-    assert repr(none) == "<Molecules: 0>"
 
 
 ONE = np.ones((2, 15, 15))

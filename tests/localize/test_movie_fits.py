@@ -160,31 +160,6 @@ def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
     assert flat.plot().get_figure(root=True).axes[1:] == []  # no bar of colours
 
 
-def test_what_is_masked_in_a_movie_does_not_count(table, counts):
-    hidden = np.zeros(counts.shape, dtype=bool)
-    hidden[:, 40:42] = True
-    known = localize_movie(np.where(hidden, np.nan, counts), table, noise=CAMERA, block=9)
-    found = localize_movie(np.ma.masked_array(counts, hidden), table, noise=CAMERA, block=9)
-    np.testing.assert_array_equal(found.table, known.table)
-    assert found.left_out == known.left_out > 0
-
-
-def test_maps_of_the_camera_are_those_of_each_box(table, molecules):
-    draw = np.random.default_rng(3)
-    shape = (SIDE, SIDE)
-    camera = lm.Noise(
-        white=draw.uniform(0.4, 0.52, shape),
-        read=np.where(draw.random(shape) < 0.03, 15.0, 1.5),
-        offset=draw.uniform(80.0, 120.0, shape),
-    )
-    mean = simulated.light(molecules, FRAMES, SIDE, 8.0)
-    found = localize_movie(simulated.recorded(mean, camera, 4), table, noise=camera)
-    off = errors(found, molecules)
-    assert len(off) >= molecules.frame.size - 2
-    for name in ("x", "y", "z", "photons"):
-        assert 0.85 < math.sqrt((off[name] ** 2).mean()) < 1.15, name
-
-
 def test_depth_is_found_where_the_table_runs_along_it():
     pupil = simulated.OBJECTIVE.pupil(
         depth=0.5e-6, z=0.0, origin="brightest", wavelength=600e-9, aberrations=simulated.ASTIGMATISM

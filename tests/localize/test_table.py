@@ -253,17 +253,6 @@ def test_slopes_are_those_of_the_values(table):
         np.testing.assert_allclose(slope, difference, atol=1e-3 * np.abs(slope).max())
 
 
-def test_places_broadcast_to_images(table):
-    values, slopes = table(np.array([[5.0], [5.5]]), np.array([6.0, 6.5, 7.0]), 0.0, derivatives=True)
-    assert values.shape == (2, 3, 11, 13)
-    assert values.dtype == np.float32
-    assert {name: slope.shape for name, slope in slopes.items()} == dict.fromkeys(
-        ("row", "column", "z"), (2, 3, 11, 13)
-    )
-    np.testing.assert_array_equal(values[1, 2], table(5.5, 7.0, 0.0))
-    assert table(np.empty(0), 6.0, 0.0).shape == (0, 11, 13)
-
-
 def test_any_number_of_threads_says_the_same(table):
     rows = 5.0 + np.random.default_rng(1).uniform(-2.0, 2.0, 300)
     places = np.stack([rows, rows + 1.0, np.zeros(300)], axis=1)

@@ -290,18 +290,6 @@ def test_measures_are_those_of_each(name):
     assert np.abs(answer.centroid - lm.centroid(pupil)).max() < 0.3 * unit
 
 
-@pytest.mark.parametrize("suffix", [".npz", ".npy", ".tif"])
-def test_files_keep_the_axis_of_each(tmp_path, suffix):
-    if suffix == ".tif":
-        pytest.importorskip("tifffile")
-    answer = lm.psf(PUPILS["radial"][:3], 9, 0.5, center=([4, 4.2, 3.7], 4.5))
-    answer.save(tmp_path / f"stars{suffix}")
-    loaded = lm.PSF.load(tmp_path / f"stars{suffix}")
-    assert loaded.grid == answer.grid
-    assert loaded[1].grid.center == (4.2, 4.5)
-    np.testing.assert_array_equal(loaded.values, answer.values)
-
-
 def test_an_answer_has_one_axis_or_one_for_each_pupil():
     answer = lm.psf(PUPILS["radial"][:3], 9, 0.5)
     grid = lm.Grid(9, 0.5, center=([4, 5], 4))

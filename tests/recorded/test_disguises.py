@@ -18,7 +18,6 @@ from astropy.io import fits
 from PIL import Image
 
 import containers
-from lommel.recorded.frames import open_frames
 from objectives import OIL_FILE
 from small_recordings import DEPTH, bead, coloured, grey, movie, pair, sky, stack, stars
 
@@ -240,35 +239,6 @@ def test_one_image_behind_a_thumbnail_is_the_one_that_is_fitted(folder, call_lom
     assert found[1]["coefficients"] == found[0]["coefficients"]
 
 
-# The axes of more than one image, and files that lack some.
-AXES = {
-    "imagej, frames": lambda values, folder: containers.imagej(values, folder, axes="TYX"),
-    "ome-tiff, frames": lambda values, folder: containers.ome(values, folder, axes="TYX"),
-    "imagej, channels": lambda values, folder: containers.imagej(values, folder, axes="CYX"),
-    "ome-tiff, channels": lambda values, folder: containers.ome(values, folder, axes="CYX"),
-}
-
-
-@pytest.mark.parametrize("name", AXES)
-@pytest.mark.parametrize("command", IMAGES)
-def test_frames_and_channels_are_planes_where_there_are_no_others(command, name, folder, call_lommel, caplog):
-    """Of a stack that is to be deconvolved the file must say so, or the option that the refusal names."""
-    place = folder / "images"
-    place.mkdir()
-    words = [*AXES[name](IMAGES[command](), place), *options_of(command), "--json"]
-    if command == "deconvolve" and "frames" in name:
-        refused = answered(call_lommel(command, *words, folder=folder), folder, caplog)
-        assert 'state --axes "ZYX"' in refused.refusal
-    if command == "deconvolve":
-        words += ["--axes", "ZYX", *(SIZES.split()[2:] if "imagej" in name else ())]
-    answer = answered(call_lommel(command, *words, folder=folder), folder, caplog)
-    place.rename(folder / "other")
-    plain = REFERENCE.get(command, "tiff")
-    expected = once(command, lambda: ask(command, plain, folder, call_lommel, caplog))
-    assert answer.facts is not None, answer.refusal
-    equal(answer.facts, expected, 1e-6)
-
-
 def with_header(command: str, folder: Path, **cards: object) -> Path:
     """Write images with cards in their header."""
     unit = fits.PrimaryHDU(IMAGES[command]())
@@ -330,27 +300,6 @@ def test_files_whose_headers_contradict_each_other_are_refused(folder, call_lomm
     assert "states gain of 0.5, 0.48 in different files: state --white" in result.stderr
     result = call_lommel("retrieve", *names, *words, "--white", "0.5", "--json", folder=folder)
     assert "states gain of 0.5, 0.48 in different files, which cannot be used" in result.stdout
-
-
-def test_extensions_have_the_numbers_and_versions_of_fits_and_the_header_of_the_first(folder, call_lommel, caplog):
-    images = stars().astype(np.uint16)
-    primary = fits.PrimaryHDU()
-    primary.header["EGAIN"], primary.header["RDNOISE"] = 0.5, 2.0
-    units = [
-        primary,
-        *(fits.ImageHDU(one, name="SCI", ver=k + 1) for k, one in enumerate(images)),
-        fits.ImageHDU(images[0]),
-    ]
-    fits.HDUList(units).writeto(folder / "all.fits")
-    for part, k in (("1", 0), ("2", 1), ("sci,3", 2), ("SCI,1", 0), ("4", 0)):
-        with open_frames(f"{folder}/all.fits[{part}]") as frames:
-            np.testing.assert_array_equal(frames[...], images[k])
-            assert (frames.said["gain"], frames.said["read"]) == (0.5, 2.0)
-    for part in ("0", "SCI", "SCI,4", "5"):
-        with pytest.raises(
-            ValueError, match=r"4 images, \[SCI,1\] of .*, \[4\] of .*: name one, as in file.fits\[SCI,1\]"
-        ):
-            open_frames(f"{folder}/all.fits[{part}]")
 
 
 @pytest.mark.parametrize("command", list(IMAGES))

@@ -11,7 +11,7 @@ from matplotlib.text import Text
 import lommel as lm
 from lommel.methods import METHODS
 from lommel.show import plot
-from lommel.show.drawing import columns_of, entitle, fitted, round_length
+from lommel.show.drawing import columns_of, fitted, round_length
 
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
@@ -77,22 +77,6 @@ def test_an_unknown_stretch_is_refused(image, stretch):
     with pytest.raises(ValueError, match="stretch must be one of 'sqrt', 'linear', 'log', got ") as caught:
         image.plot(stretch=stretch)
     assert repr(stretch) in str(caught.value)
-
-
-def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(image):
-    axes = image.plot()
-    how = "averaged over each pixel" if image.sampling == "pixel" else "sampled at pixel centres"
-    assert axes.get_title() == f"6 × 9 pixels of 2 µm, {how}"
-    bar = next(other for other in axes.figure.axes if other is not axes)
-    assert bar.get_ylabel() == "fraction of all light per pixel"
-    # Axes that are someone's own stay as they are.
-    _, own = plt.subplots()
-    image.plot(own)
-    assert own.get_title() == ""
-    assert own.figure.axes == [own]
-    averaged = lm.psf(lm.Pupil(), 5, 0.5, integrate=True, normalize="peak").plot()
-    assert averaged.get_title() == "5 × 5 pixels of 0.5 λN, averaged over each pixel"
-    assert averaged.figure.axes[1].get_ylabel() == "1 = largest value"
 
 
 @pytest.mark.parametrize(
@@ -252,28 +236,6 @@ def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
     assert [text.get_text() for text in axes.get_yticklabels()] == ["−5", "5"]
 
 
-def test_a_grid_says_that_each_is_over_its_largest_value(over_the_field):
-    axes = over_the_field.plot()
-    assert axes.get_title("left") == "2 × 3 PSFs, each over its largest value"
-    bar = axes.figure.axes[1]
-    assert bar.get_ylabel() == "value over the largest of each PSF"
-    assert bar.get_ylim() == pytest.approx((0.0, 1.0))
-    _, own = plt.subplots()
-    over_the_field.plot(own)
-    assert (own.get_title("left"), own.figure.axes) == ("", [own])
-
-
-def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):
-    axes = over_the_field.plot()
-    (bar,) = axes.get_lines()
-    (label,) = axes.texts
-    micrometres = float(label.get_text().split()[0])
-    assert label.get_text() == f"{micrometres:g} µm in the PSFs"
-    # 15 pixels of 1 um are drawn 10 mm high on a sensor 30 mm wide.
-    assert np.ptp(bar.get_xdata()) * 30.0 == pytest.approx(micrometres * 10.0 / 15.0)
-    assert micrometres <= 11.0
-
-
 @pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
 def test_each_psf_of_a_grid_is_scaled_to_its_own_peak(over_the_field, stretch):
     for picture, values in zip(
@@ -300,20 +262,6 @@ def test_grids_of_every_shape_are_drawn_without_a_warning(rows, columns):
     axes = grid.plot()
     axes.figure.canvas.draw()
     assert axes.get_xlabel() == "x on the sensor (λN)"
-
-
-@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
-def test_titles_are_no_wider_than_their_figures_and_say_the_stretch(stretch):
-    colours = lm.colour_psf(lm.Pupil(lm.Wavefront(3.0), wavelength=550e-9, f_number=4.0), 15, 1e-6, lm.Channels.rgb())
-    figure = colours.plot(stretch=stretch).figure
-    entitle(figure, f"{'a lens with a very long name ' * 4}\n{figure.get_suptitle()}")
-    figure.canvas.draw()
-    title = figure._suptitle.get_window_extent()
-    assert title.x0 >= 0
-    assert title.x1 <= figure.bbox.x1
-    assert {"sqrt": "square root", "linear": "brightness: the value", "log": "logarithm"}[stretch] in " ".join(
-        figure.get_suptitle().split()
-    )
 
 
 def test_lines_of_a_title_are_about_equally_long():

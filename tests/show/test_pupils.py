@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -137,17 +136,6 @@ def test_what_alone_differs_in_a_stack_is_its_title(wavefront, told):
     assert [axes.get_title() for axes in wavefront.plot()] == told
 
 
-def test_axes_of_ones_own_get_neither_title_nor_bar():
-    figure, axes = plt.subplots()
-    assert WAVEFRONT.plot(axes) is axes
-    assert lm.Pupil().plot(axes, what="amplitude") is axes
-    assert (axes.get_title(), figure.axes) == ("", [axes])
-    with pytest.raises(ValueError, match="ax must be None for a stack"):
-        lm.Wavefront(np.zeros(2)).plot(axes)
-    with pytest.raises(TypeError, match="ax must be axes of matplotlib or None, got 'axes'"):
-        lm.Pupil().plot("axes")
-
-
 def test_what_cannot_be_drawn_is_refused():
     with pytest.raises(ValueError, match="what must be one of 'phase', 'amplitude', got 'psf'"):
         lm.Pupil().plot(what="psf")
@@ -157,14 +145,3 @@ def test_what_cannot_be_drawn_is_refused():
         lm.Pupil().plot(unit="nm")
     with pytest.raises(ValueError, match=r"at most 64 can be drawn, got a stack of shape \(65,\)"):
         lm.Pupil(lm.Wavefront(np.arange(65.0))).plot()
-
-
-@pytest.mark.parametrize("draw", [WAVEFRONT.plot, lm.Pupil().plot, lm.Wavefront(np.arange(3.0)).plot])
-def test_without_matplotlib_it_is_said_how_to_get_it(draw, monkeypatch):
-    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.colors"):
-        monkeypatch.setitem(__import__("sys").modules, name, None)
-    with pytest.raises(
-        ImportError, match=r'plots need matplotlib: pip install matplotlib \(the extra "plot"'
-    ) as told:
-        draw()
-    assert "\n" not in str(told.value)

@@ -59,18 +59,6 @@ def test_lengths_are_those_in_the_sample_and_of_the_stage():
     assert [each.get_aspect() for each in (xy, xz, yz)] == pytest.approx([1.0, 1.0, 1.0])
 
 
-@pytest.mark.parametrize(
-    ("stretch", "said"),
-    [("sqrt", "square root"), ("linear", "brightness: the value"), ("log", "1e-5 of the largest")],
-)
-def test_the_stretch_and_the_voxels_are_said(stretch, said):
-    axes = stack().plot(stretch=stretch)
-    text = axes[0].figure.get_suptitle()
-    assert said in " ".join(text.split())
-    assert "7 planes, 0.2 µm apart" in text
-    assert "8 × 9 pixels of 0.1 µm in the sample" in text
-
-
 def test_planes_that_are_not_evenly_spaced_are_drawn_where_they_are():
     (mesh,) = stack(np.array([0.0, 0.2e-6, 0.8e-6])).plot()[1].collections
     np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], (-0.1, 0.1, 0.5, 1.1), atol=1e-12)

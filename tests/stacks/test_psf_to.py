@@ -283,21 +283,6 @@ def test_a_chunk_that_is_damaged_is_refused_until_it_is_removed(how, begun, tmp_
     assert contents(run(path)) == known
 
 
-def test_neighbours_with_likely_names_are_left_and_no_link_is_followed(tmp_path, known):
-    likely = [f"a.zarr{end}" for end in (".old", ".partial", ".new", ".tmp")]
-    (tmp_path / "mine").mkdir()
-    (tmp_path / "mine" / "precious.txt").write_text("mine")
-    for name in (*likely, ".a.zarr.unfinished"):
-        (tmp_path / name).symlink_to(tmp_path / "mine")
-    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
-        run(tmp_path / "a.zarr", method=lm.Stratified())
-    assert contents(run(tmp_path / "a.zarr")) == known  # in place of the one of before
-    assert [path.name for path in (tmp_path / "mine").iterdir()] == ["precious.txt"]
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
-        ["a.zarr", "mine", *likely, ".a.zarr.unfinished"]
-    )
-
-
 def test_a_disk_that_gets_full_is_told_with_the_name_and_the_rest_is_computed_later(tmp_path):
     path, pupil = tmp_path / "a.zarr", lm.Pupil(lm.Wavefront([0.0, 1.0]))
     with small_disk(8000), pytest.raises(OSError, match=r"a\.zarr/values/c\.\d\.0\.0'") as told:

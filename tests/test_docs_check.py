@@ -1,10 +1,19 @@
-"""What is looked for on made pages is found, and nothing else."""
+"""What the documentation is made of: links, pictures, commands and references lead somewhere."""
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
 import pytest
+import yaml
 
 import check
+import command_options
+import drawn
+from check import empty_axes
+from lommel.cli.main import commands
 
 
 @pytest.fixture
@@ -42,3 +51,57 @@ def test_links_that_lead_nowhere_are_told_with_their_page(link, folder):
 def test_pictures_that_are_missing_are_told(folder):
     (folder / "p.png").unlink()
     assert check.broken_links(folder) == ["a.html: p.png"]
+
+
+def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
+    shown = re.findall(r"!\[(.+?)\]\(_generated/pictures/([\w-]+)\.png\)", drawn.PAGE.read_text(encoding="utf-8"))
+    names = [name for _, name in shown]
+    assert len(names) == len(set(names)) >= 12
+    made = []
+    for name, figure in drawn.parts(drawn.PAGE):
+        made.append(name)
+        texts = [axes for axes in figure.axes if not axes.axison]  # of sections, which have words in a corner
+        for axes in texts:
+            axes.set_visible(False)
+        assert not empty_axes(figure), name
+        assert figure.get_suptitle() or any(
+            axes.get_title(place) for axes in figure.axes for place in ("left", "center")
+        )
+        labels = [axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes]
+        assert any(re.search(r"\(.+\)", label) for label in labels), labels
+    assert made == names
+    assert not plt.get_fignums()
+
+
+PAGE = (Path(__file__).resolve().parents[1] / "docs" / "command-line.md").read_text(encoding="utf-8")
+
+
+def test_the_page_lists_every_command_and_includes_the_tables(tmp_path):
+    listed = re.findall(r"^\| `lommel ([a-z-]+)", PAGE, flags=re.MULTILINE)
+    assert sorted(listed) == sorted(commands())
+    assert "```{include} _generated/commands.inc" in PAGE
+    command_options.write(tmp_path)
+    text = (tmp_path / "commands.inc").read_text(encoding="utf-8")
+    assert re.findall(r"^### `lommel ([a-z-]+)`$", text, flags=re.MULTILINE) == sorted(commands())
+
+
+ROOT = Path(__file__).resolve().parent.parent
+TEXT = (ROOT / "paper.md").read_text(encoding="utf-8")
+
+
+def test_references_and_bibliography_are_the_same():
+    cited = set(re.findall(r"@([a-z]+\d{4})", TEXT))
+    entries = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(cited) == sorted(entries)
+
+
+def test_the_head_is_what_journals_read():
+    head = yaml.safe_load(TEXT.split("---\n")[1])
+    assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= head.keys()
+    assert (ROOT / head["bibliography"]).is_file()
+    names = {str(part["index"]) for part in head["affiliations"]}
+    assert {str(author["affiliation"]) for author in head["authors"]} <= names
+
+
+def test_the_pages_that_it_names_exist():
+    assert all((ROOT / name).is_file() for name in re.findall(r"`(docs/[\w.-]+\.md)`", TEXT))

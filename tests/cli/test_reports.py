@@ -1,4 +1,4 @@
-"""What the command line says of a lens and of a PSF, for people and as data."""
+"""What the command line says of a lens, of a PSF and of a stack, for people and as data."""
 
 from __future__ import annotations
 
@@ -11,9 +11,12 @@ import pytest
 
 import lommel as lm
 from lommel.cli import reports
+from lommel.cli.reports import describe_stack
 from lommel.lensfiles.comparison import compare_methods
 from lommel.lensfiles.instrument import wide_enough
+from lommel.lensfiles.microscope_files import Microscope
 from lommel.show.drawing import HOW
+from objectives import MATCHED
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
@@ -132,3 +135,26 @@ def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
         one = dataclasses.replace(instrument, integrate=integrate)
         _, answers = compare_methods(one, [lm.NijboerZernike()])
         assert {answer.sampling for answer in answers.values()} == {sampling}
+
+
+def microscope(**planes) -> Microscope:
+    return Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Scalar(), shape=(5, 6), **planes)
+
+
+def test_a_stack_is_described_plane_by_plane():
+    taken = microscope(planes=3, step=0.3e-6)
+    answer = lm.psf(taken.pupil(), taken.window, taken.pixel)
+    found = describe_stack(answer, 0.5).facts["psf"]
+    np.testing.assert_allclose(found["z"], [-0.3e-6, 0.0, 0.3e-6])
+    np.testing.assert_array_equal(found["focus"], answer.pupil.focus)
+    assert found["brightest"] == int(answer.values.max(axis=(1, 2)).argmax())
+    assert found["energy"] == pytest.approx(answer.energy)
+    assert found["shape"] == [3, 5, 6]
+    assert json.loads(json.dumps(found, allow_nan=False)) == found
+
+
+def test_one_plane_has_numbers_and_no_brightest():
+    taken = microscope()
+    found = describe_stack(lm.psf(taken.pupil(), taken.window, taken.pixel), 0.5).facts["psf"]
+    assert (found["z"], found["brightest"]) == (0.0, None)
+    assert found["energy"] == pytest.approx(float(lm.psf(taken.pupil(), taken.window, taken.pixel).energy))

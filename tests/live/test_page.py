@@ -1,10 +1,12 @@
-"""The controls of the live page in a browser."""
+"""The controls of the live page in a browser, what it saves, and its rules of access."""
 
 from __future__ import annotations
 
+import csv
 import io
 import re
 from collections.abc import Callable
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from live_page import ALL_SHOWN, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
+from live_page import ALL_SHOWN, IDLE, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
 
 
 def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
@@ -241,3 +243,170 @@ def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     rest(page)
     assert page.evaluate("live.result().state.defocus") == 1
     assert page.evaluate("made.length") == 3
+
+
+def saved(page: Any, name: str) -> bytes:
+    with page.expect_download() as caught:
+        page.locator(f'[data-action="{name}"]').click()
+    return Path(caught.value.path()).read_bytes()
+
+
+@pytest.mark.parametrize(
+    "look",
+    [
+        "view=fine&coma=0.4&coma_angle=30",
+        "view=averaged&obscuration=0.3",
+        "view=sampled&light=white",
+        "vanes=3&zernike=4,0:.1",
+    ],
+)
+def test_the_tiff_is_one_that_the_package_reads(visit: Callable[..., Any], tmp_path: Path, look: str) -> None:
+    page = visit(f"/mounted#side=96&{look}&defocus=-0.00004&f_number=5.6")
+    path = tmp_path / "psf.tif"
+    path.write_bytes(saved(page, "tiff"))
+    psf = lm.PSF.load(path)
+    values = page.evaluate("Array.from(live.result().psf.values)")
+    assert np.array_equal(psf.values.ravel(), np.array(values, dtype=np.float32))
+    assert psf.pixel == pytest.approx(page.evaluate("live.result().psf.pixel") * 1e-6, rel=1e-12)
+    again = lm.psf(psf.pupil, 96, psf.pixel, method=psf.method, integrate=psf.grid.integrate)
+    assert np.abs(again.values - psf.values).max() <= 2e-6 * again.values.max()
+
+
+def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=0.25")
+    text = saved(page, "csv").decode()
+    lines = text.splitlines()
+    assert "# defocus=0.25 *" in lines
+    rows = list(csv.DictReader(io.StringIO("\n".join(line for line in lines if not line.startswith("#")))))
+    measures = page.evaluate(
+        """() => { const { profile, energy, mtf } = live.result().measures;
+        return [profile.r, profile.mean, energy.share, mtf.f, mtf.limit].map((part) => Array.from(part)); }"""
+    )
+    wide = page.evaluate("live.result().measures.d80_axis")
+    heads = ("radius (um)", "profile", "encircled energy", "frequency (cycles/mm)", "MTF diffraction limit")
+    for head, wanted in zip(heads, measures, strict=True):
+        near = 5.1e-7 if head.startswith("MTF") else 1e-9
+        assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, rel=1e-7, abs=near)
+        assert max(len(row[head].replace(".", "").lstrip("0")) for row in rows) <= 11
+    assert f"# diameter_80_percent_about_axis_um={float(wide):.4g}" in lines
+
+
+def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=0.25&side=64", permissions=["clipboard-read", "clipboard-write"])
+    page.locator('[data-action="link"]').click()
+    page.wait_for_timeout(50)
+    assert page.evaluate("navigator.clipboard.readText()") == page.url
+    page.locator('[data-action="python"]').click()
+    page.wait_for_timeout(50)
+    text = page.evaluate("navigator.clipboard.readText()")
+    assert "wavelength=5.5e-07" in text
+    assert re.search(r"pixel=\d\.?\d*e-0\d, ", text)
+    scope: dict[str, Any] = {}
+    exec(text, scope)
+    values = np.array(page.evaluate("Array.from(live.result().psf.values)")).reshape(64, 64)
+    assert np.abs(scope["psf"].values - values).max() <= 2e-6 * values.max()
+
+
+CUT = """() => [...document.querySelector(".lommel-live-host").shadowRoot
+    .querySelectorAll(".readout, .legend, .line label, dt:not(.unseen)")]
+    .filter((node) => node.scrollWidth > node.clientWidth + 1 || node.scrollHeight > node.clientHeight + 3)
+    .map((node) => node.textContent)"""
+COVERED = """(node) => {
+    const root = document.querySelector(".lommel-live-host").shadowRoot;
+    const { left, top, width, height } = node.getBoundingClientRect();
+    const seen = root.elementFromPoint(left + width / 2, top + height / 2);
+    return !(node === seen || node.contains(seen));
+}"""
+
+
+@pytest.mark.parametrize(
+    "path", ["/live#side=64&noise=on&vanes=4", "/live#side=64&focus=distances", "/live?lesson=hubble"]
+)
+@pytest.mark.parametrize("compared", [False, True])
+def test_all_is_in_reach_at_a_zoom_of_200_percent(visit: Callable[..., Any], path: str, compared: bool) -> None:
+    # Of a screen of 1366 x 768.
+    page = visit(path, viewport={"width": 683, "height": 384}, device_scale_factor=2)
+    if compared:
+        page.get_by_role("button", name="Hold as A").click()
+        page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 683
+    assert page.evaluate(CUT) == []
+    for control in page.locator("button:visible, select:visible, input:not(.unseen):visible, summary:visible").all():
+        control.evaluate("node => node.scrollIntoView({ block: 'center' })")
+        area = control.bounding_box()
+        name = control.evaluate("node => node.getAttribute('aria-label') ?? node.textContent + node.dataset.key")
+        assert area["x"] >= 0, name
+        assert area["x"] + area["width"] <= 683, name
+        assert area["y"] >= 0, name
+        assert area["y"] + area["height"] <= 384, name
+        assert not control.evaluate(COVERED), name
+
+
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+FOUND = f"""axe.run(document, {{ runOnly: {RULES} }}).then((found) => found.violations.flatMap(
+ ({{ id, nodes }}) => nodes.map((node) => `${{id}}: ${{node.target.flat().join(" ")}}, ${{node.failureSummary}}`)))"""
+
+
+def axe() -> str:
+    """Return axe-core as a script."""
+    pytest.importorskip("axe_playwright_python", reason="axe-playwright-python is not installed, which has axe-core")
+    return files("axe_playwright_python").joinpath("axe.min.js").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("width", [390, 1366])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("address", ["/live#coma=0.3&side=64", "/live?lesson=depth"])
+def test_axe_finds_nothing_in_chromium(visit: Callable[..., Any], address: str, scheme: str, width: int) -> None:
+    page = visit(address, color_scheme=scheme, viewport={"width": width, "height": 768})
+    page.evaluate(axe())
+    assert page.evaluate(FOUND) == []
+
+
+def test_axe_finds_nothing_in_firefox(tab: Callable[..., Any]) -> None:
+    page = tab("/live#coma=0.3&side=64", width=1366, height=768)
+    page.evaluate(f"(() => {{ {axe()}; }})()")
+    assert page.evaluate(FOUND) == []
+
+
+ROOT = "document.querySelector('.lommel-live-host').shadowRoot"
+RESTS = f"document.querySelector({IDLE!r}) !== null"
+STATE = "#defocus=1.3&coma=0.7&coma_angle=20&light=white&side=96"
+RESULT = """(() => { const { psf, measures } = live.result(); const some = psf.values.filter((_, i) => i % 37 === 0);
+  return { values: Array.from(some), bound: psf.bound,
+  strehl: measures.strehl, d80: measures.d80, mtf: Array.from(measures.mtf.x) }; })()"""
+
+
+def test_firefox_has_the_numbers_of_chromium(tab: Callable[..., Any], visit: Callable[..., Any]) -> None:
+    there = tab(f"/mounted{STATE}").evaluate(RESULT)
+    page = visit(f"/mounted{STATE}")
+    rest(page)
+    here = page.evaluate(RESULT)
+    assert there["values"] == here["values"]
+    assert (there["bound"], there["strehl"], there["d80"]) == (here["bound"], here["strehl"], here["d80"])
+    assert there["mtf"] == pytest.approx(here["mtf"], abs=1e-10)
+
+
+def test_a_slider_is_dragged_sideways_by_a_finger_and_by_keys(tab: Callable[..., Any]) -> None:
+    page = tab("/mounted#side=64", width=390, height=844)
+    slider = (
+        "document.querySelector('.lommel-live-host').shadowRoot.querySelector('input[type=range][data-key=coma]')"
+    )
+    page.evaluate(f"{slider}.scrollIntoView({{ block: 'center' }})")
+    x, y, width, height = page.evaluate(
+        f"(() => {{ const b = {slider}.getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; }})()"
+    )
+    at = {"y": round(y + height / 2)}
+    page.pointer(
+        "touch",
+        {"type": "pointerMove", "x": round(x + 6), **at},
+        {"type": "pointerDown", "button": 0},
+        {"type": "pointerMove", "x": round(x + width / 2), "duration": 200, **at},
+        {"type": "pointerUp", "button": 0},
+    )
+    page.wait_for("Math.abs(live.state.coma - 1.5) < 0.1")
+    page.evaluate(f"{slider}.focus()")
+    before = page.evaluate("live.state.coma")
+    page.press("\ue014")  # the right arrow key
+    page.wait_for(f"live.state.coma > {before}")
+    page.wait_for(RESTS)
+    assert page.evaluate("live.result().state.coma === live.state.coma")

@@ -1,12 +1,10 @@
-"""The list of deliberate faults is true: each pattern is in its file, once (the faults themselves: make mutants).
-
-And those that chance draws are faults: of code, that compiles, the same ones for the same seed.
-"""
+"""Tools of the tests: deliberate faults, tiers, and many cases in one test."""
 
 from __future__ import annotations
 
 import ast
 import importlib.util
+import inspect
 import io
 import itertools
 import shutil
@@ -14,8 +12,12 @@ import subprocess
 import sys
 import tokenize
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
+
+import tiers
+from cases import each
 
 ROOT = Path(__file__).resolve().parent.parent
 SCRIPT = Path(__file__).with_name("mutants") / "run.py"
@@ -136,3 +138,77 @@ def test_a_run_goes_on_where_it_ended_and_judges_survivors_again(mutants, tmp_pa
     first.keep(faults[1], "")
     again = mutants.Found(tmp_path / "list.jsonl")
     assert [again.noticed(fault) for fault in faults] == ["tests/test_x.py::test_a", "", ""]
+
+
+class Item(NamedTuple):
+    """What the choice of tests asks of one."""
+
+    nodeid: str
+    marker: str = ""
+
+    def get_closest_marker(self, name: str) -> bool:
+        return name == self.marker
+
+
+@pytest.fixture
+def listed(monkeypatch):
+    """A list of three lines, and a commit."""
+    rows = {"tests/a.py::test_one": 0.3, "tests/a.py::test_two[x-1]": 2.0, "tests/b.py::test_three": 0.5}
+    monkeypatch.setattr(tiers, "slow_tests", lambda: rows)
+    monkeypatch.setattr(tiers, "commit", lambda: "0123456789ab")
+
+
+def test_every_line_of_the_list_names_a_test_that_is_there():
+    assert len(tiers.slow_tests()) > 100
+    assert [name for name in tiers.slow_tests() if not tiers.is_there(name)] == []
+    assert not tiers.is_there("tests/test_tools.py::test_that_is_not_there")
+    assert not tiers.is_there("tests/no_file.py::test_every_line_of_the_list_names_a_test_that_is_there")
+
+
+def test_the_list_is_as_it_would_be_written():
+    rows = tiers.slow_tests()
+    assert tiers.LIST.read_text(encoding="utf-8") == tiers.HEADER + "".join(tiers.lines({}, rows))
+    assert min(rows.values()) >= tiers.SLOW
+
+
+def test_listed_tests_are_left_out_and_a_function_stands_for_its_cases(listed):
+    names = [
+        "a.py::test_one",
+        "a.py::test_one[1]",
+        "a.py::test_two[x-1]",
+        "a.py::test_two[x-2]",
+        "a.py::test_on",
+        "live/a.py::t",
+    ]
+    assert [name for name in names if tiers.is_quick(Item(f"tests/{name}"), 0.0)] == [
+        "a.py::test_two[x-2]",
+        "a.py::test_on",
+    ]
+
+
+def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs():
+    here = "tests/test_tools.py::test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs"
+    before = {
+        "tests/test_tools.py::test_gone": 1.0,
+        here: 2.0,
+        "tests/test_tools.py::listed": 0.3,
+        "tests/x.py::test_y": 1.0,
+    }
+    assert tiers.lines({}, before) == [f"  2.0 {here}\n", "  0.3 tests/test_tools.py::listed\n"][::-1]
+    assert tiers.lines({here: 0.1}, before) == ["  0.3 tests/test_tools.py::listed\n"]
+    assert tiers.lines({here: 0.26}, {}) == [f"  0.3 {here}\n"]
+
+
+def test_every_case_that_fails_is_listed():
+    @each("number, text", [(1, "a"), (2, "b"), (3, "c"), (4, "d")])
+    def test(number, text, limit):
+        if number == 3:
+            with pytest.raises(ValueError, match=text):
+                int("3")
+        assert number <= limit
+
+    assert list(inspect.signature(test).parameters) == ["limit"]
+    with pytest.raises(AssertionError, match="2 cases fail") as caught:
+        test(limit=3)
+    assert "\n3, 'c': Failed: DID NOT RAISE" in str(caught.value)
+    assert "\n4, 'd': AssertionError" in str(caught.value)

@@ -30,14 +30,6 @@ def test_the_sensor_is_at_the_image_of_the_object_in_focus(f, n, far, wavelength
     assert abs(lens.defocus(far * f)) < 1e-14 * whole
 
 
-@given(f=focal_lengths, n=f_numbers, near=distances, farther=st.floats(1.001, 10.0))
-def test_defocus_falls_as_the_object_recedes(f, n, near, farther):
-    lens = lm.Lens(focal_length=f, f_number=n, wavelength=500e-9)
-    one, two, at_infinity = lens.defocus([near * f, farther * near * f, math.inf])
-    assert one > two > at_infinity
-    assert at_infinity == pytest.approx(0.0, abs=1e-6 * one)
-
-
 @given(f=focal_lengths, n=f_numbers, d=st.floats(0.5, 2.0), far=distances, wavelength=wavelengths)
 def test_defocus_is_the_path_difference_between_rim_and_middle_to_second_order(f, n, d, far, wavelength):
     lens = lm.Lens(focal_length=f, f_number=n, sensor_distance=d * f, wavelength=wavelength)
@@ -95,13 +87,6 @@ def test_the_aberrations_of_a_lens_add_to_its_defocus():
     lens = lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9, aberrations=extra)
     assert lens.pupil(1.5).wavefront == lm.Wavefront(lens.defocus(1.5)) + extra
     assert lens.pupil(2.0).wavefront.defocus == pytest.approx(1.0)
-
-
-def test_an_array_of_distances_makes_a_stack(camera):
-    stack = camera.pupil(np.linspace(0.5, 5.0, 7))
-    assert stack.shape == (7,)
-    assert camera.defocus([[1.0, 2.0]]).shape == (1, 2)
-    assert stack[3].wavefront.defocus == camera.defocus(np.linspace(0.5, 5.0, 7)[3])
 
 
 def test_a_stack_of_aberrations_broadcasts_with_the_distances():

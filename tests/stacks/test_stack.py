@@ -98,13 +98,6 @@ def test_dask_and_xarray_see_the_values_with_names_and_units(fields):
     assert float(data["error_bound"].max()) == whole.error_bound
 
 
-def test_xarray_opens_the_folder_itself(fields):
-    xarray = pytest.importorskip("xarray")
-    with xarray.open_zarr(fields, consolidated=False) as data:
-        np.testing.assert_array_equal(data["values"].values, lm.open_stack(fields)[:].values)
-        assert data["field_x"].attrs == {"units": "m"}
-
-
 def test_a_stack_travels_to_other_processes_by_its_path(fields):
     stack = lm.open_stack(fields)
     stack[0]

@@ -145,20 +145,16 @@ def test_a_lens_without_a_field_says_so(load):
     [
         ("W131 = 1\n", "field.sensor: is missing"),
         ('sensor = ["24 mm"]\nW131 = 1\n', "field.sensor (line 20): "),
-        ('sensor = ["24 kg", "36 mm"]\nW131 = 1\n', "field.sensor (line 20): '24 kg' has the unknown unit 'kg'"),
         ('sensor = ["24 mm", "-36 mm"]\nW131 = 1\n', "field.sensor (line 20): must be positive"),
         (SENSOR, "field (line 19): needs Seidel coefficients (W131, W222, W220, W311), rows, or file: one of"),
         (SEIDEL + 'file = "lens.toml"\n', "field.file (line 23): lens.toml: the first columns must be"),
         (TABLE + "W131 = 1\n", "one of them, got rows and W131, W222, W220, W311"),
         (SEIDEL + "W132 = 1\n", "field.W132 (line 23): unknown key; did you mean"),
-        (SENSOR + "W131 = inf\n", "field.W131 (line 21): must be finite"),
         (SEIDEL + 'order = "noll"\n', "order has no meaning with W131"),
         (TABLE + 'edge = "1 mm"\n', "edge has no meaning with rows"),
         (TABLE.replace("columns", "#"), 'field.rows (line 22): needs columns, such as columns = ["height", "Z4"]'),
-        (SENSOR + "rows = 5\n", "field.rows (line 21): must be a list of lists"),
         (SENSOR + "file = 5\n", "field.file (line 21): must be the name of a CSV file, got 5"),
         (SENSOR + 'file = "no.csv"\n', "field.file (line 21): 'no.csv' cannot be read: No such file or directory"),
-        (TABLE + 'order = "ansi2"\n', "field.order (line 23): "),
         (TABLE.replace("0.5, 0.3", '"a", "b"'), "field.rows (line 22): row 2, Z4: must be a number, got 'a'; row 2"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
         (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0, on the axis"),
@@ -217,9 +213,7 @@ def test_positions_anywhere_make_a_scattered_map():
     [
         (["Z4"], [[1]], "the first columns must be height, or x and y, got Z4"),
         (["y", "x", "Z4"], [[0, 0, 1]], "must be height, or x and y, got y, x"),
-        (["x"], [[0]], "must be height, or x and y, got x"),
         (["height"], [[0]], "there must be a column for a Zernike coefficient"),
-        (["height", "4"], [[0, 1]], "column '4' must be a Zernike index such as Z4"),
         (["height", "Z0"], [[0, 1]], "a Zernike index in the order 'noll' must be from 1 to 1891, got 0"),
         (["height", "Z4", "Z4"], [[0, 1, 1]], "column Z4 comes twice"),
         (["height", "Z4"], [], "there must be a row for each position or wavelength, got none"),
@@ -227,9 +221,7 @@ def test_positions_anywhere_make_a_scattered_map():
         (["height", "Z4"], [[0, 1], ["5 kg", 2]], "row 2, height: '5 kg' has the unknown unit 'kg'"),
         (["height", "Z4"], [["inf", 2]], "row 1, height: a position must be finite, got inf"),
         (["height", "Z4"], [[0, "a"]], "row 1, Z4: must be a number, got 'a'"),
-        (["height", "Z4"], [[0, True]], "row 1, Z4: must be a number, got True"),
         (["height", "Z4"], [[0, math.nan]], "row 1, Z4: a value must be finite, got nan"),
-        (["height", "Z4"], [[0, "nan"]], "row 1, Z4: a value must be finite, got nan"),
     ],
 )
 def test_a_fault_is_told_with_its_row_and_column(columns, rows, what):
@@ -325,7 +317,6 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(
         ('[aperture.spider]\nwidth = "2 mm"\nfirst = 0.1\nangles = [0.0]\n', "first has no meaning with angles"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 0\n', "aperture.spider.vanes (line 11): Input should be"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nfirst = "1 mm"\n', "aperture.spider.first (line 12)"),
-        ('[aperture.spider]\nwidth = "0 mm"\nvanes = 3\n', "aperture.spider.width (line 10): must be positive"),
         (
             '[aperture.spider]\nwidth = "2 m"\nvanes = 3\n',
             "aperture.spider.width (line 10): must be below the diameter",
@@ -337,12 +328,9 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(
         ('[aperture.mask]\nfile = "nowhere.npy"\n', "aperture.mask.file (line 10): 'nowhere.npy' cannot be read"),
         ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, .fits,"),
         ('[aperture.mask]\nfile = "junk.fits"\n', "'junk.fits' is not a FITS image"),
-        ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is not an array"),
-        ('[aperture.mask]\nfile = "junk.png"\n', "'junk.png' is not a picture"),
         ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
         ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
         ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
-        ("[aperture.mask]\nfile = 3\n", "must be the name of a file"),
     ],
 )
 def test_a_fault_is_told_where_it_is(load_of_aperture_section, tmp_path, section, what):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import replace
 
 import numpy as np
@@ -13,15 +14,9 @@ import lommel as lm
 from lommel import microscopy as room
 from lommel.methods.layers.scanning import crest
 from lommel.optics.layers.emitter import Absorbed
+from objectives import WATER_60X
 
-WATER = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+WATER = WATER_60X
 DEPTH, PIXEL = 20e-6, 6e-6
 Z = np.linspace(-1.5e-6, 1.5e-6, 7)
 
@@ -234,14 +229,7 @@ def test_what_makes_no_psf_is_refused(make, said):
         make(*colours(Z))
 
 
-WATER_DEPLETED = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.333,
-)
+WATER_DEPLETED = dataclasses.replace(WATER_60X, sample=1.333)
 
 
 def three(z=0.0, depth=2e-6, depleting="vortex", **other):

@@ -10,15 +10,9 @@ import pytest
 
 import lommel as lm
 from lommel.show.plot import is_z_stack, sections, voxels
+from objectives import WATER_60X
 
-OBJECTIVE = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+OBJECTIVE = WATER_60X
 RISING = np.arange(-3, 4) * 0.2e-6
 
 

@@ -13,20 +13,14 @@ import pytest
 
 import lommel as lm
 from lommel.io.psf_files import FileError
+from objectives import WATER_60X
 
 pytest.importorskip("zarr")
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 FIELD = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, aperture=LENS.pupil(2.0).unaberrated())
 X, Y, DISTANCES = np.linspace(-9e-3, 9e-3, 3), np.array([0.0, 6e-3]), np.array([1.8, 2.0, 2.5, np.inf])
-OIL = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+OIL = WATER_60X
 
 
 def table() -> list[lm.Pupil]:

@@ -91,18 +91,6 @@ def test_what_cannot_be_fitted_is_told(folder, words, told):
     assert told in " ".join(found.output.split())
 
 
-def test_saturation_of_beads_that_is_not_stated_is_suspected(folder):
-    images = np.minimum(tifffile.imread("bead.tif"), 420)
-    tifffile.imwrite("clipped.tif", images, photometric="minisblack")
-    found = run("clipped.tif", *ASKED, "--fixed", "-o", "fitted.toml")
-    assert found.exit_code == 3, found.output
-    text = " ".join(found.stdout.split())
-    assert text.startswith("misfit: ")
-    assert "pixels have exactly the largest value, 420: if they are saturated, state it" in text
-    assert "wrote fitted.toml, of a fit that has not converged: misfit" in text
-    assert "Fitted to beads: misfit: " in lm.load_microscope("fitted.toml").source
-
-
 def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated(folder):
     found = run("field.tif", *ASKED, "--window", "19", "--json")
     assert found.exit_code == 0, found.output

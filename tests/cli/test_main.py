@@ -288,18 +288,6 @@ def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field
     assert [facts[name] is None for name in ("fwhm", "diameter_80")] == [waves > 0.0] * 2
 
 
-@pytest.mark.usefixtures("described_once")
-def test_energies_of_a_wavefront_that_depends_on_the_direction_come_with_a_bound(call_lommel, lenses, tmp_path):
-    text = lenses["newtonian-off-axis"].read_text(encoding="utf-8")
-    start, end = text.index("[aperture.spider]"), text.index("[aberrations]")
-    (tmp_path / "no-vanes.toml").write_text(text[:start] + text[end:], encoding="utf-8")
-    shown = call_lommel("info", "no-vanes.toml", folder=tmp_path).stdout
-    facts = json.loads(call_lommel("info", "no-vanes.toml", "--json", folder=tmp_path).stdout)
-    assert 0 < facts["encircled_energy_error"] < 1e-3
-    assert f"error of these fractions at most {facts['encircled_energy_error']:.1g}" in shown
-    assert 0 < facts["mtf50"] < facts["cutoff"]
-
-
 def test_the_method_is_chosen_by_the_pupil_unless_named(call_lommel, lenses, tmp_path):
     for lens, arguments, method in (
         ("phone", [], lm.NijboerZernike()),

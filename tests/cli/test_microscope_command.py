@@ -50,16 +50,6 @@ def test_a_stack_is_written_as_data_and_as_sections(folder, call_lommel):
     assert "4 x 5 x 6 float32" in result.stdout
 
 
-def test_one_plane_is_written_as_the_picture_of_a_psf(folder, call_lommel):
-    result = call_lommel("psf", "plane.toml", "--shape", 5, "-o", "a.png", "--plot", "b.png", folder=folder)
-    assert result.returncode == 0, result.stderr
-    assert lm.PSF.load(folder / "a.png").shape == (5, 5)
-    assert "sections" not in result.stdout
-    picture = "a.png: 515 x 515 pixels, 103 x 103 for each pixel of the PSF, square root of the values, 16 bit"
-    assert result.stdout.splitlines()[-2:] == [f"wrote {picture}", "wrote b.png: square root of the values"]
-    assert "emitter at a depth of 2 um" in result.stdout
-
-
 def test_the_json_is_what_python_says(folder, call_lommel):
     result = call_lommel("psf", "objective.toml", *STACK, "--json", "-o", "a.npy", folder=folder)
     facts = json.loads(result.stdout)

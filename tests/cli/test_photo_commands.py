@@ -233,25 +233,6 @@ def test_inverse_depth_disparity_and_other_sizes_are_as_in_python(call_lommel, f
     assert np.abs(np.asarray(Image.open(folder / "b.png")).astype(int) - expected(depth=half)).max() <= 1
 
 
-@pytest.mark.parametrize(
-    ("name", "options", "error"),
-    [
-        ("half.npy", (), 'got 18 x 15, of the same aspect ratio; --resample "nearest" resamples it'),
-        ("depth.npy", ("--depth-scale", "1", "--inverse-depth", "1m", "2m"),
-         "give one of --depth-scale, --inverse-depth and --disparity"),
-        ("depth.npy", ("--inverse-depth", "2m", "1m"), "--inverse-depth must be > 2 metres, got 1"),
-        ("depth.npy", ("--inverse-depth", "1m", "2m"), "must hold 0 to 1 for --inverse-depth, got 1.9 to 2.2"),
-        ("depth.npy", ("--disparity", "1", "-2"), "must hold finite disparities > 2 (the offset is -2), got"),
-        ("depth.png", (), "for millimetres, or --inverse-depth or --disparity"),
-    ],
-)  # fmt: skip
-def test_maps_that_are_no_metres_are_refused_with_the_way_out(call_lommel, folder, name, options, error):
-    np.save(folder / "half.npy", DEPTH[::2, ::2])
-    result = call_lommel("blur", "photo.png", name, *GIVEN, *options, "-o", "a.png", folder=folder)
-    assert result.returncode == 2
-    assert error in result.stderr
-
-
 def test_the_camera_and_the_date_stay_with_the_photo(call_lommel, folder):
     tags = Image.Exif()
     tags[0x010F], tags[0x0132], tags[0x0112] = "Canon", "2026:01:02 03:04:05", 1
@@ -289,20 +270,6 @@ def test_the_output_has_the_bits_asked_for(call_lommel, folder, name, bits, dtyp
     off = np.abs(as_eight - expected(PHOTO[..., 0], wavelength=550e-9))
     assert off.max() <= (8 if name == "a.jpg" else 0)
     assert json.loads(told)["encoding"]["output"] == ("linear" if bits == "float" else "srgb")
-
-
-def test_without_occlusion_light_adds_up_beyond_white_and_is_told(call_lommel, folder):
-    # A bright far wall spreads over a near bar: where they meet, light adds up.
-    near = np.zeros((30, 36), bool)
-    near[:, 12:20] = True
-    Image.fromarray(np.full((30, 36), 255, np.uint8)).save(folder / "white.png")
-    np.save(folder / "edge.npy", np.where(near, 2.0, 4.0))
-    arguments = ("blur", "white.png", "edge.npy", *GIVEN, "--no-occlusion", "-o", "a.png")
-    told = ran(call_lommel(*arguments, folder=folder))
-    assert "clipped at white" in told
-    share = json.loads(ran(call_lommel(*arguments, "--json", folder=folder)))["clipped"]
-    assert 0.0 < share < 0.5
-    assert np.asarray(Image.open(folder / "a.png")).max() == 255
 
 
 def test_a_focus_pull_is_numbered_or_one_file_with_the_same_frames(call_lommel, folder):

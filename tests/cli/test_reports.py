@@ -68,19 +68,6 @@ def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses,
     assert ("sums of the values" in rows) == (sampling == "center")
 
 
-def test_a_window_that_loses_light_is_told_with_the_size_that_holds_it(call_lommel, lenses, tmp_path):
-    arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m")
-    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)["psf"]
-    assert facts["energy"] < 0.5
-    side = facts["wide_enough"]
-    shown = call_lommel(*arguments, folder=tmp_path).stdout
-    assert f"holds {facts['energy']:.0%} of the light; --shape {side} would hold about 98 %" in shown
-    wider = call_lommel(*arguments, "--shape", side, "--json", folder=tmp_path)
-    again = json.loads(wider.stdout)["psf"]
-    assert 0.97 < again["energy"] < 1.0
-    assert again["wide_enough"] is None
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.3, 0.6])
 @pytest.mark.parametrize("wavefront", [(0.0, 0.0), (10.0, 0.0), (-5.0, 8.0), (60.0, -20.0)], ids=str)
 @pytest.mark.parametrize("pixel", [0.4, 3.0])

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
 from functools import cache
 from pathlib import Path
 
@@ -15,7 +13,6 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
 from lommel.base.encoding import from_light
-from lommel.io import videos
 from scenes import ThinLens, averaged, plane, record, texture
 from video_files import frames_of, write_video
 
@@ -97,23 +94,6 @@ def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     assert "\ndepth 1.5 m, focus 1.8 m, 8.3 % unknown\n" in result.stdout
     sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
     assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
-
-
-def test_ctrl_c_leaves_a_whole_file(folder, call_lommel, monkeypatch):
-    write, calls = videos.VideoWriter.__call__, []
-
-    def interrupted(self, values, seconds):
-        calls.append(seconds)
-        if len(calls) == 2:
-            os.kill(os.getpid(), signal.SIGINT)
-        return write(self, values, seconds)
-
-    monkeypatch.setattr(videos.VideoWriter, "__call__", interrupted)
-    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
-    assert result.returncode == 0
-    assert "2 frames in " in result.stdout
-    assert "ended: interrupted" in result.stdout
-    assert len(frames_of(folder / "o.mkv")[0]) == 2
 
 
 def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):

@@ -11,7 +11,6 @@ import sys
 import time
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -131,22 +130,6 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
         assert row["misfit"] == pytest.approx(1.0, abs=0.2)
         assert row["frame time (s)"] > 0.0
         assert row["dropped"] == 0
-
-
-def test_the_video_is_depth_in_colours_beside_the_sharp_image_over_a_bar(folder, call_lommel):
-    call_lommel("watch", *SCENE, *DEEP, *TWO, "--sharp", "-o", "out.mp4", folder=folder)
-    pictures, times = frames_of(folder / "out.mp4", "rgb24")
-    assert pictures.shape == (3, SIDE + 24, 2 * SIDE, 3)
-    assert times == pytest.approx([0.0, 0.04, 0.08], abs=1e-3)
-    inner = pictures[:, 24:-48, 24 : SIDE - 24].astype(float)
-    # viridis: from yellow, which is light, to violet
-    green = np.median(inner[..., 1], axis=(1, 2))
-    assert green[0] > green[1] > green[2]
-    assert np.abs(pictures[:, :4, :4].astype(int) - 128).max() < 20  # grey within the blur of the border
-    sharp = pictures[0, :SIDE, SIDE:, 1].astype(float)
-    better = recorded(DISTANCES[0])[0].astype(float)
-    assert np.corrcoef(sharp.ravel(), better.ravel())[0, 1] > 0.9
-    assert np.ptp(pictures[0, SIDE + 12, 40:-60].astype(int), axis=0).max() > 150
 
 
 def test_dropped_frames_of_alternating_video_are_counted_and_move_no_pair(folder, call_lommel):
@@ -378,27 +361,6 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     assert "gives no more frames: it was unplugged, or stopped" in result.stderr
     assert "gives no more frames" in next(line for line in result.stdout.splitlines() if "; ended: camera" in line)
     assert len(frames_of(folder / "out.mkv")[0]) == len(written) >= 3
-
-
-def test_a_window_shows_pictures_until_q_is_pressed(folder, call_lommel, monkeypatch):
-    shown: list[np.ndarray] = []
-    keys = iter([-1, ord("q")])
-    module = SimpleNamespace(
-        currentUIFramework=lambda: "QT", imshow=lambda name, picture: shown.append(picture.copy()),
-        WND_PROP_VISIBLE=4, waitKey=lambda wait: next(keys), getWindowProperty=lambda name, which: 1.0,
-        destroyAllWindows=lambda: shown.append(np.zeros(0)),
-    )  # fmt: skip
-    monkeypatch.setitem(sys.modules, "cv2", module)
-    monkeypatch.setenv("DISPLAY", ":9")
-    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, folder=folder)
-    assert "ended: the window was closed" in result.stdout
-    assert [picture.shape for picture in shown] == [(SIDE + 24, SIDE, 3)] * 2 + [(0,)]
-    module.currentUIFramework = lambda: ""
-    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, folder=folder)
-    assert "ended: the end" in result.stdout
-    result = call_lommel("watch", *SCENE[:-1], *DEEP, *TWO, "--show", folder=folder)
-    assert result.returncode == 2
-    assert "--show is not possible: this OpenCV has no windows: pip uninstall opencv-python-headless" in result.stderr
 
 
 @pytest.mark.parametrize(

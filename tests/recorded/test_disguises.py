@@ -19,7 +19,7 @@ from PIL import Image
 
 import containers
 from objectives import OIL_FILE
-from small_recordings import DEPTH, bead, coloured, grey, movie, pair, sky, stack, stars
+from small_recordings import DEPTH, bead, coloured, grey, movie, sky, stack, stars
 
 ROOT = Path(__file__).resolve().parents[2]
 ASTIGMATIC = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
@@ -228,17 +228,6 @@ REFUSED = {
 }  # fmt: skip
 
 
-def test_one_image_behind_a_thumbnail_is_the_one_that_is_fitted(folder, call_lommel):
-    """Of images one by one, nothing counts them."""
-    options = [*options_of("retrieve"), "--defocus", "4", "--json"]
-    found = []
-    for name, write in (("plain", containers.tiff), ("thumbnail", containers.thumbnail)):
-        (folder / name).mkdir()
-        words = write(stars()[2:], folder / name)
-        found.append(json.loads(call_lommel("retrieve", *words, *options, folder=folder).stdout))
-    assert found[1]["coefficients"] == found[0]["coefficients"]
-
-
 def with_header(command: str, folder: Path, **cards: object) -> Path:
     """Write images with cards in their header."""
     unit = fits.PrimaryHDU(IMAGES[command]())
@@ -310,20 +299,6 @@ def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, c
     assert WAY.search(answer.refusal), answer.refusal
 
 
-def test_the_blank_of_fits_is_as_unknown_as_nan(folder, call_lommel):
-    images = stars().astype(np.int32)
-    images[1, 12, 12] = -7
-    made = fits.PrimaryHDU(images)
-    made.header["BLANK"] = -7
-    made.writeto(folder / "blank.fits")
-    np.save(folder / "nan.npy", np.where(images == -7, np.nan, images))
-    blank, nan = (
-        json.loads(call_lommel("retrieve", name, *options_of("retrieve"), "--json", folder=folder).stdout)
-        for name in ("blank.fits", "nan.npy")
-    )
-    assert blank["coefficients"] == nan["coefficients"]
-
-
 MASKS = {
     "npy of bool": lambda mask, path: np.save(path.with_suffix(".npy"), mask),
     "npy, Fortran order": lambda mask, path: np.save(path.with_suffix(".npy"), np.asfortranarray(mask)),
@@ -358,49 +333,10 @@ def test_a_mask_in_any_file_leaves_out_the_same_pixels(name, folder, call_lommel
     assert found["waves"] == expected["waves"]
 
 
-MAPS = [
-    "npy",
-    "npy, Fortran order",
-    "npy, big-endian",
-    "tiff",
-    "tiff, deflate",
-    "fits",
-    "fits.gz",
-    "fits, SCI after ERR",
-]
-
-
-@pytest.mark.parametrize("name", MAPS)
-def test_a_map_of_the_camera_in_any_file_is_the_same(name, folder, call_lommel, caplog):
-    level = np.full((1, *movie().shape[1:]), 100, np.uint16)
-    level[:, :, ::2] += 3
-    (folder / "map").mkdir()
-    (offset,) = containers.BARE[name](level, folder / "map")
-    words = [*containers.tiff(movie(), folder), *options_of("localize"), "--offset", offset, "--json"]
-    answer = answered(call_lommel("localize", *words, folder=folder), folder, caplog)
-    assert answer.facts is not None, answer.refusal
-    assert answer.facts["table.csv"] == once("map", lambda: answer)["table.csv"]
-
-
 # ------------------------------------------------------------------------------------- photographs and depth maps
 
 
 PHOTO_OPTIONS = {"blur": [], "restore": ["--white", 5000, "--read", 3, "--steps", 3, "--target", 0]}
-FOCI = [
-    "--focus",
-    "1.35m",
-    "--focus",
-    "1.8m",
-    "--between",
-    "1.2m",
-    "2m",
-    "--white",
-    "1e4",
-    "--read",
-    "3",
-    "--candidates",
-    "20",
-]
 IN_COLOUR = ["webp", "png, a palette", "gif", *(name for name in containers.GREY if "in colour" in name)]
 
 
@@ -482,26 +418,3 @@ def test_a_depth_map_in_any_file_has_the_same_answer_or_a_way_out(command, name,
         assert WAY.search(answer.refusal), answer.refusal
         return
     np.testing.assert_allclose(light, LIGHT[f"{command} depth"], rtol=0.0, atol=1e-6)
-
-
-@pytest.mark.parametrize(("command", "name"), cases([("depth", name) for name in containers.GREY]))
-def test_a_pair_of_photographs_in_any_file_has_the_same_depth_or_a_way_out(
-    command, name, folder, call_lommel, caplog
-):
-    def found(write: containers.Writer, key: str) -> Answer:
-        names: list[str] = []
-        for k, one in enumerate(pair()):
-            (folder / f"{key}{k}").mkdir()
-            word, *options = write(one, folder / f"{key}{k}")
-            names.append(word)
-        result = call_lommel(
-            command, *names, "pair.toml", *options, *FOCI, "-o", "found.npy", "--json", folder=folder
-        )
-        return answered(result, folder, caplog)
-
-    answer = found(containers.GREY[name], "this")
-    if answer.facts is None:
-        assert WAY.search(answer.refusal), answer.refusal
-        return
-    expected = once("depth", lambda: found(containers.raster, "plain"))
-    equal(answer.facts, expected, 1e-5 if "float" in name or "light" in name else 0.0)

@@ -54,15 +54,6 @@ wavelength = "550 nm"
 pixel = "30 um"
 shape = 33
 """
-PAIR_LENS = """
-[lens]
-focal_length = "35 mm"
-f_number = 8.0
-wavelength = "540 nm"
-[sensor]
-pixel = "4 um"
-shape = 33
-"""
 Call = Callable[..., "subprocess.CompletedProcess[str]"]
 
 
@@ -110,7 +101,6 @@ def folder(tmp_path: Path) -> Path:
     """A folder with the files of all lenses."""
     for name, text in (("star", STAR_LENS), ("sky", TELESCOPE), ("oil", OIL_FILE), ("photo", PHOTO_LENS)):
         (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
-    (tmp_path / "pair.toml").write_text(PAIR_LENS, encoding="utf-8")
     (tmp_path / "glass.toml").write_text(ASTIGMATIC.read_text(encoding="utf-8"), encoding="utf-8")
     return tmp_path
 

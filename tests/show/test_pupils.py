@@ -114,11 +114,6 @@ def test_the_measured_wavefront_of_an_objective_is_added():
     np.testing.assert_allclose(added[clear], truth - truth.mean(), atol=1e-9)
 
 
-def test_a_lens_says_how_far_away_its_objects_are(camera):
-    axes = camera.pupil([1.5, 2.0, math.inf]).plot()
-    assert [each.get_title() for each in axes] == ["object at 1.5 m", "object at 2 m", "object at ∞"]
-
-
 @pytest.mark.parametrize(
     ("wavefront", "told"),
     [

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.show.plot import is_z_stack, sections, voxels
+from lommel.show.plot import is_z_stack
 from objectives import WATER_60X
 
 OBJECTIVE = WATER_60X
@@ -59,20 +59,6 @@ def test_planes_that_are_not_evenly_spaced_are_drawn_where_they_are():
     assert "3 planes, not evenly spaced" in plt.gcf().get_suptitle()
 
 
-def test_a_stack_much_longer_than_wide_is_drawn_and_says_that_it_is_not_to_scale():
-    axes = stack(np.arange(-10, 11) * 1e-6, shape=9).plot()
-    # x and y are to one scale still: a round PSF is drawn round.
-    assert axes[0].get_aspect() == pytest.approx(1.0)
-    assert axes[1].get_aspect() < 0.2
-    assert axes[1].get_aspect() * axes[2].get_aspect() == pytest.approx(1.0)
-    assert "x, y and z are not to one scale" in axes[0].figure.get_suptitle()
-
-
-def test_one_row_of_pixels_has_a_height():
-    axes = stack(shape=(1, 9)).plot()
-    assert np.ptp(axes[0].get_ylim()) == 1.0
-
-
 @pytest.mark.parametrize(
     "psf",
     [
@@ -97,12 +83,3 @@ def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
         psf.plot(plt.figure().subplots())
     with pytest.raises(ValueError, match="stretch must be one of"):
         psf.plot(stretch="cube")
-
-
-def test_every_normalisation_has_words():
-    for normalize in ("energy", "emitted", "strehl", "peak"):
-        assert sections(stack(normalize=normalize)).shape == (3,)
-
-
-def test_voxels_are_not_below_zero():
-    assert voxels(stack(emitter="isotropic")).values.min() >= 0.0

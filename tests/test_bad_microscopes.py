@@ -94,10 +94,7 @@ def test_a_bad_argument_is_told_in_one_sentence(name, value, said):
         (lambda: lm.Dipole(0.0, 0.0, wobble=1.5), "wobble must be from 0 to 1, got 1.5"),
         (lambda: lm.Dipole(0.0, 0.0, wobble=-0.1), "wobble must be >= 0, got -0.1"),
         (lambda: lm.Beam((0, 0)), "polarization must be a name or two finite numbers, not both 0, got (0, 0)"),
-        (
-            lambda: lm.Beam((1, math.nan)),
-            "polarization must be a name or two finite numbers, not both 0, got (1, nan)",
-        ),
+        (lambda: lm.Beam((1, math.nan)), "polarization must be a name or two finite numbers, not both 0, got"),
         (lambda: lm.Beam((1, 0, 0)), "polarization must be a name or two finite numbers, not both 0, got (1, 0, 0)"),
         (lambda: lm.Beam("z"), "polarization must be one of 'circular', 'x', 'y'"),
         (lambda: lm.Scalar("cosine"), "apodization must be one of 'uniform', 'aplanatic', got 'cosine'"),
@@ -126,14 +123,8 @@ def test_depths_and_planes_that_do_not_go_together_are_told():
 @each(
     ("take", "said"),
     [
-        (
-            lambda one: lm.psf(one, 3, 6.5e-6),
-            r"an Objective; objective.pupil\(depth=..., wavelength=...\) is its pupil",
-        ),
-        (
-            lambda one: lm.mtf(one.pupil(**PUPIL), 0.1),
-            "that of an Objective, which has no single wavefront; lommel.psf",
-        ),
+        (lambda one: lm.psf(one, 3, 6.5e-6), r"an Objective; objective.pupil\(depth=..., wavelength=...\) is its"),
+        (lambda one: lm.mtf(one.pupil(**PUPIL), 0.1), "that of an Objective, which has no single wavefront"),
         (lambda one: lm.strehl(one.pupil(**PUPIL)), "lommel.psf takes it, and measures its PSF"),
     ],
 )
@@ -145,7 +136,5 @@ def test_what_takes_the_pupil_of_a_lens_says_what_to_do_with_another(take, said)
 def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
     with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
         lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
-    with pytest.raises(
-        ValueError, match="Stratified supports the pupils of an objective only, got that of a lens; leave"
-    ):
+    with pytest.raises(ValueError, match="Stratified supports the pupils of an objective only, got that of"):
         lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())

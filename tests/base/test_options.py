@@ -131,13 +131,9 @@ def test_a_note_names_the_line_of_the_caller():
 def test_a_library_that_is_there_and_cannot_be_loaded_is_not_called_missing(tmp_path, monkeypatch):
     (tmp_path / "loaded_by_halves.py").write_text("raise ImportError('m.so: failed to map segment')")
     monkeypatch.syspath_prepend(tmp_path)
-    with pytest.raises(
-        ImportError, match=r"^plots need loaded_by_halves, which cannot be loaded: m\.so: failed to map"
-    ):
+    with pytest.raises(ImportError, match=r"^plots need loaded_by_halves, which cannot be loaded: m\.so: failed"):
         optional.library("loaded_by_halves", "plots need", "plot")
-    with pytest.raises(
-        ImportError, match=r'^plots need nowhere_at_all: pip install nowhere_at_all \(the extra "plot"'
-    ):
+    with pytest.raises(ImportError, match=r"^plots need nowhere_at_all: pip install nowhere_at_all \(the extra"):
         optional.library("nowhere_at_all", "plots need", "plot")
 
 

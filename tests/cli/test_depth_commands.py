@@ -101,10 +101,7 @@ def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
         (["near.tif", "lens.toml", *FOCI], "--focus must be given once, or for each of 1 photos, got 2"),
         (["near.tif", "lens.toml"], "PHOTOS must be two or more"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "depth.png"], "--output must end in .npy, .pfm, .tif"),
-        (
-            ["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "a.tif", "-o", "b.tif", "-o", "c.tif"],
-            "--output takes the depth map and its",
-        ),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "a.tif", "-o", "b.tif", "-o", "c.tif"], "--output"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "--sharp", "a.gif"], "--sharp must end in .png"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "--plot", "a.gif"], "a figure must end in .png"),
         (["near.tif", "nix.tif", "lens.toml", *FOCI], "nix.tif: No such file or directory"),

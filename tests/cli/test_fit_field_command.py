@@ -206,10 +206,7 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (
-            ("blank.npy", "--targets", "crossing"),
-            "0 crossings found; refused: none: squares must be larger than four",
-        ),
+        (("blank.npy", "--targets", "crossing"), "0 crossings found; refused: none: squares must be larger than"),
         (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
         (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
         (("chart.npy", "--targets", "pinhole"), "--size must be the diameter of the pinholes"),

@@ -111,10 +111,7 @@ def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (
-            ["psf", "objective.toml", "--object-distance", "1 m"],
-            "--object-distance is for lenses, and objective.toml",
-        ),
+        (["psf", "objective.toml", "--object-distance", "1 m"], "--object-distance is for lenses,"),
         (["info", "objective.toml", "--object-distance", "1 m"], "--depth sets the position of the emitter"),
         (["psf", "objective.toml", "--field", "2x2"], "--field is for lenses, and objective.toml describes a micro"),
         (["psf", "objective.toml", "--colour"], "--colour is for lenses"),
@@ -127,10 +124,7 @@ def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel
         (["psf", "objective.toml", "-m", "hankel"], "supports the pupils of a lens only"),
         (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
         (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, where the file has no stack"),
-        (
-            ["psf", "plane.toml", "--stack", "3"],
-            "--stack needs --step, where the file has no stack; Nyquist sampling needs at most 279 nm",
-        ),
+        (["psf", "plane.toml", "--stack", "3"], "--stack needs --step, where the file has no stack; Nyquist"),
         (["psf", "objective.toml", "--depth", "-1 um"], "depth is in metres and must be at least 0"),
         (["psf", "objective.toml", "--depth", "1 m"], 'for 1 um write "1 um", for 1 mm "1 mm"'),
     ],

@@ -171,9 +171,7 @@ WAYS = [depth_of_field, FocusPlan, partial(depth_of_field, tile=32), _chunks]
     ],
 )
 def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
-    with pytest.raises(
-        ValueError, match=r"lens must have a round aperture.* leave these out, or blur by lommel.imaging.FieldBlur"
-    ):
+    with pytest.raises(ValueError, match=r"lens must have a round aperture.* leave these out, or blur by"):
         way(np.ones((61, 61)), np.full((61, 61), 4.0), replace(LENS, **shape), 8e-6, encoding="linear")
 
 

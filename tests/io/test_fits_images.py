@@ -26,9 +26,7 @@ def test_images_come_with_their_cards(data):
 def test_a_header_that_claims_more_values_than_there_are_is_refused(side):
     at = FILE.index(b"NAXIS1  =")
     claimed = FILE[:at] + b"NAXIS1  =" + side.rjust(21) + FILE[at + 30 :]
-    with pytest.raises(
-        (ValueError, UserWarning), match=r"-?\d+ x 3 values, more than it holds|may have been truncated"
-    ):
+    with pytest.raises((ValueError, UserWarning), match=r"-?\d+ x 3 values, more than it holds|may have been"):
         fits_images.read(claimed, 2**20)
 
 

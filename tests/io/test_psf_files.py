@@ -188,10 +188,7 @@ def test_the_description_says_how_the_values_were_made(stack):
 @pytest.mark.parametrize("name", ["a.jpg", "a", "a.tif.gz", "a.gz", ".png"])
 def test_an_unknown_suffix_is_refused_with_the_known_ones(name, single, tmp_path):
     for call in (single.save, lm.PSF.load):
-        with pytest.raises(
-            ValueError,
-            match=r"path must end in \.tif, \.tiff, \.npy, \.npz, \.png, \.fits, .* for a PSF, got ",
-        ) as caught:
+        with pytest.raises(ValueError, match=r"path must end in \.tif, \.tiff, \.npy, \.npz, \.png") as caught:
             call(tmp_path / name)
         assert f"got {(tmp_path / name).suffix!r} in '{tmp_path / name}'" in str(caught.value)
     assert not list(tmp_path.iterdir())

@@ -308,19 +308,13 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        (
-            "[aperture]\nvanes = 3\n",
-            "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye, mask, telescope",
-        ),
+        ("[aperture]\nvanes = 3\n", "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye"),
         ('[aperture.spider]\nwidth = "2 mm"\n', "aperture.spider (line 9): needs vanes"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nangles = [0.0]\n', "exactly one of the two"),
         ('[aperture.spider]\nwidth = "2 mm"\nfirst = 0.1\nangles = [0.0]\n', "first has no meaning with angles"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 0\n', "aperture.spider.vanes (line 11): Input should be"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nfirst = "1 mm"\n', "aperture.spider.first (line 12)"),
-        (
-            '[aperture.spider]\nwidth = "2 m"\nvanes = 3\n',
-            "aperture.spider.width (line 10): must be below the diameter",
-        ),
+        ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width (line 10): must be below"),
         ('[aperture.spider]\nwidth = "190 mm"\nvanes = 8\n', "must leave part of the aperture clear"),
         ("[aperture.ellipse]\na = 1\nb = 1200\n", "aperture.ellipse.b (line 11): Input should be less than"),
         ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
@@ -510,10 +504,7 @@ def test_channels_are_wavelengths_weights_or_a_table(tmp_path):
     ("text", "message"),
     [
         ('[colour]\nwavelengths = ["450 nm"]\n', "wavelengths"),
-        (
-            '[colour]\nwavelengths = ["450 nm", "550 nm"]\nfocus_shift = ["1 um"]\n',
-            "focus_shift must be one for each of 2",
-        ),
+        ('[colour]\nwavelengths = ["450 nm", "550 nm"]\nfocus_shift = ["1 um"]\n', "focus_shift must be one for"),
         ('[colour]\nwavelengths = ["600 nm", "650 nm"]\n', "known from 600 to 650 nm, got 550"),
         ("[channels]\n", "needs file"),
         ('[channels]\nfile = "none.csv"\n', "none.csv"),

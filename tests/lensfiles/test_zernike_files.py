@@ -185,9 +185,7 @@ def test_other_formats_are_refused_and_missing_files_named(tmp_path):
     table = lm.ZernikeTable({4: 1.0}, "noll", "waves", "rms")
     with pytest.raises(ValueError, match=r"end in .json, .toml, .csv, .txt, .int, .zfr for Zernike coeff.*a.xlsx'"):
         lm.load_zernike(tmp_path / "a.xlsx")
-    with pytest.raises(
-        ValueError, match=r"path must end in .json, .toml, .csv for Zernike coefficients, got '\.xlsx' in '.*a.xlsx'"
-    ):
+    with pytest.raises(ValueError, match=r"path must end in .json, .toml, .csv for Zernike coefficients, got"):
         lm.save_zernike(tmp_path / "a.xlsx", table)
     with pytest.raises(FileNotFoundError, match="nowhere"):
         lm.load_zernike(tmp_path / "nowhere.csv")

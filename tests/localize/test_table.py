@@ -271,21 +271,13 @@ def test_sizes_of_a_table_in_the_core_do_not_wrap_around(table):
 
 BAD = [
     ({"pupil": lm.Pupil()}, TypeError, "pupil must be one of an Objective (Objective.pupil), got Pupil("),
-    (
-        {"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)},
-        ValueError,
-        "pupil must be of one plane, got a",
-    ),
+    ({"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)}, ValueError, "pupil must be of one plane"),
     ({"shape": 65}, ValueError, "shape must be 5 to 64 pixels a side, 15 is usual, got (65, 65)"),
     ({"pixel": 16e-6}, ValueError, "pixel must be at most 1.5e-05 m with this pupil, got 1.6e-05"),
     ({"pixel": math.nan}, ValueError, "pixel must be"),
     ({"z": (1e-6, 0.0)}, ValueError, "z must be (lowest, highest) in metres, 1 nm to 100 um apart, got 1 um and 0 m"),
     ({"z": 1e-6}, ValueError, "z must be (lowest, highest) in metres"),
-    (
-        {"z": (-1e-6, 1e-6), "along": "depth"},
-        ValueError,
-        "z must be depths >= 0 metres with along='depth', got -1 um",
-    ),
+    ({"z": (-1e-6, 1e-6), "along": "depth"}, ValueError, "z must be depths >= 0 metres with along='depth', got"),
     ({"along": "x"}, ValueError, "along must be"),
     ({"reach": 17}, ValueError, "reach must be >= 0.5 and <= 16, got 17"),
     ({"tol": 1e-6}, ValueError, "tol must be >= 1e-05 and <= 0.1, got 1e-06"),

@@ -364,9 +364,7 @@ def test_what_makes_no_sense_is_refused():
             call(*arguments, of="pixels")
     with pytest.raises(ValueError, match=r"what reaches 0\.01 m from the axis .* ask for less of at most 0\.0016"):
         psf.encircled_energy(1e-2)
-    with pytest.raises(
-        ValueError, match=r"pixel must be left out for a PSF, which has its own; give it with psf\.pupil"
-    ):
+    with pytest.raises(ValueError, match="pixel must be left out for a PSF, which has its own; give it with"):
         lm.mtf(psf, 1e4, pixel=1e-6)
     with pytest.raises(ValueError, match="spectrum must be left out for a PSF"):
         lm.otf(psf, 1e4, spectrum=lm.Polychromatic([5e-7], [1.0]))

@@ -246,16 +246,8 @@ def test_memory_is_at_most_ten_times_the_stack_in_float32():
         ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
         ({"psf": PSF.values}, TypeError, "psf must be a PSF"),
         ({"noise": 1.0}, TypeError, "noise must be a Noise"),
-        (
-            {"noise": lm.Noise(read=np.ones((3, 3)))},
-            ValueError,
-            r"read, of shape \(3, 3\), must have a value for each pixel, got images of \(4, 5, 5\)",
-        ),
-        (
-            {"method": "total-variation"},
-            TypeError,
-            "method must be of the type RichardsonLucy or TotalVariation, or None",
-        ),
+        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\), must have a value for"),
+        ({"method": "total-variation"}, TypeError, "method must be of the type RichardsonLucy or TotalVariation,"),
         ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),
         ({"margin": (-1, 3)}, ValueError, "margin"),
         ({"progress": 3}, TypeError, "progress must be callable"),
@@ -273,9 +265,7 @@ def test_the_only_channel_of_a_recording_is_the_stack():
     expected = lm.microscopy.deconvolve(stack, PSF, NOISE, method=few).values
     one, two = (lm.microscopy.open_recording(np.stack([stack] * count)) for count in (1, 2))
     np.testing.assert_array_equal(lm.microscopy.deconvolve(one, PSF, NOISE, method=few).values, expected)
-    with pytest.raises(
-        ValueError, match=r"stack must be one channel, got a recording of 2: .*; recording\.stack\(0\)"
-    ):
+    with pytest.raises(ValueError, match="stack must be one channel, got a recording of 2:"):
         lm.microscopy.deconvolve(two, PSF, NOISE)
 
 

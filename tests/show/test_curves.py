@@ -311,8 +311,6 @@ def test_each_draws_on_axes_of_ones_own_and_leaves_their_figure_as_it_is(name, p
 def test_each_says_in_a_line_how_to_get_matplotlib_where_it_is_missing(name, psf, monkeypatch):
     for missing in ("matplotlib", "matplotlib.pyplot", "matplotlib.colors"):
         monkeypatch.setitem(sys.modules, missing, None)
-    with pytest.raises(
-        ImportError, match=r'^plots need matplotlib: pip install matplotlib \(the extra "plot"'
-    ) as told:
+    with pytest.raises(ImportError, match=r"^plots need matplotlib: pip install matplotlib \(the extra") as told:
         draw(psf)[name](None)
     assert "\n" not in str(told.value)

@@ -130,9 +130,7 @@ def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
         lm.psf_to(tmp_path / "a.zarr", [LENS.pupil(2.0), blue], 7, 3e-6, center=([3.0, 3.5], 3.0))
     with pytest.raises(ValueError, match=r"pupils must all be held in the same terms, got others of pupils\[1\]"):
         lm.psf_to(tmp_path / "a.zarr", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], 7, 0.5)
-    with pytest.raises(
-        ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N of pupils\[1\]"
-    ):
+    with pytest.raises(ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N"):
         lm.psf_to(tmp_path / "a.zarr", [blue, lm.Pupil()], 7, 0.5)
 
 

@@ -292,11 +292,7 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
         ({"depth": np.full((5, 6), 2.0), "lens": LENS}, ValueError, r"depth must have the shape of the image"),
         ({"depth": np.full(SHAPE, np.nan), "lens": LENS}, ValueError, "depth is NaN at 960 of 960 points"),
         ({"depth": np.full(SHAPE, 2.0), "lens": "a lens"}, TypeError, "lens must be a Lens, got str"),
-        (
-            {"depth": np.full(SHAPE, 2.0), "lens": LENS.focused(0.1)},
-            ValueError,
-            r"lens must have the working f-number of the map.*aperture=lens.pupil",
-        ),
+        ({"depth": np.full(SHAPE, 2.0), "lens": LENS.focused(0.1)}, ValueError, "lens must have the working"),
     ],
 )
 def test_what_makes_no_blur_is_refused_by_name(change, error, message):

@@ -149,9 +149,7 @@ def test_a_large_angle_leaves_more_than_the_tolerance_and_says_so():
 
 
 def test_only_an_aplanatic_lens_has_its_amplitude():
-    with pytest.raises(
-        ValueError, match="apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles"
-    ):
+    with pytest.raises(ValueError, match="apodization 'aplanatic' needs model='aplanatic': a paraxial lens has"):
         lm.Lens(f_number=2.0, **COMMON, apodization="aplanatic")
     with pytest.raises(ValueError, match="apodization must be a number, an Apodization or 'aplanatic', got 'sine'"):
         aplanatic(2.0, apodization="sine")

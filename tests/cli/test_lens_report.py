@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
 import re
 
@@ -11,7 +10,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base.units import format_length
 from lommel.cli.reports import IN_FOCUS, describe_lens, summarize_lens
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
@@ -51,39 +49,6 @@ def test_the_numbers_are_those_of_the_library(facts, phone):
     for row in facts["encircled_energy"]:
         assert row["fraction"] == pytest.approx(psf.encircled_energy(row["radius"], of="optics"), abs=1e-6)
         assert row["unaberrated"] == pytest.approx(ideal.encircled_energy(row["radius"], of="optics"), abs=1e-6)
-
-
-def test_the_tables_show_what_the_json_says(call_lommel, lenses, tmp_path):
-    arguments = ("info", lenses["phone"], "--object-distance", "1.2 m", "--pixel", "2um")
-    text = call_lommel(*arguments, folder=tmp_path).stdout
-    p = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
-    titles = ["Image of a point", "Encircled energy about the axis, optics alone", "Wavefront", "Model"]
-    assert [line.strip() for line in text.splitlines() if line.strip() in titles] == titles
-    rows = dict(LINE.findall(text))
-    assert text.startswith(p["name"] + "\n")
-    assert rows["focus distance"] == format_length(p["focus_distance"]) == "500 mm"
-    assert rows["object distance"] == format_length(p["object_distance"]) == "1.2 m"
-    assert rows["wavelength"] == format_length(p["wavelength"]) == "530 nm"
-    assert rows["pixel"] == format_length(p["pixel"]) == "2 um"
-    assert rows["Strehl ratio"] == f"{p['strehl']:.4g}"
-    assert rows["MTF at Nyquist"].startswith(f"{p['mtf_at_nyquist_with_pixel']:.4f} with the pixel, ")
-    assert rows["MTF50"].startswith(f"{p['mtf50'] / 1e3:.4g} cycles/mm")
-    assert rows["rms wavefront error"] == f"{p['rms_waves']:.4g} waves over the pupil"
-    assert rows["defocus C_d"] == f"{p['defocus']:.4g} rad"
-    assert rows["spherical C_s"] == f"{p['spherical']:.4g} rad"
-    assert rows["in waves at the edge"] == f"W020 = {p['waves']['W020']:.4g}, W040 = 0"
-    for name, value in {
-        "FWHM": p["fwhm"],
-        "FWHM with the pixel": p["fwhm_with_pixel"],
-        "80 % of the light": p["diameter_80"],
-        "80 % of the light with the pixel": p["diameter_80_with_pixel"],
-        "Airy disc (first dark ring)": 2 * p["airy_radius"],
-        "circle of confusion (defocus alone)": 2 * p["geometric_radius"],
-    }.items():
-        assert rows[name].split() == [f"{1e6 * value:.4g}", f"{value / 2e-6:.4g}"]
-    for row in p["encircled_energy"]:
-        columns = re.split(r"\s{2,}", rows[row["within"]])
-        assert columns == [format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"]
 
 
 @pytest.mark.parametrize("focus", [0.5, 3.0, math.inf])

@@ -206,6 +206,9 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
+        (("pair.npy",), "--defocus must be given for 2 exposures"),
+        (("blank.npy", "-o", "a.txt"), "--output must end in .csv, got a.txt"),
+        (("blank.npy",), "at least 4 isolated stars; "),
         (("blank.npy", "--targets", "crossing"), "0 crossings found; refused: none: squares must be larger than"),
         (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
         (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
@@ -215,6 +218,7 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
     ],
 )
 def test_charts_that_cannot_be_fitted_are_told(chart, call_lommel, options, message):
+    np.save(chart[0] / "pair.npy", np.ones((2, 64, 64)))
     result = call_lommel("fit-field", options[0], "lens.toml", *options[1:], "--read", 2, folder=chart[0])
     assert result.returncode == 2
     assert message in " ".join((result.stdout + result.stderr).split())

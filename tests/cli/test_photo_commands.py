@@ -43,6 +43,8 @@ PULL = "blur photo.png depth.npy lens.toml --frames 3"
 BAD = [
     ("blur photo.png", "Missing argument 'DEPTH'"),
     (f"{BLUR} lens.toml", "Missing option '-o'"),
+    (f"{PULL} --focus 0m --focus-to 2m -o f.gif", "--focus must be > 0 metres"),
+    (f"{PULL} --focus 1m --focus-to 2m -o no/f%03d.png", "No such file or directory"),
     (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, .exr for a photograph"),
     ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha, and is not opaque everywhere; put it on"),
     ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, WEBP, BMP"),
@@ -345,3 +347,16 @@ def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(call_lo
     (tmp_path / "bent.toml").write_text(BENT + "[field.vignetting]\nheight = ['0 mm', '1 mm']\nshift = [0.0, 0.5]\n")
     assert "[field.shading]" in call_lommel(*given, "no.png", folder=tmp_path).stderr
     assert not (tmp_path / "no.png").exists()
+
+
+def test_notes_of_the_library_are_told_with_the_answer_and_with_the_error(call_lommel, folder):
+    np.save(folder / "mm.npy", 1000.0 * DEPTH)
+    np.save(folder / "km.npy", 0.001 * DEPTH)
+    given = ("blur", "photo.png", "mm.npy", "lens.toml")
+    found = json.loads(ran(call_lommel(*given, "--json", "-o", "b.png", folder=folder)))
+    assert "hyperfocal distance" in found["notes"][-1]
+    assert "note: all of the depth" in ran(call_lommel(*given, "-o", "a.png", folder=folder))
+    failed = call_lommel("blur", "photo.png", "km.npy", "lens.toml", "-o", "c.png", folder=folder)
+    assert failed.returncode == 2
+    assert failed.stderr.startswith("Note: all of the depth")
+    assert failed.stderr.splitlines()[-1].startswith("Error: ")

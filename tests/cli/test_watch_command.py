@@ -372,6 +372,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
         ([*TWO, "-o", "a.gif"], "--output must end in .mkv, .mp4 for video of uint8, got '.gif'"),
         ([*TWO, "--depth", "a.mkv", "--depth", "b.mkv", "--depth", "c.mkv"], "--depth takes depth and its"),
         ([*TWO, "--table", "a.txt"], "--table must end in .csv, got 'a.txt'"),
+        ([*TWO, "--depth-scale", "0"], "--depth-scale must be > 0"),
         ([*TWO, "--misfit", "0.5"], "--misfit must be >= 1"),
         ([*TWO, "--between", "2 m", "1 m"], "--between must be the nearest and the farthest distance, got 2 and 1 m"),
         ([*TWO[:2], "--source", "lens.toml"], "lens.toml holds no video"),

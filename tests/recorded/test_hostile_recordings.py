@@ -9,6 +9,7 @@ import zlib
 import numpy as np
 import pytest
 import tifffile
+from PIL import Image
 
 from lommel.localize import MovieError, open_movie
 from lommel.recorded.recordings import RecordingError, open_recording
@@ -171,3 +172,18 @@ def test_places_beyond_what_python_counts_are_refused(tmp_path):
     struct.pack_into("<Q", data, 8, 2**64 - 2)
     path.write_bytes(data)
     refused(path, "its pages go beyond its end")
+
+
+def test_libtiff_prints_nothing_of_damage(tmp_path, capfd):
+    frames = [Image.fromarray(np.random.default_rng(k).integers(0, 9, (16, 16)).astype(np.uint8)) for k in range(3)]
+    path = tmp_path / "a.tif"
+    frames[0].save(path, save_all=True, append_images=frames[1:], compression="tiff_lzw")
+    with tifffile.TiffFile(path) as file:
+        place, held = file.pages[1].dataoffsets[0], file.pages[1].databytecounts[0]
+    data = bytearray(path.read_bytes())
+    data[place : place + held] = b"\xff" * held
+    path.write_bytes(data)
+    with pytest.raises(MovieError, match=r"a\.tif: page 1: its LZW data cannot be unpacked"):
+        all_frames(path)
+    os.write(2, b"what comes next")
+    assert capfd.readouterr() == ("", "what comes next")

@@ -6,6 +6,7 @@ import base64
 import io
 import re
 from html.parser import HTMLParser
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -19,6 +20,7 @@ CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
 WAVEFRONT = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
 ASKED = {"pixel": 0.5, "terms": [(3, 1)], "defocus": [-2.0, 2.0], "starts": 2}
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+OIL = Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
 OBJECTIVE = lm.Objective(
     NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.36
 )
@@ -76,6 +78,7 @@ def things() -> dict[str, object]:
         "Wavefronts": stack,
         "Lens": LENS,
         "ObjectivePupil": OBJECTIVE.pupil(depth=1e-6, z=np.arange(3) * 1e-6, wavelength=520e-9),
+        "Microscope": lm.load_microscope(OIL),
         "PSFGrid": lm.FieldMap.from_seidel(20.0, W131=1.0).grid(2, 3, sensor=(20, 30), shape=(9, 7), pixel=0.5),
         "Retrieval": lm.retrieve(noise.record(stars, seed=1), lm.Pupil(), noise=noise, **ASKED),
     }
@@ -125,6 +128,7 @@ def test_numbers_are_said_in_units(shown):
     assert rows["focused at"] == "2 m"
     assert told(shown["PSFs"])[0]["stack"] == "defocus 0 rad to defocus 5 rad"
     assert told(shown["ObjectivePupil"])[0]["stage"] == "0 m to 2 µm"
+    assert told(shown["Microscope"])[0]["objective"] == "NA 1.4, 63x, immersion 1.518"
     assert told(shown["PSFGrid"])[0]["sensor"] == "20 λN × 30 λN"
     found = shown["Retrieval"]
     assert told(found)[0]["noll 8 coma x"].startswith(f"{found.coefficients[3, 1]:.4g} ± ")

@@ -204,6 +204,13 @@ def test_a_text_has_a_limit(tmp_path):
     assert caught.value.errno == errno.EFBIG
 
 
+def test_of_many_faults_twelve_are_told(tmp_path):
+    stray = "".join(f"stray_key_{k} = 1\n" for k in range(1000))
+    (tmp_path / "lens.toml").write_text('name = "a"\n' + LENS.replace("[sensor]", stray + "[sensor]"))
+    with pytest.raises(LensFileError, match=r"(?s)stray_key_11 .*and 988 more$"):
+        lm.load_instrument(tmp_path / "lens.toml")
+
+
 @pytest.mark.parametrize(
     ("name", "text"),
     [

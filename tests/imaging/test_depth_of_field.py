@@ -89,7 +89,11 @@ def test_photographs_have_the_type_of_the_image(kind, step, encoding):
     most = np.iinfo(kind).max if np.dtype(kind).kind == "u" else 1.0
     image = (SCENE * most).astype(kind)
     depth = np.full(SCENE.shape, 1.8)
-    values = depth_of_field(image, depth, LENS, PIXEL, encoding=encoding).values
+    told = []
+    photograph = depth_of_field(image, depth, LENS, PIXEL, encoding=encoding, progress=lambda *at: told.append(at))
+    values = photograph.values
+    assert told == [(1, 1)]
+    assert np.array_equal(photograph, values)
     exact = depth_of_field(image.astype(float) / most, depth, LENS, PIXEL, encoding=encoding, dtype=np.float64).values
     assert values.dtype == kind
     assert np.abs(values.astype(float) / most - exact).max() <= step

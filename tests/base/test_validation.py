@@ -53,12 +53,7 @@ def test_every_kind_of_number_is_taken():
         (lambda x: validation.real_array("a", x), NOT_ARRAYS, (TypeError, ValueError), "a must hold real numbers"),
         (validation.image_shape, NOT_SHAPES, (TypeError, ValueError), "shape must be an integer"),
         (lambda x: validation.fill("f", x), ((0.9,), (0.9, 0.8, 0.7), []), ValueError, "f must be one number, or"),
-        (
-            lambda x: validation.kind("d", x, np.uint8),
-            (np.float32(np.nan), np.uint8(3)),
-            TypeError,
-            "d must be ",
-        ),
+        (lambda x: validation.kind("d", x, np.uint8), (np.float32(np.nan), np.uint8(3)), TypeError, "d must be "),
         (validation.wavelength, (1e-13, 0.011, 1e6), ValueError, r"wavelength .* from 1e-12 to 1e-2, got \S+$"),
         (lambda x: validation.wavelength(x, "centers"), (2.5,), ValueError, "centers is in metres and must be from"),
     ],

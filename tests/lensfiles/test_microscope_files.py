@@ -202,11 +202,7 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, old, new, where, what):
     [
         ("NA = 1.3", "NA = 1.6", "NA must be below the index of immersion, 1.518, got 1.6"),
         ('"0.2 mm"', '"0.2 m"', "working_distance is in metres"),
-        (
-            'depth = "2 um"',
-            'depth = "300 um"',
-            "must be at most 200 um, where the objective touches the cover",
-        ),
+        ('depth = "2 um"', 'depth = "300 um"', "must be at most 200 um, where the objective touches the cover"),
         ('"200 nm"', '"200 um"', "must be at most 200 um, where the objective touches the cover"),
         ('"170 um"', '"170 m"', 'for 170 um write "170 um"'),
         ("[sensor]", '[[films]]\nindex = 1.4\nthickness = "3 um"\n[sensor]', "films[0].thickness"),

@@ -281,11 +281,7 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
         ({"energy": 0.99999}, ValueError, "energy"),
         ({"border": "wrap"}, ValueError, "border must be one of"),
         ({"method": "fft"}, TypeError, "method"),
-        (
-            {"largest": 3},
-            ValueError,
-            r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more",
-        ),
+        ({"largest": 3}, ValueError, r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more"),
         ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
         ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: they go together"),
         ({"lens": LENS}, ValueError, "depth is missing: they go together"),

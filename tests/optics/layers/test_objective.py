@@ -256,10 +256,7 @@ def test_of_one_medium_aperture_and_index_say_all():
     [
         ({"coverslip": GLASS, "working_distance": 1e-4}, "sample must be given with a coverslip"),
         ({"coverslip": GLASS, "sample": 1.34}, "working_distance must be given, in metres, with a coverslip"),
-        (
-            {"design": lm.Design(1.33, None)},
-            "working_distance must be given, .* with a coverslip or a design",
-        ),
+        ({"design": lm.Design(1.33, None)}, "working_distance must be given, .* with a coverslip or a design"),
     ],
 )
 def test_what_the_layers_depend_on_must_be_given(given, message):

@@ -1,4 +1,4 @@
-"""A camera's question: small windows of averages over pixels of some lambda N, any wavefront, beside FFTs."""
+"""A camera's question: averages over pixels beside FFTs, beside samples, and around an axis for each pupil."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from scipy.fft import fft, fft2, ifft, irfft, rfft
 
 import lommel as lm
+from benchmarks.contenders import engine, through_focus
 from benchmarks.report import Table
-from benchmarks.settings import Settings
-from benchmarks.timing import Contender, Spread, no_values, race
-from benchmarks.truth import intensity
+from benchmarks.timing import Contender, Measured, Settings, Spread, no_values, race
+from benchmarks.truth import RANDOM, Mixed, Question, Truth, exact, exact_averages, intensity
 from lommel.blur.blurs import KOLMOGOROV
 from lommel.special.legendre import gauss_legendre
 
@@ -118,7 +118,7 @@ CAMERAS = (
 )
 
 
-def run(settings: Settings) -> Table:
+def camera(settings: Settings) -> Table:
     """Measure and judge every row."""
     table = Table(
         "camera",
@@ -308,3 +308,103 @@ def _error_by_quadrature(values: NDArray[np.float64], pupils: lm.Pupil, pixel: f
             exact = 0.25 * weight @ np.abs(field) ** 2 @ weight
             worst = max(worst, abs(float(values[i, row, column]) - exact) / float(values[i].max()))
     return worst
+
+
+_PIXELS_JUDGED = 500  # pixels of a large window
+_PIXEL = 3.45e-6
+_DISTANCES = np.linspace(0.5, 5.0, 1000)
+
+
+def average(pupil: lm.Pupil, rows: NDArray[np.int64], columns: NDArray[np.int64], step: float) -> NDArray[np.float64]:
+    """Return the averages over pixels so many rows and columns from the axis, by Gauss's rule on each."""
+    x, w = np.polynomial.legendre.leggauss(8 + int(0.8 * step))
+    y_at, x_at = rows[:, None, None] + 0.5 * x[:, None], columns[:, None, None] + 0.5 * x
+    return np.asarray(0.25 * np.einsum("kab,a,b->k", exact(pupil, y_at, x_at, step), w, w))
+
+
+def average_truth(question: Question) -> Truth:
+    """Return the averages over the middle pixel and 499 others, half of them near the axis, where the light is."""
+    n = question.n
+    rows, columns = np.random.default_rng(1885).integers(0, n, (2, _PIXELS_JUDGED))
+    rows[0] = columns[0] = n // 2
+    rows[1:250] = n // 2 + rows[1:250] % 32 - 16
+    columns[1:250] = n // 2 + columns[1:250] % 32 - 16
+    values = average(question.pupil(), rows - n // 2, columns - n // 2, question.step)
+    return Truth((rows, columns), values, float(values.max()))
+
+
+def over_samples(settings: Settings, *, pixel: float) -> Measured:
+    """Measure 512², averaged, against the same window sampled."""
+    q = Question(10.0, 3.0, pixel=pixel)
+    mine, other = (
+        engine(q, name=name, out=True, integrate=integrate)
+        for name, integrate in (("averaged", True), ("sampled", False))
+    )
+    result = race([mine, other], settings.rounds)
+    error = average_truth(q).error(result.values[mine.name])
+    return Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}")
+
+
+def general_over_samples(settings: Settings, *, pixel: float) -> Measured:
+    """Measure 512² of a pupil that is not radially symmetric, averaged, against the same window sampled."""
+    q = Mixed(pixel=pixel, directions=RANDOM[0])
+    mine, other = (
+        engine(q, name=name, out=True, integrate=integrate)
+        for name, integrate in (("averaged", True), ("sampled", False))
+    )
+    result = race([mine, other], settings.rounds)
+    values = result.values[mine.name]
+    bright = int(np.argmax(values)) // q.n
+    rows = np.array([bright - 1, bright, bright + 1, 7])
+    exact_values = exact_averages(q, rows)
+    worst = float(np.abs(values[rows] - exact_values).max() / exact_values.max())
+    return Measured(result.ratio(mine.name, other.name), worst, f"{q}: {mine.config}; error of four rows")
+
+
+def stack_over_samples(settings: Settings) -> Measured:
+    """Measure the stack of the front page, averaged, against the same stack sampled."""
+    lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    n = 33
+    plans = {integrate: lm.Plan(n, _PIXEL, integrate=integrate, threads=1) for integrate in (True, False)}
+
+    def fresh(count: int) -> list[lm.Pupil]:
+        return [lens.pupil(object_distance=_DISTANCES * (1.0 + 1e-9 * k)) for k in range(count)]
+
+    def contender(name: str, integrate: bool) -> Contender:
+        out = np.zeros((_DISTANCES.size, n, n), np.float32)
+        return Contender(name, lambda pupil: plans[integrate](pupil, out=out), fresh=fresh, values=intensity)
+
+    result = race([contender("averaged", True), contender("sampled", False)], settings.rounds)
+    made, pupil, worst = result.values["averaged"], fresh(1)[0], 0.0
+    step = float(pupil.v(_PIXEL))
+    rows = np.array([0, 0, 1, 2, 5, 16])
+    for i in range(0, _DISTANCES.size, 111):
+        values = average(pupil[i], rows, rows[::-1].copy(), step)
+        got = made[i][n // 2 + rows, n // 2 + rows[::-1]]
+        worst = max(worst, float(np.abs(got - values).max() / made[i].max()))
+    note = "f/1.8, 550 nm, focused at 2 m, objects at 0.5 to 5 m; a Plan, float32, `out=` given, one thread"
+    return Measured(result.ratio("averaged", "sampled"), worst, note)
+
+
+_COUNT, _SIDE = 1000, 25
+_LOOKED = np.array([0, 9, 12, 13, 20])  # pixels on the diagonal
+
+
+def over_centred(settings: Settings, *, pixel: float, integrate: bool) -> Measured:
+    """Measure 1000 of 25², each around its own axis, against the same stack around pixels."""
+    centers = _SIDE // 2 + np.random.default_rng(1900).uniform(-0.5, 0.5, (2, _COUNT))
+    fresh = through_focus(6.0, _COUNT, 1.5)
+
+    def contender(name: str, **options: object) -> Contender:
+        plan = lm.Plan(_SIDE, pixel, integrate=integrate, threads=1, **options)  # type: ignore[arg-type]
+        out = np.zeros((_COUNT, _SIDE, _SIDE), np.float32)
+        return Contender(name, lambda pupil: plan(pupil, out=out), fresh=fresh, values=intensity)
+
+    result = race([contender("own", center=centers), contender("centred")], settings.rounds)
+    made, pupil, worst = result.values["own"], fresh(1)[0], 0.0
+    for i in range(0, _COUNT, 111):
+        y, x = _LOOKED - centers[:, i, None]
+        truth = (average if integrate else exact)(pupil[i], y, x, math.pi * pixel)
+        worst = max(worst, float(np.abs(made[i][_LOOKED, _LOOKED] - truth).max() / made[i].max()))
+    note = f"abs(C_d) <= 6, C_s = 1.5, pixel {pixel:g} λN; a Plan, float32, `out=` given, one thread"
+    return Measured(result.ratio("own", "centred"), worst, note)

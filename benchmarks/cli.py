@@ -1,70 +1,71 @@
-"""The command line: which tables, how thoroughly, and where the results go."""
+"""The command line: which tables, how thoroughly, where the results go, and on what machine they were measured."""
 
 from __future__ import annotations
 
 import argparse
 import datetime as dt
 import json
+import os
+import platform
+import sys
 import time
 from collections.abc import Callable
+from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from benchmarks import (
-    apertures,
-    beads,
-    beside,
     camera,
-    closed_forms,
     costs,
     features,
     fields,
-    fresh,
-    instructions,
-    limits,
     localization,
     microscopes,
-    page,
+    paper,
     peers,
-    seeing,
-    sizes,
-    sweeps,
+    processes,
+    report,
+    targets,
 )
-from benchmarks.machine import ROOT, clean, describe
+from benchmarks.contenders import copy, fft
+from benchmarks.peers import peer_versions
 from benchmarks.report import Table, show
-from benchmarks.settings import Settings
+from benchmarks.timing import Settings, race
+
+ROOT = Path(__file__).resolve().parent.parent
+_FIRST, _SECOND = ROOT / "benchmarks" / "results.json", ROOT / "benchmarks" / "second.json"
 
 TABLES: dict[str, Callable[[Settings], Table]] = {
-    "targets": limits.run,
-    "camera": camera.run,
-    "sizes": sizes.run,
-    "paper": closed_forms.run,
+    "targets": targets.targets,
+    "camera": camera.camera,
+    "sizes": paper.sizes,
+    "paper": paper.paper,
     "costs": costs.costs,
     "physical": costs.physical,
-    "changes": beside.changes,
-    "aberrations": sweeps.aberrations,
-    "tolerances": sweeps.tolerances,
-    "accuracy": sweeps.accuracy,
-    "numpy": sweeps.numpy,
-    "stacks": sweeps.stacks,
+    "changes": costs.changes,
+    "aberrations": costs.aberrations,
+    "tolerances": costs.tolerances,
+    "accuracy": costs.accuracy,
+    "numpy": costs.numpy,
+    "stacks": costs.stacks,
     "features": features.features,
-    "apertures": apertures.apertures,
-    "seeing": seeing.seeing,
+    "apertures": features.apertures,
+    "seeing": features.seeing,
     "microscopes": microscopes.microscopes,
     "localization": localization.localization,
-    "beads": beads.table,
-    "fields": fields.table,
-    "threads": sweeps.threads,
-    "instructions": instructions.limited,
-    "cold": fresh.cold,
+    "beads": microscopes.beads,
+    "fields": fields.fields,
+    "threads": costs.threads,
+    "instructions": processes.limited,
+    "cold": processes.cold,
     "peers": peers.images,
     "peers-nonradial": peers.nonradial,
     "peers-stack": peers.stacks,
 }
-
-_FIRST, _SECOND = ROOT / "benchmarks" / "results.json", ROOT / "benchmarks" / "second.json"
 
 
 def main() -> int:
@@ -86,7 +87,7 @@ def main() -> int:
     if (options.write or options.second) and (options.quick or options.only):
         parser.error("--write and --second need whole runs: neither --quick nor --only")
     if options.second:
-        options.only = page.WITH_SECOND
+        options.only = report.WITH_SECOND
     chosen = [name for name in TABLES if not options.only or name in options.only]
     console, start = Console(), time.monotonic()
     done = _run(chosen, quick=options.quick, console=console)
@@ -98,7 +99,7 @@ def main() -> int:
         _publish()
         written = f"{path.relative_to(ROOT)}, docs/benchmarks.md, docs/benchmarks.png, docs/benchmarks-costs.png"
         console.print(f"Written: {written}", highlight=False)
-    missed = [row for table in done for row in limits.missed(table)]
+    missed = [row for table in done for row in targets.missed(table)]
     for row in missed:
         console.print(f"[bold red]MISSED[/] {row}", highlight=False)
     return 1 if missed else 0
@@ -132,12 +133,65 @@ def _keep(path: Path, described: dict[str, str], done: list[Table]) -> None:
 
 def _publish() -> None:
     """Write the page and its figures from the results that are kept."""
-    from benchmarks import figure
-
     results, second = (json.loads(path.read_text(encoding="utf-8")) for path in (_FIRST, _SECOND))
     docs = ROOT / "docs"
     docs.mkdir(exist_ok=True)
-    (docs / "benchmarks.md").write_text(page.write(results, second), encoding="utf-8")
+    (docs / "benchmarks.md").write_text(report.write(results, second), encoding="utf-8")
     tables = {table["key"]: table for table in results["tables"]}
-    figure.draw(tables["sizes"], docs / "benchmarks.png")
-    figure.draw_costs(tables["costs"], docs / "benchmarks-costs.png")
+    report.draw(tables["sizes"], docs / "benchmarks.png")
+    report.draw_costs(tables["costs"], docs / "benchmarks-costs.png")
+
+
+def describe() -> dict[str, Any]:
+    """Return processor, system, versions, and two yardsticks in microseconds."""
+    build = np.show_config(mode="dicts")
+    blas = build.get("Build Dependencies", {}).get("blas", {}) if isinstance(build, dict) else {}
+    yards = race([fft(), copy((512, 512), np.float64)], 15, keep=False)
+    return {
+        "processor": processor(),
+        "processors in use": _processors(),
+        "memory": f"{_memory_gib():.0f} GiB",
+        "system": f"{platform.system()}, {platform.machine()}",
+        "versions": {
+            "Python": platform.python_version(),
+            "lommel": version("lommel"),
+            "NumPy": np.__version__,
+            "SciPy": version("scipy"),
+            "BLAS": f"{blas.get('name', 'unknown')} {blas.get('version', '')}".strip(),
+        }
+        | peer_versions(),
+        "yardsticks": {name: 1e6 * yards.median(name) for name in yards.seconds},
+    }
+
+
+def processor() -> str:
+    """Return the name of the processor."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return " ".join(line.split(":", 1)[1].split())
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
+
+
+def _processors() -> int:
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _memory_gib() -> float:
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / 2**30
+    except (AttributeError, ValueError, OSError):
+        return float("nan")
+
+
+def clean(text: str) -> str:
+    """Take the names of folders and of the host out of a text, wherever a message brought them in."""
+    private = {str(ROOT): "…", sys.prefix: "…", str(Path.home()): "~", platform.node(): "host"}
+    for name, instead in private.items():
+        if len(name) > 3:
+            text = text.replace(name, instead)
+    return text

@@ -10,9 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
-from benchmarks.settings import Settings
-from benchmarks.targets import Measured
-from benchmarks.timing import Contender, Spread, race
+from benchmarks.timing import Contender, Measured, Settings, Spread, race
 from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, Occlusion, depth_of_field
 
 TOL = 1e-4

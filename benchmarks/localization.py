@@ -19,9 +19,7 @@ from scipy.interpolate import CubicSpline
 
 import lommel as lm
 from benchmarks.report import Table
-from benchmarks.settings import Settings
-from benchmarks.targets import Measured
-from benchmarks.timing import Contender, Race, race
+from benchmarks.timing import Contender, Measured, Race, Settings, race
 
 Array = NDArray[np.float64]
 

@@ -147,3 +147,43 @@ def _turn(one: Contender, count: int) -> float:
         return (time.perf_counter() - start) / count
     finally:
         gc.enable()
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Handed to every section.
+
+    Attributes
+    ----------
+    quick : bool
+        Fewer cases, sizes and rounds.
+    tick : callable
+        Told what is being measured now.
+    """
+
+    quick: bool
+    tick: Callable[[str], None]
+
+    @property
+    def rounds(self) -> int:
+        """Turns of each contender."""
+        return 5 if self.quick else 15
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What was found, in the worst of the cases of a row."""
+
+    value: Spread
+    error: float | None
+    note: str
+
+
+def worst(found: list[Measured], *, more: bool) -> Measured:
+    """Return the least favourable case, with the largest error of all."""
+    ranked = sorted(found, key=lambda m: m.value.median if more else -m.value.median)
+    errors = [m.error for m in found if m.error is not None]
+    note = ranked[0].note
+    if len(found) > 1:
+        note = f"worst of {len(found)} cases, {note}; the best came to {ranked[-1].value.median:.3g}"
+    return Measured(ranked[0].value, max(errors, default=None), note)

@@ -286,10 +286,7 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
         (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
         (lambda: lm.PSF.load(1), "path must be a path, got 1"),
-        (
-            lambda: tables.read_rows([], [], "noll"),
-            "the first columns must be height, or x and y, got none",
-        ),
+        (lambda: tables.read_rows([], [], "noll"), "the first columns must be height, or x and y, got none"),
         (lambda: lm.optics.aperture.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
         (lambda: SPHERICAL.rule(2.5), "degree must be an integer, got 2.5"),
         (lambda: SPHERICAL.v("nan"), "radius must hold real numbers, got 'nan'"),

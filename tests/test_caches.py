@@ -7,7 +7,6 @@ import itertools
 import math
 import sys
 import threading
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -226,8 +225,3 @@ def test_caches_may_be_cleared_while_other_threads_compute():
         threads[0].join(1e-3)
     assert len(found) == 6
     assert all(np.array_equal(a, b) for made in found for a, b in zip(made, expected[0], strict=True))
-
-
-def test_the_page_says_how_much_is_kept():
-    page = (Path(__file__).parents[1] / "docs" / "running.md").read_text(encoding="utf-8")
-    assert f"{engine.table_bytes()[1] / 1e9:.1f} GB" in page

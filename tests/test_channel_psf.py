@@ -190,17 +190,6 @@ def test_a_picture_has_the_channels_as_red_green_and_blue(tmp_path):
         answer.save(tmp_path / "p.gif")
 
 
-def test_pictures_are_drawn():
-    plt = pytest.importorskip("matplotlib.pyplot")
-    axes = lm.colour_psf(LENS.pupil(1.95), 9, 3e-6).plot()
-    assert axes.images[0].get_array().shape == (9, 9, 3)
-    assert lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).plot(stretch="log").shape == (2,)
-    assert lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, WAVES[:2]).plot().shape == (2,)
-    with pytest.raises(ValueError, match="a stack takes three channels"):
-        lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6, WAVES[:2]).plot()
-    plt.close("all")
-
-
 def test_what_cannot_be_is_refused_with_the_way_out():
     with pytest.raises(TypeError, match=r"colour_psf\(\) has no option 'out'; known are method, tol"):
         lm.colour_psf(LENS.pupil(), 9, 3e-6, out=np.empty((3, 9, 9)))
@@ -246,9 +235,3 @@ def test_a_picture_without_such_a_stretch_is_refused_by_name(channels):
     answer = lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, channels)
     with pytest.raises(ValueError, match="stretch must be"):
         answer.plot(stretch="cubic")
-
-
-def test_pictures_of_a_stack_in_colour_have_their_titles():
-    pytest.importorskip("matplotlib.pyplot")
-    axes = lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).plot()
-    assert [one.get_title() for one in axes] == ["0", "1"]

@@ -1,19 +1,19 @@
-"""What is looked for on made pages is found, and nothing else."""
+"""What the documentation is made of: links, pictures, commands and references lead somewhere."""
 
 from __future__ import annotations
 
-import shutil
-from concurrent.futures import ThreadPoolExecutor
+import re
+from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
+import yaml
 
 import check
-
-
-def apart(function, *given):
-    """Call a function in another thread: a browser of tests/live keeps the event loop of this one."""
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(function, *given).result()
+import command_options
+import drawn
+from check import empty_axes
+from lommel.cli.main import commands
 
 
 @pytest.fixture
@@ -53,57 +53,55 @@ def test_pictures_that_are_missing_are_told(folder):
     assert check.broken_links(folder) == ["a.html: p.png"]
 
 
-def test_pages_wider_than_a_phone_are_told_where_there_is_a_browser(folder, monkeypatch):
-    pytest.importorskip("playwright", reason="playwright is not installed, which drives the browser")
-    if not check.browser():
-        pytest.skip("there is no Chromium to open pages with")
-    assert apart(check.wide_pages, folder) == []
-    (folder / "b.html").write_text('<body style="margin:0"><div style="width:600px">x</div>', encoding="utf-8")
-    assert apart(check.wide_pages, folder) == ["b.html: 600 pixels"]
+def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
+    shown = re.findall(r"!\[(.+?)\]\(_generated/pictures/([\w-]+)\.png\)", drawn.PAGE.read_text(encoding="utf-8"))
+    names = [name for _, name in shown]
+    assert len(names) == len(set(names)) >= 12
+    made = []
+    for name, figure in drawn.parts(drawn.PAGE):
+        made.append(name)
+        texts = [axes for axes in figure.axes if not axes.axison]  # of sections, which have words in a corner
+        for axes in texts:
+            axes.set_visible(False)
+        assert not empty_axes(figure), name
+        assert figure.get_suptitle() or any(
+            axes.get_title(place) for axes in figure.axes for place in ("left", "center")
+        )
+        labels = [axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes]
+        assert any(re.search(r"\(.+\)", label) for label in labels), labels
+    assert made == names
+    assert not plt.get_fignums()
 
 
-PAGE = (
-    '<!doctype html><html lang="en"><title>t</title><body style="background:{}"><main><h1>T</h1>'
-    '<p style="color:{}">text</p>{}</main></html>'
-)
+PAGE = (Path(__file__).resolve().parents[1] / "docs" / "command-line.md").read_text(encoding="utf-8")
 
 
-def test_elements_that_break_wcag_are_named_with_page_theme_and_rule(tmp_path):
-    pytest.importorskip("playwright", reason="playwright is not installed, which drives the browser")
-    pytest.importorskip("axe_playwright_python", reason="axe-core is not installed")
-    if not check.browser():
-        pytest.skip("there is no Chromium to open pages with")
-    styles = "<style>[data-theme=dark] p {color: #333!important} [data-theme=dark] body {background: #000!important}"
-    pages = {
-        "good": PAGE.format("white", "black", '<img src="p.png" alt="P">'),
-        "image": PAGE.format("white", "black", '<img src="p.png">'),
-        "light": PAGE.format("white", "#ccc", ""),
-        "dark": PAGE.format("white", "black", f"{styles}</style>"),
-    }
-    for name, text in pages.items():
-        (tmp_path / f"{name}.html").write_text(text, encoding="utf-8")
-    assert apart(check.inaccessible, tmp_path) == [
-        "dark.html, dark: color-contrast: p",
-        "image.html, light: image-alt: img",
-        "light.html, light: color-contrast: p",
-        "light.html, dark: color-contrast: p",
-    ]
+def test_the_page_lists_every_command_and_includes_the_tables(tmp_path):
+    listed = re.findall(r"^\| `lommel ([a-z-]+)", PAGE, flags=re.MULTILINE)
+    assert sorted(listed) == sorted(commands())
+    assert "```{include} _generated/commands.inc" in PAGE
+    command_options.write(tmp_path)
+    text = (tmp_path / "commands.inc").read_text(encoding="utf-8")
+    assert re.findall(r"^### `lommel ([a-z-]+)`$", text, flags=re.MULTILINE) == sorted(commands())
 
 
-def test_pages_of_the_reference_are_sampled_and_all_others_are_examined(tmp_path, monkeypatch):
-    monkeypatch.setattr(check, "REFERENCE_PAGES", 2)
-    (tmp_path / "api").mkdir()
-    for name, size in (("api/a", 3), ("api/b", 9), ("api/c", 5), ("x", 1), ("y", 2)):
-        (tmp_path / f"{name}.html").write_text("-" * size, encoding="utf-8")
-    names = [path.relative_to(tmp_path).as_posix() for path in check.sample(tmp_path)]
-    assert names == ["api/b.html", "api/c.html", "x.html", "y.html"]
+ROOT = Path(__file__).resolve().parent.parent
+TEXT = (ROOT / "paper.md").read_text(encoding="utf-8")
 
 
-def test_without_a_browser_the_check_says_that_it_did_not_look(folder, monkeypatch, capsys):
-    monkeypatch.delenv("LOMMEL_BROWSER", raising=False)
-    monkeypatch.setattr(shutil, "which", lambda name: None)
-    assert check.main(folder) == 0
-    assert "not checked" in capsys.readouterr().out
-    (folder / "p.png").unlink()
-    assert check.main(folder) == 1
-    assert "broken link: a.html: p.png" in capsys.readouterr().out
+def test_references_and_bibliography_are_the_same():
+    cited = set(re.findall(r"@([a-z]+\d{4})", TEXT))
+    entries = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(cited) == sorted(entries)
+
+
+def test_the_head_is_what_journals_read():
+    head = yaml.safe_load(TEXT.split("---\n")[1])
+    assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= head.keys()
+    assert (ROOT / head["bibliography"]).is_file()
+    names = {str(part["index"]) for part in head["affiliations"]}
+    assert {str(author["affiliation"]) for author in head["authors"]} <= names
+
+
+def test_the_pages_that_it_names_exist():
+    assert all((ROOT / name).is_file() for name in re.findall(r"`(docs/[\w.-]+\.md)`", TEXT))

@@ -29,7 +29,6 @@ LISTED = re.findall(r"^   ([\w.]+)$", API, flags=re.MULTILINE)
 MODULES = {module.__name__.removeprefix("lommel."): module.__all__ for module in (imaging, methods)}
 # Those that raise.
 CHECKS = {name for name, thing in vars(validation).items() if inspect.isfunction(thing)} - {"shown", "brief", "line"}
-BEGINNINGS = ("Return", "Yield", "Build", "Rebuild", "Read", "Draw", "Write")
 
 
 def resolved(name: str) -> Any:
@@ -46,34 +45,11 @@ def resolved(name: str) -> Any:
     return functools.reduce(getattr, name.split("."), lm)
 
 
-def parts(kind: type) -> dict[str, Callable[..., Any]]:
-    """The public methods of a class, those that it inherits within the package too."""
-    found = {}
-    for base in ours(kind):
-        for name, value in vars(base).items():
-            plain = getattr(value, "__func__", value)
-            if inspect.isfunction(plain) and not name.startswith("_"):
-                found.setdefault(name, plain)
-    return found
-
-
-def ours(kind: type) -> Iterator[type]:
-    return (base for base in kind.__mro__ if base.__module__.startswith("lommel"))
-
-
 NAMES = [*LISTED, *lm.__all__, *(f"{module}.{name}" for module, names in MODULES.items() for name in names)]
 KNOWN = {  # each by its first name
     thing: name for name in reversed(NAMES) if callable(thing := resolved(name))
 }
 THINGS = {name: thing for thing, name in KNOWN.items()}
-# Each by the first class that has it, which is that of the others too.
-FIRST = {
-    function: f"{name}.{part}"
-    for name, thing in THINGS.items()
-    if inspect.isclass(thing)
-    for part, function in parts(thing).items()
-}
-METHODS = {name: (THINGS[name.rpartition(".")[0]], function) for function, name in FIRST.items()}
 
 
 def sections(doc: str | None) -> dict[str, str]:
@@ -117,15 +93,6 @@ def returns(function: Callable[..., Any]) -> bool:
     return inspect.signature(function).return_annotation not in (None, "None")
 
 
-def overridden(kind: type, function: Callable[..., Any]) -> Iterator[str | None]:
-    """What the docstring of a method may leave to others: what it overrides, and the functions that it links."""
-    for base in ours(kind):
-        if (other := vars(base).get(function.__name__)) is not None:
-            yield other.__doc__
-    for name in re.findall(r":(?:func|meth):`lommel\.([\w.]+)`", function.__doc__ or ""):
-        yield resolved(name).__doc__
-
-
 def lacking(thing: Any) -> list[str]:
     """What the docstring of a function or a class should have in sections, and has not."""
     told = sections(thing.__doc__)
@@ -147,46 +114,12 @@ def made_by(kind: type, name: str) -> Callable[..., Any] | None:
     return function if inspect.isfunction(function) and function.__code__.co_filename != "<string>" else None
 
 
-def untold(kind: type, function: Callable[..., Any]) -> list[str]:
-    """What the docstring of a method tells in neither sections nor words, its own or those it leaves that to."""
-    told = sections(function.__doc__)
-    docs = [function.__doc__ or "", *(doc or "" for doc in overridden(kind, function))]
-    named = {word for doc in docs for word in (*explained(sections(doc)), *re.findall(r"`+(\w+)`+", doc))}
-    found = sorted(parameters(function) - named)
-    if returns(function) and not (told.keys() & {"Returns", "Yields"} or told[""].startswith(BEGINNINGS)):
-        found.append("Returns")
-    if raises(function) and not any("Raises" in sections(doc) or "Error" in doc for doc in docs):
-        found.append("Raises")
-    return found
-
-
 def test_every_name_that_the_reference_lists_is_there():
     assert [name for name in LISTED if resolved(name) is None] == []
 
 
 def test_a_public_thing_has_sections_for_parameters_results_and_errors():
     assert {name: found for name, thing in THINGS.items() if (found := lacking(thing))} == {}
-
-
-def test_a_public_method_tells_its_parameters_results_and_errors():
-    assert {name: found for name, method in METHODS.items() if (found := untold(*method))} == {}
-
-
-def some(a: int, b: int) -> int:
-    """Do something, with `a`.
-
-    Parameters
-    ----------
-    a, c : int
-    """
-    return validation.integer("a", a, least=b, most=9)
-
-
-def test_what_a_docstring_lacks_is_found():
-    assert lacking(some) == ["b", "c", "Returns", "Raises"]
-    assert untold(int, some) == ["b", "Returns", "Raises"]
-    assert {"psf", "Pupil", "measures.energy.window_energy", "special.zernike.polynomial"} <= THINGS.keys()
-    assert {"Wavefront.rotated", "PSF.pullback", "NijboerZernike.images"} <= METHODS.keys()
 
 
 # Defaults, by their syntax: adapters too, whose packages need not be there.
@@ -247,14 +180,3 @@ def wrong_defaults(tree: ast.Module) -> Iterator[str]:
 def test_defaults_are_those_that_docstrings_state():
     wrong = {name: told for name, tree in organisation.modules().items() if (told := list(wrong_defaults(tree)))}
     assert wrong == {}
-
-
-def test_a_default_that_is_not_the_stated_one_is_found():
-    function = 'def f({}):\n    """Return it.\n\n    Parameters\n    ----------\n    a, b : int, default 3\n    """\n'
-    assert not list(wrong_defaults(ast.parse(function.format("a=3, *, b=3"))))
-    assert list(wrong_defaults(ast.parse(function.format("a=4, *, b=3")))) == ["f: a is 4, not 3"]
-    assert list(wrong_defaults(ast.parse(function.format("a=3, *, b=2")))) == ["f: b is 2, not 3"]
-    other = (
-        'def g(a=4):\n    """Return it.\n\n    Parameters\n    ----------\n    a\n        As of :func:`f`.\n    """\n'
-    )
-    assert list(wrong_defaults(ast.parse(function.format("a=3, b=3") + other))) == ["g: a is 4, not 3 as of f"]

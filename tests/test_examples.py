@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli import reports
 from lommel.lensfiles.image_quality import compare_methods, other_model
 from lommel.methods import METHODS
 from lommel.methods.choice import reference
@@ -153,12 +152,3 @@ def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
         assert (row["method"] in answers) == (expected and row["method"] != "HuygensFresnel")
     certified = {row["method"]: row for row in rows}["NijboerZernike"]
     assert certified["peak_error"] <= certified["error_bound"] <= 1e-6
-
-
-def test_the_description_of_every_example_can_be_written_as_json_numbers(lens_file):
-    facts = reports.describe_lens(lm.load_instrument(lens_file)).facts
-    assert 0 < facts["strehl"] < 1
-    for row in facts["encircled_energy"]:
-        assert 0 < row["unaberrated"] < 1
-        assert 0 < row["fraction"] < row["unaberrated"]
-    assert all(value is None or math.isfinite(value) for value in facts.values() if isinstance(value, float))

@@ -68,28 +68,6 @@ def test_octave_reads_the_values_by_row_column_and_plane(folder):
     assert "largest difference 0" in told
 
 
-@octave
-def test_the_deconvolution_in_octave_is_that_of_numpy(folder):
-    told = in_octave(folder, "octave-load", "octave-deconvolve")
-    values = lm.PSF.load(folder / "psf.ome.tif").values.astype(float)
-    transfer = np.fft.fftn(np.fft.ifftshift(values / values.sum()))
-    truth = np.zeros(values.shape)
-    truth[13, 9, 11], truth[15, 21, 17] = 1000.0, 500.0  # planes come first here, and counting starts at 0
-
-    def filtered(image, by):
-        return np.fft.ifftn(np.fft.fftn(image) * by).real
-
-    stack = np.maximum(filtered(truth, transfer), 0.0) + 1.0
-    estimate = np.full(stack.shape, stack.mean())
-    for _ in range(20):
-        ratio = stack / np.maximum(filtered(estimate, transfer), 1e-9)
-        estimate *= np.maximum(filtered(ratio, transfer.conj()), 0.0)
-    found = re.search(r"brightest at (\d+) (\d+) (\d+): (\S+), sum (\S+) of (\S+)", told).groups()
-    assert tuple(map(int, found[:3])) == (10, 12, 14)
-    assert float(found[3]) == pytest.approx(estimate.max(), rel=1e-4)
-    assert float(found[4]) == pytest.approx(float(found[5]), rel=1e-3)
-
-
 @imagej
 def test_the_macro_finds_voxels_and_the_axial_width(folder):
     told = in_imagej(folder, "ijm-open")
@@ -101,10 +79,3 @@ def test_the_macro_finds_voxels_and_the_axial_width(folder):
     with tifffile.TiffFile(folder / "psf-imagej.tif") as written:
         assert written.imagej_metadata["spacing"] == pytest.approx(0.1)
         np.testing.assert_array_equal(written.asarray(), psf.values)
-
-
-@imagej
-def test_fits_has_its_first_row_at_the_bottom_in_imagej(folder):
-    told = in_imagej(folder, "ijm-fits")
-    value = lm.PSF.load(folder / "psf.ome.tif").values[3, 10, 20]
-    assert float(told[-1].split()[1]) == pytest.approx(float(value), rel=1e-4)

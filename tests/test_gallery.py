@@ -65,10 +65,6 @@ LESS = {
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 
 
-def test_there_are_scripts_in_the_gallery():
-    assert len(GALLERY) >= 6
-
-
 def blocks(text: str) -> list[str]:
     """Return the parts of a script that sphinx-gallery runs one after the other, each on its own line numbers."""
     parts, before = re.split(r"^(?=# %%)", text, flags=re.MULTILINE), 0
@@ -115,44 +111,3 @@ def test_a_script_of_the_gallery_draws_figures_whose_axes_say_what_they_show(pat
             assert max(high - low for low, high in picture.getextrema()) > 60
     assert [each.name for each in tmp_path.iterdir()] in ([], ["thumbnails"])
     assert capsys.readouterr().out
-
-
-@pytest.mark.parametrize(
-    ("script", "empty"),
-    [
-        ("left.plot([0, 1])\n# %%\n# Text.\n\nright.plot([1, 0])\n", 1),  # after the figure was taken
-        ("left.plot([0, 1])\nright.plot([1, 0])\n# %%\n", 0),
-        ("left.plot([0, 1])\nright.plot([np.nan, np.nan])\n", 1),
-        ("left.imshow(np.eye(3))\nright.set_visible(False)\n", 0),
-    ],
-)
-def test_axes_that_are_drawn_on_after_their_block_or_show_nothing_are_found(script, empty):
-    head = "import matplotlib.pyplot as plt\nimport numpy as np\n\nfigure, (left, right) = plt.subplots(1, 2)\n"
-    assert [len(empty_axes(figure)) for figure in run_block_by_block(head + script, "script")] == [empty]
-
-
-@SCRIPT
-def test_a_script_of_the_gallery_begins_with_an_underlined_title_and_ends_by_showing_its_figures(path):
-    text = path.read_text(encoding="utf-8")
-    first, title, rule = text.splitlines()[:3]
-    assert first in ('"""', 'r"""')
-    assert rule == "=" * len(title)
-    assert "plt.show()" in text
-
-
-def test_thumbnails_of_panels_replace_those_of_whole_figures(tmp_path, monkeypatch):
-    monkeypatch.setattr(thumbnails, "FOLDER", tmp_path / "thumbnails")
-    whole = tmp_path / "gallery" / "telescopes" / "images" / "thumb" / "sphx_glr_hubble_thumb.png"
-    whole.parent.mkdir(parents=True)
-    whole.write_bytes(b"whole")
-    other = whole.with_name("sphx_glr_contrast_thumb.png")
-    other.write_bytes(b"whole")
-    figure, (left, right) = plt.subplots(1, 2)
-    left.imshow([[0.0, 1.0]])
-    right.plot([0, 1])
-    thumbnails.keep("hubble", 1, figure)
-    thumbnails.keep("hubble", 2, figure)  # not the figure that is listed
-    thumbnails.place(tmp_path / "gallery")
-    assert whole.read_bytes()[:4] == b"\x89PNG"
-    assert other.read_bytes() == b"whole"
-    assert set(thumbnails.PANELS) <= {path.stem for path in GALLERY}

@@ -12,7 +12,6 @@ import tomllib
 from graphlib import TopologicalSorter
 from importlib.metadata import version
 from pathlib import Path
-from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -144,39 +143,6 @@ def test_no_file_needs_itself_by_way_of_others():
     assert set(TopologicalSorter(HEADERS).static_order()) == set(HEADERS)
 
 
-@pytest.mark.parametrize("make", [organisation.package, organisation.core])
-def test_the_diagram_of_the_packages_shows_every_package_every_file_and_every_import(make):
-    layout = make()
-    drawn = ET.fromstring(organisation.picture(layout, "title"))
-    svg = "{http://www.w3.org/2000/svg}"
-    found = {group.find(f"{svg}text").text: group for group in drawn.iter(f"{svg}g")}
-    assert list(found) == layout.packages[::-1]
-    assert sum(len(group.findall(f"{svg}path")) for group in found.values()) == len(layout.needs)
-    for name, group in found.items():
-        said = " ".join(text.text for text in group.findall(f"{svg}text"))
-        assert all(file in said for file in layout.files[name])
-
-
 def test_the_list_of_files_describes_every_module_and_header():
     listed = set(re.findall(r"^\| `([\w/.]+)` \| .+ \|$", organisation.listing(), flags=re.MULTILINE))
     assert listed == {f"{name}.py" for name in organisation.modules()} | {f"{name}.hpp" for name in HEADERS}
-
-
-@each(
-    "statement",
-    [
-        "from lommel.psf import PSF",
-        "from lommel import psf",
-        "import lommel.psf",
-        "import lommel as lm",
-        "from lommel import imaging",
-        "from lommel.imaging import bank, depth_of_field",
-        "import_module('lommel.imaging')",
-        "{'plot': 'lommel.show.plot:field'}",
-    ],
-)
-def test_an_import_that_runs_upward_is_found_wherever_it_stands(statement):
-    hidden = ["def f():\n ", "if TYPE_CHECKING:\n ", "class A:\n def f(self):\n  async def g():\n   ", ""]
-    for before in hidden:
-        assert upward("measures/spot", ast.parse(before + statement))
-    assert not upward("cli", ast.parse(statement)) or statement == "import lommel as lm"

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 import tomllib
 import warnings
 from contextlib import chdir, nullcontext
@@ -35,7 +32,6 @@ from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
 from lommel.estimation import field_fit
-from lommel.methods import METHODS
 from lommel.microscopy import refinement
 from lommel.page import server
 from video_files import write_video
@@ -327,23 +323,6 @@ def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_dr
             assert each.stat().st_size > 1000
 
 
-def test_pictures_and_outputs_of_all_pages_have_names_of_their_own():
-    named = [
-        name
-        for path in (drawn.PAGE, *drawn.TUTORIALS)
-        for name in re.findall(r"_generated/(?:pictures|output)/([\w.-]+)", path.read_text(encoding="utf-8"))
-    ]
-    assert len(named) == len(set(named)) > 30
-
-
-def test_a_value_in_a_comment_that_is_not_that_of_the_code_is_an_error():
-    right = "a = 0.12345", "a  # 0.12: rounded", "[a, 2.0]  # 0.123, 2.0", "a + 1  # a number", "(3, 4)  # (3, 4)"
-    drawn.run("\n".join(right), {}, "page")
-    for wrong in ("0.123  # 0.13", "1.5e-5  # 1.6e-05 m", "(3, 4)  # (3, 4, 5)", "[1.0, 2.0]  # 1.0, 3.0; text"):
-        with pytest.raises(ValueError, match=r"page: .*the comment states"):
-            drawn.run(wrong, {}, "page")
-
-
 # Those of the tutorials run above.
 TESTED = sorted(
     {
@@ -402,40 +381,6 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)
 
 
-def test_the_lens_file_of_the_page_about_the_command_line_is_the_first_example(folder):
-    ((code, _),) = blocks(ROOT / "docs" / "command-line.md", "toml")
-    Path("own.toml").write_text(code, encoding="utf-8")
-    shown, example = (lm.load_instrument(path) for path in ("own.toml", ROOT / "examples/lenses/nifty-fifty.toml"))
-    assert shown.pupil() == example.pupil()
-    assert (shown.pixel, shown.window, shown.integrate) == (example.pixel, example.window, True)
-
-
-def test_the_file_of_the_page_about_microscopes_is_the_first_example(folder):
-    ((code, _),) = blocks(ROOT / "docs" / "microscopes.md", "toml")
-    Path("own.toml").write_text(code, encoding="utf-8")
-    shown, example = (lm.load_microscope(path) for path in ("own.toml", "examples/objectives/zeiss-63x-1.4-oil.toml"))
-    assert shown.pupil() == example.pupil()
-    assert (shown.pixel, shown.window) == (example.pixel, example.window)
-
-
-@pytest.mark.parametrize("shell", ["zsh", "fish"])
-def test_shells_are_told_how_to_complete(shell, tmp_path):
-    script = Path(sys.executable).with_name("lommel")
-    environment = os.environ | {"_LOMMEL_COMPLETE": f"{shell}_source"}
-    result = subprocess.run([str(script)], env=environment, capture_output=True, text=True, timeout=300, check=True)
-    assert "_lommel_completion" in result.stdout
-
-
-def test_the_lens_files_of_the_page_about_the_field_work(folder):
-    whole, *sections = [code for code, _ in blocks(ROOT / "docs" / "field.md", "toml")]
-    assert whole.lstrip().startswith("# bent.toml")  # which a command takes
-    assert len(sections) == 3
-    before = Path("camera.toml").read_text(encoding="utf-8").partition("[field]")[0]
-    for section in sections:
-        (folder / "own.toml").write_text(before + section, encoding="utf-8")
-        assert lm.load_instrument(folder / "own.toml").field().reach > 0.02
-
-
 def test_the_telescope_of_the_page_about_field_maps_runs_as_it_is_and_with_vanes(folder, call_lommel):
     sections = [code for code, _ in blocks(ROOT / "docs" / "my-camera.md", "toml")]
     plain, vanes = sections[1:3]
@@ -465,15 +410,6 @@ def error_table() -> dict[str, list[str]]:
     return {name: cells.split(" | ") for name, cells in rows}
 
 
-def test_the_lens_files_of_the_page_about_colour_work(folder):
-    first, second = [code for code, _ in blocks(ROOT / "docs" / "colour.md", "toml")]
-    for sections, names in ((first, ("red", "green", "blue")), (first.partition("[channels]")[0] + second, None)):
-        (folder / "own.toml").write_text(Path("lens.toml").read_text(encoding="utf-8") + sections, encoding="utf-8")
-        found = lm.load_instrument(folder / "own.toml")
-        assert found.channels.names == (names or ("red", "green", "blue"))
-        assert found.lens.colour.focus_shift == (42e-6, 0.0, 25e-6)
-
-
 def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():
     table = error_table()
     assert list(table) == ["0, 0", "3, 0", "10, 0", "20, 0", "-5, 8"]
@@ -487,62 +423,12 @@ def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():
             assert error == pytest.approx(number(cell), rel=0.06), (row, method)
 
 
-def test_the_ranges_beside_the_methods_are_those_of_the_table_of_errors():
-    columns = list(zip(*error_table().values(), strict=True))
-    spans = [(min(column, key=number), max(column, key=number)) for column in columns]
-    wanted = [f"{least.removesuffix(' %') if most.endswith('%') else least} to {most}" for least, most in spans]
-    page = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
-    for name, span in zip(("MatrixFourier", "Fraunhofer", "ClosedForm"), wanted[:3], strict=True):
-        row = next(line for line in page.splitlines() if line.startswith(f"| {{py:class}}`~lommel.{name}`"))
-        assert span in row, (row, span)
-
-
-def test_every_method_has_a_row_in_the_tables_of_methods():
-    text = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
-    for kind in METHODS.values():
-        assert re.search(rf"^\| .*{kind.__name__}", text, flags=re.MULTILINE), kind
-
-
 def test_the_reference_is_written_from_the_public_names():
     made = api.pages()
     assert {name: (ROOT / "docs" / name).read_text(encoding="utf-8") for name in made} == made
     assert {path.name for path in (ROOT / "docs" / "reference").iterdir()} == {Path(name).name for name in made} - {
         "api.md"
     }
-
-
-# What people type into the search of the documentation, and the page that must come first: Sphinx ranks pages with a
-# main entry in the index above all others.
-SEARCHES = {
-    "phase retrieval": "retrieve",
-    "phase diversity": "retrieve",
-    "deconvolution": "microscopes",
-    "deblurring": "restore",
-    "deblur": "restore",
-    "circle of confusion": "imaging",
-    "bokeh": "imaging",
-    "Nyquist": "microscopes",
-    "Cramer-Rao": "estimation",
-    "photutils": "formats",
-    "napari": "formats",
-    "Fiji": "formats",
-    "Gibson-Lanni": "microscopes",
-    "depth from defocus": "depth",
-    "dataset": "scale",
-    "MTF": "numbers",
-    "JAX": "differentiable",
-}
-
-
-def test_a_search_for_a_term_of_the_field_finds_its_page_first():
-    found: dict[str, list[str]] = {}
-    for path in PAGES:
-        text = path.read_text(encoding="utf-8")
-        for terms in re.findall(r"^```\{index\} (.+)$", text, flags=re.MULTILINE):
-            for term in terms.split(", "):
-                found.setdefault(term.removeprefix("! "), []).append(path.stem)
-    assert {term: pages for term, pages in found.items() if len(pages) > 1} == {}
-    assert {term: found.get(term, [None])[0] for term in SEARCHES} == SEARCHES
 
 
 def anchors(path: Path) -> set[str]:

@@ -73,15 +73,6 @@ def test_where_the_search_says_a_number_is_closest_the_image_has_that_number(tab
         assert lm.mse(setting.image(setting.closed_form(variant)), exact) == pytest.approx(closest["value"], rel=0.03)
 
 
-def test_every_row_states_its_settings_and_what_was_searched(table):
-    assert len(table) == 5
-    for row in table.values():
-        assert "not in the paper" in row["settings"]
-        assert row["searched"]
-        assert row["remark"]
-        assert set(row["closest"]) == set(VARIANTS)
-
-
 def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the_window_squared():
     v = (np.arange(20_000) + 0.5) * 0.01
     assert write.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
@@ -112,13 +103,6 @@ def test_strong_defocus_is_worse_as_printed():
     panels = figures.vary("defocus", SMALL).facts["panels"]
     errors = [panel["printed"]["mse"] for panel in panels if panel["defocus"] >= 10]
     assert errors == sorted(errors)
-
-
-def test_the_tangent_line_figure_has_the_settings_of_the_table():
-    data = figures.vary("tangent", SMALL)
-    assert (data.facts["defocus"], data.facts["window"]) == (write.SECOND.defocus, write.SECOND.window)
-    errors = {panel["tangent"]: panel["printed"]["mse"] for panel in data.facts["panels"]}
-    assert errors[200.0] < 0.2 * errors[100.0]
 
 
 def test_forms_of_j0_agree_where_each_is_meant_to_hold():
@@ -179,12 +163,6 @@ def test_every_figure_is_drawn_and_its_data_read_back(data, draw, panels):
         np.testing.assert_allclose(read, values, rtol=1e-8)
 
 
-def test_pictures_compared_with_each_other_share_their_scale():
-    figure = write._draw_errors(figures.vary("terms", SMALL, (10, 30)))
-    limits = {(image.norm.vmin, image.norm.vmax) for axes in figure.axes for image in axes.images}
-    assert len(limits) == 1
-
-
 def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
     result = call_lommel("paper", "new/out", "--figure", 2, "--figure", "3", "--json", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
@@ -198,14 +176,6 @@ def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
 
 
 TINY = write._Plan("tiny", lambda: figures.bessel_forms(51), figures.draw_bessel_forms)
-
-
-def test_figures_that_are_written_are_told(call_lommel, tmp_path, monkeypatch):
-    monkeypatch.setattr(write, "FIGURES", {"2": TINY, "eq17": TINY})
-    result = call_lommel("paper", "new/out", "--figure", "eq17", folder=tmp_path)
-    assert (result.returncode, result.stderr) == (0, "")
-    assert "wrote new/out/figure-eq17.csv" in result.stdout
-    assert sorted(path.name for path in (tmp_path / "new" / "out").iterdir()) == sorted(write.names("eq17"))
 
 
 def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
@@ -224,14 +194,6 @@ def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp
         assert row["quantity"] in text
         assert row["quantity"] in result.stdout
         assert write.number(row["printed"]) in text
-
-
-def test_the_choices_of_the_command_line_are_the_figures_there_are(call_lommel, tmp_path):
-    result = call_lommel("paper", "out", "--figure", 9, folder=tmp_path)
-    assert result.returncode == 2
-    for number in write.FIGURES:
-        assert f"'{number}'" in result.stderr
-    assert not list(tmp_path.iterdir())
 
 
 def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
@@ -269,17 +231,6 @@ def test_a_folder_that_cannot_be_written_is_one_line_and_leaves_nothing(call_lom
     result = call_lommel("paper", target, "--figure", 2, folder=tmp_path)
     assert (result.returncode, result.stdout, result.stderr) == (2, "", message)
     assert sorted(tmp_path.rglob("*")) == before
-
-
-def test_a_folder_made_in_vain_is_taken_away_again(call_lommel, tmp_path, monkeypatch):
-    def full(*, dir):  # noqa: A002
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(write.tempfile, "TemporaryFile", full)
-    result = call_lommel("paper", "new/out", "--figure", 2, folder=tmp_path)
-    assert result.returncode == 2
-    assert result.stderr == "Error: new/out: No space left on device\n"
-    assert not list(tmp_path.iterdir())
 
 
 def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near():

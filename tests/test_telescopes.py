@@ -28,14 +28,6 @@ def test_every_aperture_has_a_psf_with_a_bound_and_is_the_same_after_a_round_tri
         getattr(telescopes, name)(vanes=3)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_farthest_point_is_on_the_rim(name):
-    stop = getattr(telescopes, name)(vanes=False)
-    shapes = stop.shapes if isinstance(stop, lm.Segments) else (stop.first,)
-    far = max(float(np.hypot(*np.concatenate(part.outline(240)).T).max()) for part in shapes)
-    assert far == pytest.approx(1.0, abs=2e-5)
-
-
 def test_webb_has_its_published_areas():
     # McElwain et al. 2023, doi:10.1088/1538-3873/acada0: 25.4 m^2 clear; struts obscure 0.9 m^2 of the segments.
     clear, bare = (area(telescopes.jwst(vanes=vanes), 6.603464) for vanes in (True, False))

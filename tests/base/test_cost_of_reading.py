@@ -94,22 +94,3 @@ def opened(tree: ast.AST) -> set[str]:
 def test_files_are_opened_where_their_cost_is_limited():
     trees = {f"{name}.py": tree for name, tree in organisation.modules().items() if name != "base/reading"}
     assert {(name, call) for name, tree in trees.items() for call in opened(tree)} == ARGUED.keys()
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "open(path)",
-        "path.read_bytes()",
-        "import json\njson.load(file)",
-        "from tomllib import load",
-        "np.load(path)",
-        "with tifffile.TiffFile(file) as f: pass",
-        "h5py.File(path)",
-        "def f():\n    return Image.open(path)",
-        "zlib.decompress(data)",
-        "zipfile.ZipFile(path).read('a')",
-    ],
-)
-def test_a_new_way_to_open_a_file_is_found(text):
-    assert opened(ast.parse(text))

@@ -1,13 +1,18 @@
-"""Options that several functions share: what signatures and docstrings show of them, and what is refused."""
+"""Options of functions, notes, optional libraries, and what is registered for things."""
 
 from __future__ import annotations
 
 import inspect
+import warnings
 from dataclasses import dataclass
+from functools import singledispatch
 from typing import TypedDict, Unpack
 
+import numpy as np
 import pytest
 
+import lommel as lm
+from lommel.base import display, optional
 from lommel.base.options import near, require_known, sentence, shares
 
 
@@ -110,3 +115,47 @@ def test_what_is_no_option_is_named_with_those_that_are():
 )
 def test_a_name_in_other_letters_is_told_as_it_is_written(name, said):
     assert near(name, ["NA", "magnification"]) == said
+
+
+def test_a_note_names_the_line_of_the_caller():
+    lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    plan = lm.imaging.depth_of_field
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        plan(np.full((20, 30), 0.5), np.full((20, 30), 2500.0), lens, 20e-6, encoding="linear")
+        lm.imaging.DepthBlur(np.full((20, 30), 2500.0), lens, 20e-6)
+    assert [each.filename for each in told] == 2 * [__file__]
+    assert told[1].lineno == told[0].lineno + 1
+
+
+def test_a_library_that_is_there_and_cannot_be_loaded_is_not_called_missing(tmp_path, monkeypatch):
+    (tmp_path / "loaded_by_halves.py").write_text("raise ImportError('m.so: failed to map segment')")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(ImportError, match=r"^plots need loaded_by_halves, which cannot be loaded: m\.so: failed"):
+        optional.library("loaded_by_halves", "plots need", "plot")
+    with pytest.raises(ImportError, match=r"^plots need nowhere_at_all: pip install nowhere_at_all \(the extra"):
+        optional.library("nowhere_at_all", "plots need", "plot")
+
+
+class Child(lm.Wavefront):
+    pass
+
+
+@pytest.mark.parametrize("thing", [lm.Pupil(), lm.Wavefront(), Child()])
+def test_what_is_registered_for_a_class_is_found_for_those_that_inherit_from_it(thing):
+    assert "<table" in thing._repr_html_()
+
+
+@pytest.mark.parametrize("view", [display.html, display.plot, display.save])
+def test_what_is_not_registered_is_refused(view):
+    with pytest.raises(TypeError, match=r"there is no (table|plot|file) of a str"):
+        view("a text")
+
+
+def test_modules_that_register_are_imported_when_the_first_is_asked_for(monkeypatch):
+    asked = []
+    view = singledispatch(display.html.dispatch(object))
+    monkeypatch.setattr(display, "html", view)
+    monkeypatch.setattr(display, "load", lambda: asked.append(view.register(int, str)))
+    assert (display.html(3), display.html(4)) == ("3", "4")
+    assert len(asked) == 1

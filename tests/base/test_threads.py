@@ -19,6 +19,7 @@ def test_answers_stand_in_the_order_of_what_was_given(threads: int) -> None:
 
 
 def test_several_threads_share_the_tasks() -> None:
+    assert side_by_side(lambda _: threading.get_ident(), range(2), 1) == 2 * [threading.get_ident()]
     both = threading.Barrier(2, timeout=20.0)
     names = side_by_side(lambda _: (both.wait(), threading.get_ident())[1], range(2), 2)
     assert len(set(names)) == 2

@@ -270,8 +270,6 @@ def test_objectives_are_told_the_way_out():
 
 def test_seeing_that_takes_samples_too_far_out_is_refused_with_what_to_do():
     pupil = lm.Pupil(stop=lm.telescopes.vlt())
-    with pytest.raises(
-        ToleranceError, match=r"D / r0 = 150 to tol=0\.0001 takes samples .* larger tol, up to 0\.01"
-    ) as told:
+    with pytest.raises(ToleranceError, match=r"D / r0 = 150 to tol=0\.0001 takes samples .* larger tol") as told:
         lm.psf(pupil, 135, 11.4, blur=lm.Seeing(1.0 / 150), tol=1e-4, integrate=False)
     assert len(str(told.value)) <= 300

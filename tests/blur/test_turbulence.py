@@ -1,14 +1,20 @@
-"""The kernel of seeing: its Hankel transform, its table, and the bound on its halo."""
+"""Turbulence: its kernel, halos, mixtures of Gaussians, fading, and read-out of samples."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
 from mpmath import mp
+from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import lommel as lm
 from lommel.blur.blurs import FWHM, KOLMOGOROV
+from lommel.blur.convolution import ends, gained, readout
+from lommel.blur.mixtures import OUTER, Shape, isotropic, turbulence
+from lommel.blur.transfer_integral import FURTHER, Fading
 from lommel.blur.turbulence import Gate, Halo, between, table
 
 GATE = Gate.of(0.8, 1e-10)
@@ -83,3 +89,174 @@ def test_the_gate_is_open_up_to_two_and_closed_where_copies_begin():
     copies = np.linspace(2.0 * np.pi / GATE.h - 2.0, 20.0, 101)
     assert GATE.round(copies).max() <= GATE.error
     assert GATE.round(np.array([GATE.end]))[0] < 1e-30
+
+
+@pytest.mark.parametrize(("outer", "terms"), [*((outer, 6) for outer in OUTER), (None, 3), (15.0, 8), (2.0, 8)])
+def test_mixtures_are_within_their_error_of_the_transfer_function(outer, terms):
+    made = turbulence(outer, terms)
+    q = np.linspace(0.0, 20.0, 9001)
+    exact = lm.Seeing(1.0, outer_scale=outer).transfer(q)
+    found = np.exp(-np.multiply.outer(q * q, made.rates)) @ made.weights
+    assert np.abs(found - exact).max() < 1.05 * made.error
+    assert made.error < {3: 3e-3, 6: 3e-4, 8: 5e-4}[terms]
+    assert (made.weights > 0.0).all()
+    assert made.weights.sum() == pytest.approx(1.0, abs=1e-6)
+
+
+def test_the_width_of_seeing_is_its_fwhm():
+    pixel, air = 2e-6, lm.Seeing.from_fwhm(5e-6, 1.0, 600e-9)
+    shape = Shape.turbulent()
+    variances = shape.variances(np.array([(5e-6 / pixel / 2.354820) ** 2, 0.09]))
+    f = np.linspace(0.0, 2e5, 200)
+    found = np.exp(-2.0 * np.multiply.outer((math.pi * pixel * f) ** 2, variances)) @ shape.weights
+    exact = air.transfer(f, wavelength=600e-9) * lm.Jitter(0.3 * pixel).transfer(f)
+    np.testing.assert_allclose(found, exact, atol=2e-4)
+
+
+def test_known_blurs_are_multiplied():
+    several = lm.Seeing(0.1, 2.0, 500e-9, 12.0), lm.Jitter(3e-6), lm.ChargeDiffusion(2e-6)
+    shape = Shape.known(several, 2e-6, 700e-9)
+    f = np.linspace(0.0, 2e5, 200)
+    found = np.exp(-2.0 * np.multiply.outer((math.pi * 2e-6 * f) ** 2, shape.fixed)) @ shape.weights
+    exact = np.prod([each.transfer(f, wavelength=700e-9) for each in several], axis=0)
+    np.testing.assert_allclose(found, exact, atol=2e-4)
+    assert shape.unknown == 0
+
+
+def test_blurs_along_a_direction_are_not_isotropic():
+    several = lm.Jitter(1.0), lm.Jitter(1.0, 2.0), lm.Motion(1.0), lm.Motion(0.0), lm.ChargeDiffusion(1.0)
+    assert isotropic(several).tolist() == [True, False, False, True, True]
+
+
+PLACES = np.sort(np.random.default_rng(3).uniform(-30.0, 40.0, 9))
+
+
+@pytest.mark.parametrize("error", [1e-4, 1e-7, 1e-10, 1e-13])
+@pytest.mark.parametrize("active", [0.0, 0.3, 2.7, 40.0, 400.0])
+def test_waves_of_the_band_are_averaged_over_pixels_anywhere(error, active):
+    gate = Gate.of(0.8, error)
+    made = readout(tuple(PLACES), active, gate)
+    at = gate.h * (made.first + np.arange(made.samples))
+    w = np.linspace(0.0, 2.0, 301)
+    found = made.matrix @ np.exp(1j * np.outer(at, w))
+    expected = np.exp(1j * np.outer(PLACES, w)) * np.sinc(0.5 * active * w / np.pi)
+    worst = np.abs(found - expected).max()
+    assert worst <= made.error
+    assert made.error < 4.0 * error
+    assert np.abs(made.matrix).sum(axis=1).max() == pytest.approx(made.gain)
+    assert made.gain <= gained(gate)
+
+
+@pytest.mark.parametrize("error", [1e-4, 1e-9])
+def test_beyond_the_ends_of_a_gate_little_is_left(error):
+    gate = Gate.of(0.8, error)
+    far, cut = ends(gate)
+    k = np.arange(-4000, 4001)
+    for shift in np.linspace(0.0, gate.h, 17):
+        x = shift - gate.h * k
+        g = np.sinc(x / gate.h) / gate.h * np.exp(-0.25 * (gate.width * x) ** 2)
+        assert gate.h * np.abs(g[np.abs(x) > far]).sum() <= cut
+
+
+@pytest.mark.parametrize("error", [1e-4, 1e-13])
+def test_the_largest_gain_of_samples_anywhere_is_bounded_and_nearly_reached(error):
+    gate = Gate.of(0.8, error)
+    largest = readout(tuple(np.linspace(0.0, gate.h, 1001)), 0.0, gate).gain
+    assert largest <= gained(gate) <= 1.05 * largest
+
+
+KINDS_FADING = {
+    "kolmogorov": (lm.Seeing(0.05),),
+    "weak": (lm.Seeing(3.0), lm.ChargeDiffusion(0.3)),
+    "outer scale": (lm.Seeing(0.1, outer_scale=3.0),),
+    "short outer scale": (lm.Seeing(0.2, outer_scale=0.3), lm.Jitter(0.2)),
+    "two": (lm.Seeing(0.2), lm.Seeing(0.3, outer_scale=20.0)),
+}
+
+
+def transfer(blurs: tuple, x: complex, end: float) -> float:
+    """Return the logarithm of the modulus of the transfer function at ``f = end x^3``, in mpmath."""
+    total, x = mp.mpf(0), mp.mpc(x)
+    for blur in blurs:
+        if not isinstance(blur, lm.Seeing):
+            total -= mp.re(2 * mp.pi**2 * blur.covariance[0, 0] * end**2 * x**6)
+            continue
+        power = (mp.mpf(end) / blur.r0) ** (mp.mpf(5) / 3) * x**5  # q^(5/3)
+        if blur.outer_scale is None:
+            total -= mp.re(KOLMOGOROV * power)
+            continue
+        # The structure function as Gamma(nu) / 2^(1/6) less z^nu K_nu(z), along x: K from both series of I.
+        scales, nu = mp.mpf(blur.outer_scale) / blur.r0, mp.mpf(5) / 6
+        z = 2 * mp.pi / scales * end / blur.r0 * x**3
+        to_z = (2 * mp.pi / scales) ** (mp.mpf(5) / 3)
+
+        def series(order: mp.mpf, s: mp.mpc) -> mp.mpc:
+            return mp.hyp0f1(1 + order, s) / mp.gamma(1 + order)
+
+        both = 2**nu * series(-nu, z * z / 4) - 2 ** (-nu) * to_z * power * series(nu, z * z / 4)
+        bessel = mp.pi / 2 / mp.sin(mp.pi * nu) * both
+        size = mp.mpf(KOLMOGOROV) / 2 * scales ** (mp.mpf(5) / 3) * mp.mpf(2) ** (mp.mpf(1) / 6)
+        size *= mp.gamma(mp.mpf(11) / 6) / mp.pi ** (mp.mpf(8) / 3)
+        total -= mp.re(size * (mp.gamma(nu) / mp.mpf(2) ** (mp.mpf(1) / 6) - bessel))
+    return float(total)
+
+
+@pytest.mark.parametrize("kind", KINDS_FADING)
+def test_on_the_axis_the_reference_is_the_transfer_function(kind):
+    fading = Fading.of(KINDS_FADING[kind], 1.0, None)
+    for x in (0.1, 0.5, 0.9):
+        assert math.exp(transfer(KINDS_FADING[kind], x, 0.2)) == pytest.approx(
+            float(fading.at(np.array(0.2 * x**3))), rel=1e-9
+        )
+
+
+@pytest.mark.parametrize("kind", KINDS_FADING)
+def test_no_point_of_a_disc_is_above_the_bound_and_some_are_near_it(kind):
+    rng, fading = np.random.default_rng(3), Fading.of(KINDS_FADING[kind], 1.0, None)
+    near = 0
+    for end in (0.05, 0.3, 1.0):
+        for _ in range(25):
+            x = complex(rng.uniform(0.0, 1.2), rng.uniform(-0.4, 0.4))
+            radius = float(10.0 ** rng.uniform(-4.0, -1.0))
+            bound = float(fading.log_bound(np.array([x]), np.array([radius]), end)[0])
+            for angle in (0.0, *rng.uniform(0.0, 2.0 * np.pi, 4)):
+                found = transfer(KINDS_FADING[kind], x + radius * np.exp(1j * angle), end)
+                assert found <= bound + 1e-9 * (1.0 + abs(bound))
+                near += found > bound - 0.1 - 0.01 * abs(bound)
+    assert near > 50
+
+
+@pytest.mark.parametrize("kind", KINDS_FADING)
+@pytest.mark.parametrize("left", [1e-4, 1e-8, 1e-13])
+def test_beyond_the_end_is_less_than_is_left(kind, left):
+    fading = Fading.of(KINDS_FADING[kind], 1.0, None)
+    end, bound = fading.end(left)
+    assert bound <= left
+    there = quad(lambda f: float(fading.at(np.array(f))) * f, end, 1.0, limit=400, epsabs=1e-3 * left)[0]
+    assert there <= bound * (1.0 + 1e-9)
+    if end < 1.0:
+        # Two hundredths nearer there is more.
+        assert (
+            quad(lambda f: float(fading.at(np.array(f))) * f, 0.95 * end, 1.0, limit=400, epsabs=1e-3 * left)[0]
+            > left
+        )
+    assert fading.light >= quad(lambda f: float(fading.at(np.array(f))) * f, 0.0, 1.0, limit=400)[0]
+    assert fading.light <= 0.51
+
+
+def test_blur_with_a_direction_has_none():
+    assert Fading.of((lm.Motion(1.0),), 1.0, None) is None
+    assert Fading.of((lm.Seeing(1.0), lm.Jitter(0.3, 0.2)), 1.0, None) is None
+    assert Fading.of((lm.Motion(0.0), lm.Jitter(0.3, 0.3, 0.7)), 1.0, None) is not None
+
+
+def test_blur_in_any_direction_is_nowhere_above_the_isotropic_one():
+    several = (lm.Seeing(0.4), lm.Motion(2.0, 0.7), lm.Jitter(0.6, 0.2, 0.4), lm.Jitter(0.1, 0.5, -0.2))
+    fading, rng = Fading.above(several, 1.0, None), np.random.default_rng(5)
+    f, angle = rng.uniform(0.0, 2.0, 400), rng.uniform(0.0, 2.0 * np.pi, 400)
+    product = np.prod([blur.transfer(f * np.cos(angle), f * np.sin(angle)) for blur in several], axis=0)
+    above = fading.at(f)
+    assert np.all(np.abs(product) <= above * (1.0 + 1e-12))
+    assert np.all(above <= several[0].transfer(f))
+    end, left = fading.end(1e-6, FURTHER)
+    assert quad(lambda f: float(fading.at(np.array(f))) * f, end, 4.0, limit=400)[0] <= left <= 1e-6

@@ -13,6 +13,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from core_tests import _core_tests
+from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
 
@@ -36,13 +37,6 @@ lights = st.one_of(
     st.floats(0.01, 9.0).map(lambda g: [0.0, g]),
     st.lists(st.floats(-1.5, 1.5), min_size=2, max_size=6),
 )
-
-
-def same(found: float, expected: mp.mpf) -> bool:
-    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
-    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
-        return found <= 1e-280 or found >= 1e220
-    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
 def amplitudes(c: list[float], terms: list[tuple[int, int]]) -> list[tuple[mp.mpf, int]]:

@@ -14,6 +14,7 @@ from scipy.special import jv
 
 import lommel as lm
 from core_tests import _core_tests
+from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
 
@@ -31,13 +32,6 @@ lights = st.one_of(
     st.lists(st.floats(-1.5, 1.5), min_size=2, max_size=6),
 )
 TERMS = np.array(LIST)
-
-
-def same(found: float, expected: mp.mpf) -> bool:
-    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
-    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
-        return found <= 1e-280 or found >= 1e220
-    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
 def amplitudes(coefficients: list[float]) -> list[tuple[mp.mpf, int, int]]:

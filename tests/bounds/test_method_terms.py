@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from core_tests import _core_tests
+from digits import same
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import bounds
@@ -30,13 +31,6 @@ lights = st.one_of(
     st.floats(0, 9).map(lm.Apodization.gaussian),
     st.lists(st.floats(-3, 3), min_size=2, max_size=4).map(lm.Apodization),
 )
-
-
-def same(found: float, expected: mp.mpf) -> bool:
-    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
-    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
-        return found <= 1e-280 or found >= 1e220
-    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
 @mp.workdps(40)

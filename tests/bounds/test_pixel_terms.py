@@ -13,17 +13,11 @@ from hypothesis import strategies as st
 from scipy.special import j0
 
 from core_tests import _core_tests
+from digits import same
 from lommel import _core
 from pixel_tables import Table, U, Window, averages, fewest, gauss, harmonics, interpolation, lebesgue
 
 K = 16  # Chebyshev points across a ring with harmonics
-
-
-def same(found: float, expected: mp.mpf) -> bool:
-    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
-    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
-        return found <= 1e-280 or found >= 1e220
-    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
 @given(st.floats(1e-3, 1.3), st.integers(1, 900))

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.special import j1, spherical_jn
 
 from core_tests import _core_tests
+from digits import same
 from log_amplitudes import log_amplitude
 from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
@@ -45,13 +46,6 @@ reaches = st.floats(0.01, 300.0)
 def many_digits():
     with mp.workdps(40):
         yield
-
-
-def same(found: float, expected: mp.mpf) -> bool:
-    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
-    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
-        return found <= 1e-280 or found >= 1e220
-    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
 def horner(rising: list[mp.mpf], x: mp.mpf) -> mp.mpf:

@@ -37,14 +37,6 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-CAMERA = """
-name = "a test camera"
-
-[camera]
-pixel = "6.5 um"
-gain = 1.1
-read = 1.6
-"""
 ASKED = ("objective.toml", "--step", "200nm", "--read", "1.6", "--offset", "100", "--terms", "7")
 
 
@@ -77,20 +69,6 @@ def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_
     assert rim == pytest.approx(made.objective.apodization.value(1.0))
 
 
-def test_beads_of_a_field_are_found_and_fitted_together(folder):
-    words = ["beads", "field.tif", *ASKED, "--window", "19", "--fixed"]
-    found = CliRunner().invoke(main, words, env={"COLUMNS": "100"})
-    assert found.exit_code == 0, found.output
-    assert "converged" in found.output
-    row = next(line.split() for line in found.output.splitlines() if line.startswith("field.tif [1]"))
-    place = dict(zip(("row", "column", "z", "depth", "flux", "chi2"), row[2:], strict=True))
-    for name, low, high in (("row", 14.9, 45.1), ("column", 19.9, 60.1), ("z", -20.0, 20.0), ("flux", 8e3, 1.2e4)):
-        value, error = map(float, place[name].split("+-"))
-        assert low < value < high
-        assert 0.0 < error < 0.2 * high
-    assert place["depth"] == "50"  # held
-
-
 def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:], "--fixed")
     assert found.exit_code == 3
@@ -113,29 +91,6 @@ def test_what_cannot_be_fitted_is_told(folder, words, told):
     assert told in " ".join(found.output.split())
 
 
-def test_what_camera_and_what_defaults_gain_and_offset_are_from_is_said(folder):
-    (folder / "sensor.toml").write_text(CAMERA, encoding="utf-8")
-    options = ("objective.toml", "--step", "200nm", "--terms", "1", "--fixed")
-    text = run("bead.tif", *options, "--read", "1.6", "--offset", "100").stdout
-    taken = "gain 1 electrons per count (taken, for neither an option nor a camera states it)"
-    assert f"Camera: {taken}, offset 100 counts (by the option)" in " ".join(text.split())
-    text = " ".join(run("bead.tif", *options, "--camera", "sensor.toml", "--offset", "100").stdout.split())
-    assert "gain 1.1 electrons per count (of a test camera, by --camera), offset 100 counts (by the option)" in text
-    assert "read noise 1.6 electrons rms (of a test camera, by --camera)." in text
-
-
-def test_saturation_of_beads_that_is_not_stated_is_suspected(folder):
-    images = np.minimum(tifffile.imread("bead.tif"), 420)
-    tifffile.imwrite("clipped.tif", images, photometric="minisblack")
-    found = run("clipped.tif", *ASKED, "--fixed", "-o", "fitted.toml")
-    assert found.exit_code == 3, found.output
-    text = " ".join(found.stdout.split())
-    assert text.startswith("misfit: ")
-    assert "pixels have exactly the largest value, 420: if they are saturated, state it" in text
-    assert "wrote fitted.toml, of a fit that has not converged: misfit" in text
-    assert "Fitted to beads: misfit: " in lm.load_microscope("fitted.toml").source
-
-
 def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated(folder):
     found = run("field.tif", *ASKED, "--window", "19", "--json")
     assert found.exit_code == 0, found.output
@@ -144,15 +99,3 @@ def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated
     np.testing.assert_allclose(places, [(15, 20), (45, 60)], atol=0.1)
     assert facts["wavelength"] == pytest.approx(600e-9)
     assert facts["noise"]["offset"] == {"value": 100.0, "source": "option"}
-
-
-def test_another_step_in_the_file_is_said_and_so_is_the_verdict_in_what_is_written(folder):
-    images = tifffile.imread("bead.tif")
-    sizes = {"axes": "ZYX", "PhysicalSizeX": 0.103, "PhysicalSizeY": 0.103, "PhysicalSizeZ": 0.1}
-    tifffile.imwrite("bead.ome.tif", images, metadata=sizes, photometric="minisblack")
-    found = run("bead.ome.tif", *ASKED, "--wavelength", "610nm", "--fixed", "-o", "fitted.toml")
-    assert found.exit_code == 0, found.output
-    said = " ".join(found.stdout.split())
-    assert "The images state planes 100 nm apart; 200 nm was taken." in said
-    assert "Emission at 610 nm." in said
-    assert "Fitted to beads: " in lm.load_microscope("fitted.toml").source

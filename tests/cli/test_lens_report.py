@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
 import re
 
@@ -11,7 +10,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base.units import format_length
 from lommel.cli.reports import IN_FOCUS, describe_lens, summarize_lens
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
@@ -53,39 +51,6 @@ def test_the_numbers_are_those_of_the_library(facts, phone):
         assert row["unaberrated"] == pytest.approx(ideal.encircled_energy(row["radius"], of="optics"), abs=1e-6)
 
 
-def test_the_tables_show_what_the_json_says(call_lommel, lenses, tmp_path):
-    arguments = ("info", lenses["phone"], "--object-distance", "1.2 m", "--pixel", "2um")
-    text = call_lommel(*arguments, folder=tmp_path).stdout
-    p = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
-    titles = ["Image of a point", "Encircled energy about the axis, optics alone", "Wavefront", "Model"]
-    assert [line.strip() for line in text.splitlines() if line.strip() in titles] == titles
-    rows = dict(LINE.findall(text))
-    assert text.startswith(p["name"] + "\n")
-    assert rows["focus distance"] == format_length(p["focus_distance"]) == "500 mm"
-    assert rows["object distance"] == format_length(p["object_distance"]) == "1.2 m"
-    assert rows["wavelength"] == format_length(p["wavelength"]) == "530 nm"
-    assert rows["pixel"] == format_length(p["pixel"]) == "2 um"
-    assert rows["Strehl ratio"] == f"{p['strehl']:.4g}"
-    assert rows["MTF at Nyquist"].startswith(f"{p['mtf_at_nyquist_with_pixel']:.4f} with the pixel, ")
-    assert rows["MTF50"].startswith(f"{p['mtf50'] / 1e3:.4g} cycles/mm")
-    assert rows["rms wavefront error"] == f"{p['rms_waves']:.4g} waves over the pupil"
-    assert rows["defocus C_d"] == f"{p['defocus']:.4g} rad"
-    assert rows["spherical C_s"] == f"{p['spherical']:.4g} rad"
-    assert rows["in waves at the edge"] == f"W020 = {p['waves']['W020']:.4g}, W040 = 0"
-    for name, value in {
-        "FWHM": p["fwhm"],
-        "FWHM with the pixel": p["fwhm_with_pixel"],
-        "80 % of the light": p["diameter_80"],
-        "80 % of the light with the pixel": p["diameter_80_with_pixel"],
-        "Airy disc (first dark ring)": 2 * p["airy_radius"],
-        "circle of confusion (defocus alone)": 2 * p["geometric_radius"],
-    }.items():
-        assert rows[name].split() == [f"{1e6 * value:.4g}", f"{value / 2e-6:.4g}"]
-    for row in p["encircled_energy"]:
-        columns = re.split(r"\s{2,}", rows[row["within"]])
-        assert columns == [format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"]
-
-
 @pytest.mark.parametrize("focus", [0.5, 3.0, math.inf])
 def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focus):
     lens = phone.lens.focused(focus)
@@ -117,15 +82,6 @@ def test_each_field_of_science_has_its_units(call_lommel, lenses, tmp_path):
     assert "FWHM of the central peak" not in camera + microscope
 
 
-def test_what_means_nothing_is_left_out(call_lommel, lenses, tmp_path):
-    hubble = call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout
-    # Its pixels resolve more than its aperture passes, and its estimate of the Strehl ratio is 1e-20.
-    assert "Nyquist" not in hubble
-    assert "Marechal" not in hubble
-    sharp = call_lommel("info", lenses["camera-field"], folder=tmp_path).stdout
-    assert dict(LINE.findall(sharp))["Marechal's estimate"] == "0.9655"
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.25, 0.95])
 def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
     lens = dataclasses.replace(phone.lens, obscuration=obscuration)
@@ -135,15 +91,6 @@ def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
     assert light[-1] < 1e-9
     assert (np.diff(light) < 1e-9).all()  # none is nearer
     assert ring == pytest.approx(facts["airy_radius"] * {0.0: 1, 0.25: 0.93596, 0.95: 0.64364}[obscuration], rel=1e-5)
-
-
-def test_the_first_dark_ring_is_told_apart_from_the_airy_disc(call_lommel, lenses, tmp_path):
-    hubble = dict(LINE.findall(call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout))
-    full, ring = (
-        float(hubble[name].split()[0])
-        for name in ("Airy disc of a clear aperture", "first dark ring without aberrations")
-    )
-    assert ring == pytest.approx(0.89998 * full, rel=1e-3)
 
 
 def test_tilt_moves_the_image_and_is_told_apart(lenses, monkeypatch):
@@ -217,22 +164,3 @@ def test_directions_are_told_apart_where_their_mtf_differs(call_lommel, astigmat
         assert rows[f"MTF50, {axis}"].startswith(f"{lm.mtf_frequency(pupil, angle=angle) / 1e3:.4g} cycles/mm")
     assert rows["MTF at Nyquist, x"] != rows["MTF at Nyquist, y"]
     assert max(map(len, text.splitlines())) <= 80
-
-
-def test_defocus_alone_is_told_apart_from_the_whole_wavefront(call_lommel, astigmatic):
-    text, instrument = (
-        call_lommel("info", astigmatic, folder=astigmatic.parent).stdout,
-        lm.load_instrument(astigmatic),
-    )
-    rows, lens = dict(LINE.findall(text)), instrument.lens
-    alone = float(lens.defocus(1.99))
-    plain = dataclasses.replace(lens, aberrations=lm.Wavefront()).pupil(1.99)
-    assert alone > 0  # nearer than in focus
-    assert f"by distances alone {alone:.4g} rad (W020 = {alone / np.pi:.4g})" in rows["defocus C_d"]
-    assert rows["circle of confusion (defocus alone)"].split()[0] == f"{2e6 * plain.geometric_radius():.4g}"
-    rays = 2e6 * instrument.pupil().geometric_radius()
-    assert rows["all rays, with the aberrations"].split()[0] == f"{rays:.4g}"
-    image = lm.psf(instrument.pupil(), 1, 3.45e-6)
-    whole = 1e6 * image.energy_diameter(0.8, about="centroid", of="optics")
-    assert rows["80 % of the light, about the centroid"].split()[0] == f"{whole:.4g}"
-    assert "waves rms at 550 nm" in text

@@ -43,11 +43,6 @@ def folder(made, tmp_path) -> Path:
     plt.close("all")
 
 
-def said(facts):
-    """Codes of findings."""
-    return [one["code"] for one in facts["findings"]]
-
-
 def test_a_movie_becomes_a_table_and_a_picture(folder, call_lommel):
     outputs = ["-o", "a.csv", "-o", "a.hdf5", "--plot", "a.png"]
     result = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, *outputs, folder=folder)
@@ -151,27 +146,6 @@ def test_fits_at_the_range_of_z_and_beyond_the_reach_are_counted_apart(folder, c
     assert f"{count} of {facts['spots']} spots are at an end of the range of z: a wider one may hold them" in text
 
 
-@pytest.mark.parametrize(
-    ("options", "code", "told"),
-    [
-        (["--gain", 0.1], "too_quiet", "the gain or the offset may be wrong: check --gain and --offset"),
-        (["--gain", 2], "misfit", "indices, wavelength), the gain or the offset may be wrong"),
-        (["--offset", 150], "below_offset", "of the counts of the first frames are below the offset: check --offset"),
-        (["--offset", "offset.npy"], "below_offset", "are below the offset: check --offset"),
-        (["--pixel", "0.1um", "--block", 8, "--width", 2], "pixel_pitch", "A pixel is 1.59 nm in the sample, far "
-         "below Nyquist's 107 nm: --pixel is that of the camera, before magnification"),
-    ],
-)  # fmt: skip
-def test_a_wrong_camera_is_told(options, code, told, folder, call_lommel):
-    np.save(folder / "offset.npy", np.full((SIDE, SIDE), 150.0))
-    arguments = ["movie.tif", "objective.toml", *NOISE, *options, "-o", "a.csv"]
-    facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
-    assert code in said(facts)
-    result = call_lommel("localize", *arguments, folder=folder)
-    assert result.returncode == (0 if facts["converged"] else 3)
-    assert told.lower() in " ".join(result.stdout.split()).lower()
-
-
 def test_a_mask_and_a_stated_background(folder, call_lommel):
     out = np.zeros((SIDE, SIDE), np.uint8)
     out[::9, ::9] = 1
@@ -187,31 +161,6 @@ def test_a_mask_and_a_stated_background(folder, call_lommel):
     assert "--mask must have the shape of the images, 72 x 72" in result.stderr
 
 
-def test_the_opposite_astigmatism_a_hot_pixel_and_a_missing_offset_are_told(folder, call_lommel):
-    """Each in a sentence, and the first by the exit code too; none of them of a movie that is right."""
-    counts = np.tile(tifffile.imread(folder / "movie.tif"), (3, 1, 1))
-    text = EXAMPLE.read_text(encoding="utf-8")
-    (folder / "wrong.toml").write_text(text.replace("terms.6 = 0.15", "terms.6 = -0.15"), encoding="utf-8")
-    camera = 'name = "Some"\nsource = "None"\n\n[camera]\npixel = "6.5 um"\ngain = 0.46\nread = 1.6\n'
-    (folder / "camera.toml").write_text(camera, encoding="utf-8")
-    tifffile.imwrite(folder / "long.tif", counts, photometric="minisblack")
-    counts[:, 36, 40] += 3000
-    tifffile.imwrite(folder / "hot.tif", counts, photometric="minisblack")
-    codes = "opposite_astigmatism", "recurring"
-
-    def notes(*arguments):
-        result = call_lommel("localize", *arguments, "-o", "a.csv", "--json", folder=folder)
-        facts = json.loads(result.stdout)
-        assert result.returncode == (0 if facts["converged"] else 3)
-        missing = facts["noise"]["offset"] == {"value": 0.0, "source": "default"}
-        return [*(code in said(facts) for code in codes), missing]
-
-    assert notes("long.tif", "objective.toml", *NOISE) == [False, False, False]
-    assert notes("long.tif", "wrong.toml", *NOISE) == [True, False, False]
-    assert notes("hot.tif", "objective.toml", *NOISE) == [False, True, False]
-    assert notes("long.tif", "objective.toml", "--camera", "camera.toml") == [False, False, True]
-
-
 def test_a_movie_without_spots_is_told(folder, call_lommel):
     tifffile.imwrite(folder / "dark.tif", np.full((3, 40, 40), 100, np.uint16), photometric="minisblack")
     result = call_lommel("localize", "dark.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
@@ -219,78 +168,21 @@ def test_a_movie_without_spots_is_told(folder, call_lommel):
     assert "no spot is above --threshold: check --offset, --gain and --read" in " ".join(result.stdout.split())
 
 
-def test_maps_single_frames_and_lengths_are_said_in_plain_words(folder, call_lommel):
-    tifffile.imwrite(folder / "one.tif", tifffile.imread(folder / "movie.tif")[0])
-    np.save(folder / "read.npy", np.full((SIDE, SIDE), 1.6))
-    arguments = ["one.tif", "objective.toml", *NOISE, "--read", "read.npy", "--pixel", "6.93um", "-o", "a.csv"]
-    text = " ".join(call_lommel("localize", *arguments, folder=folder).stdout.split())
-    assert "movie 1 frame of 72 x 72, 110 nm a pixel" in text
-    assert "offset 100 counts (by the option), read noise by a map (by the option)" in text
-    facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
-    assert facts["pixel_in_sample"] == 1.1e-7 != 6.93e-6 / 63
-
-
-@pytest.mark.parametrize(
-    ("terms", "ambiguous"),
-    [
-        ("terms.6 = 0", True),
-        ("terms.7 = 0.1", True),  # coma
-        ("terms.4 = 0.02", True),  # defocus
-        ("terms.10 = 0.1", True),  # trefoil
-        ("terms.11 = 0.02", False),  # spherical
-        ("terms.5 = 0.1", False),
-    ],
-)
-def test_wavefronts_that_leave_the_sign_of_z_open_are_told(terms, ambiguous, folder, call_lommel):
-    text = EXAMPLE.read_text(encoding="utf-8")
-    assert "terms.6 = 0.15" in text
-    (folder / "other.toml").write_text(text.replace("terms.6 = 0.15", terms), encoding="utf-8")
-    arguments = ["movie.tif", "other.toml", *NOISE, "--tol", 1e-3, "--json", "-o", "a.csv"]
-    result = call_lommel("localize", *arguments, folder=folder)
-    assert ("sign_open" in said(json.loads(result.stdout))) == ambiguous
-
-
-def test_an_objective_without_aberrations_is_told(folder, call_lommel):
-    text = EXAMPLE.read_text(encoding="utf-8")
-    plain = text[: text.index("\n[aberrations")] + text[text.index("\n[stack]") :]
-    (folder / "plain.toml").write_text(plain, encoding="utf-8")
-    result = call_lommel("localize", "movie.tif", "plain.toml", *NOISE, "-o", "a.csv", folder=folder)
-    text = " ".join(result.stdout.split())
-    assert "sign open: the wavefront has no even term besides defocus" in text
-    assert "--flat gives x and y alone" in text
-    with_them = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
-    assert "nearly alike" not in with_them.stdout
-
-
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
         (["movie.tif", "objective.toml", "-o", "a.csv"], "--read is missing: the read noise"),
         (["movie.tif", "objective.toml", "--read", 1], "Missing option '-o' / '--output'"),
-        (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"],
-         "Error: --output must end in .csv, .hdf5 for a table of molecules, got '.txt' in 'a.txt'"),
-        ([*GIVEN, "-o", "no/a.csv"], "Error: no/a.csv: No such file or directory"),
-        (["nowhere.tif", *GIVEN[1:], "-o", "a.csv"], "Error: nowhere.tif: No such file or directory"),
-        (["objective.toml", *GIVEN[1:], "-o", "a.csv"],
-         "Error: objective.toml is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr"),
-        (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"],
-         "Error: lommel localize needs a microscope, a file with a section [objective]; lens.toml has none"),
-        (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"],
-         "Error: --read must be a number or the file of a map (.tif, .npy), got 'some'"),
-        (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"],
-         "Error: --read must be one image, got 8 in movie.tif"),
-        (["movie.tif", "objective.toml", "--read", -1, "-o", "a.csv"], "Error: --read must be finite and >= 0"),
-        ([*GIVEN, "--gain", 0, "-o", "a.csv"], "Error: --gain must be > 0 electrons"),
+        (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"], "Error: --output must end in .csv, .hdf5"),
+        (["objective.toml", *GIVEN[1:], "-o", "a.csv"], "Error: objective.toml is not a TIFF, FITS, NPY or PNG"),
+        (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"], "Error: lommel localize needs a microscope,"),
+        (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"], "Error: --read must be a number or"),
+        (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"], "Error: --read must be one image"),
         ([*GIVEN, "--z", "1um", "0um", "-o", "a.csv"], "Error: --z must be (lowest, highest)"),
-        ([*GIVEN, "--z", "1", "2", "-o", "a.csv"], "Invalid value for '--z'"),
         ([*GIVEN, "--threshold", 1, "-o", "a.csv"], "Error: --threshold must be >= 3"),
-        ([*GIVEN, "--box", 100, "-o", "a.csv"], "Error: --box must be"),
         ([*GIVEN, "--box", 4, "-o", "a.csv"], "Error: --box must be 5 to 64 pixels a side, 15 is usual, got (4, 4)"),
-        ([*GIVEN, "--box", "15x3", "-o", "a.csv"], "Error: --box must be 5 to 64 pixels a side, 15 is usual"),
-        (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"],
-         "Error: the order is MOVIE LENS, the movie first, got objective.toml and then movie.tif"),
-        ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"],
-         "Error: --read must be finite, got nan at (1, 2) of unknown.npy; a read noise of 1000 electrons tells that"),
+        (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"], "Error: the order is MOVIE LENS, the movie"),
+        ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"], "Error: --read must be finite, got nan at (1, 2)"),
     ],
 )  # fmt: skip
 def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):

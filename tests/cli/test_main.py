@@ -10,7 +10,6 @@ import re
 import subprocess
 import sys
 from contextlib import redirect_stdout
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,9 +17,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.main import commands, main
-from lommel.lensfiles.example_files import example_files
-from lommel.lensfiles.image_quality import other_model
+from lommel.cli.main import main
 from lommel.methods import METHODS
 from lommel.show.drawing import HOW
 
@@ -90,15 +87,6 @@ def test_every_file_holds_what_python_computes(written, lenses):
     assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
 
 
-def test_the_tables_name_the_files_that_were_written(written):
-    _, text = written
-    picture = "a.png: 513 x 456 pixels, 57 x 57 for each pixel of the PSF, square root of the values, 16 bit"
-    others = ["a.fits", "a.h5", "a.mat", "a.raw", "a.json", "a.pdf: square root of the values"]
-    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.npy", "a.npz", picture, *others]
-    with Image.open(written[0] / "a.png") as shown:
-        assert shown.size == (513, 456)
-
-
 def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lenses):
     instrument, psf = lm.load_instrument(lenses["phone"]), expected(lenses)
     lens = instrument.lens
@@ -115,19 +103,6 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
     assert printed["psf"]["peak"] == pytest.approx(1.0)
     assert printed["psf"]["energy"] == pytest.approx(psf.energy)
     assert printed["psf"]["error_bound"] == pytest.approx(psf.error_bound)
-
-
-def test_the_tables_show_what_the_json_says(written, printed):
-    _, text = written
-    lens, psf = re.split(r"^PSF\s*$", text, flags=re.MULTILINE)
-    name, line = lens.splitlines()[:2]
-    assert name == printed["name"]
-    assert line == "f = 3.99 mm, f/1.8, 530 nm; focus 500 mm, object 1.2 m; `lommel info` has its image quality"
-    values = dict(LINE.findall(psf))
-    assert values["method"] == "NijboerZernike(tol=1e-06)"
-    assert values["values"] == "8 x 9 float64, 1 = largest value"
-    assert values["energy in the window"] == f"{printed['psf']['energy']:.2%}"
-    assert values["error bound"] == f"each value within {printed['psf']['error_bound']:.2g} of the peak"
 
 
 def test_info_says_about_a_lens_what_psf_does(call_lommel, lenses, tmp_path, printed):
@@ -166,27 +141,6 @@ def test_compare_has_a_row_for_every_method(compared):
         assert min(figure.size) > 500
 
 
-def test_the_table_of_compare_shows_what_its_json_says(compared):
-    _, text, data = compared
-    assert text.startswith(f"{data['name']}\n6 x 7 pixels of 2.5 um, {HOW[data['sampling']]}\n")
-    shown = {line.split()[0]: line for line in text.splitlines()[3:]}
-    notes = {name: line for name, line in shown.items() if name.endswith(":")}
-    assert set(shown) - set(notes) == {row["name"] for row in data["rows"]} | {"wrote"}
-    assert [row["name"] for row in data["rows"]] == list(METHODS)
-    assert data["other_model"]["peak_error"] == 0.0
-    assert shown["model:"] == "model: paraxial; aplanatic, corrected for the object: identical"
-    for row in data["rows"]:
-        line = shown[row["name"]]
-        if row["reason"] is not None:
-            assert re.split(r"\s{2,}", line.strip()) == [row["name"], "-", "-", "-", "-"]
-            assert notes[f"{row['name']}:"] == f"{row['name']}: supports defocus only"
-            continue
-        time, mse, peak, bound = re.split(r"\s{2,}", line.strip())[1:5]
-        assert time.endswith(" ms")
-        for cell, value in ((mse, row["mse"]), (peak, row["peak_error"]), (bound, row["error_bound"])):
-            assert cell == ("-" if value is None else f"{value:.2g}")
-
-
 @pytest.mark.parametrize(
     ("arguments", "method"),
     [
@@ -209,40 +163,6 @@ def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_p
     assert result.returncode == 0, result.stderr
     assert lm.PSF.load(tmp_path / "a.npy").method == method
     assert repr(method)[:40] in result.stdout
-
-
-@pytest.mark.parametrize(
-    ("command", "example"),
-    [
-        ([], "  lommel psf     phone.toml -o psf.tif -o psf.png    # data and a picture"),
-        (["psf"], "  lommel psf phone.toml --object-distance 1.2m --tol 1e-9 -o phone.npz"),
-        (["info"], "  lommel info phone.toml --object-distance 3m"),
-        (["compare"], "  lommel compare phone.toml --figure methods.png"),
-    ],
-    ids=["lommel", "psf", "info", "compare"],
-)
-@pytest.mark.parametrize("flag", ["--help", "-h"])
-def test_the_help_of_every_command_shows_its_examples_each_on_its_line(call_lommel, tmp_path, command, example, flag):
-    result = call_lommel(*command, flag, folder=tmp_path)
-    assert (result.returncode, result.stderr) == (0, "")
-    assert result.stdout.startswith(f"Usage: lommel {' '.join(command)}".strip())
-    assert f"Usage: lommel {' '.join([*command, '[OPTIONS]', 'LENS' if command else 'COMMAND'])}" in result.stdout
-    assert example in [line[2:] for line in result.stdout.splitlines()]
-    assert "\\b" not in result.stdout
-
-
-def test_lens_files_in_the_help_are_examples_that_lommel_examples_copies():
-    texts = [main.help or "", *(command.help or "" for command in commands().values())]
-    # But for what a command writes.
-    named = {name for text in texts for name in re.findall(r"(?<!-o )\b[\w.-]+\.toml", text)}
-    assert named
-    assert {Path(name).stem for name in named} <= set(example_files())
-
-
-def test_each_command_is_listed_with_one_whole_sentence_of_a_line():
-    for name, command in commands().items():
-        assert (command.help or "").partition(".")[0] + "." == command.get_short_help_str(200), name
-        assert len(command.get_short_help_str(200)) <= 60, name
 
 
 def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
@@ -368,18 +288,6 @@ def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field
     assert [facts[name] is None for name in ("fwhm", "diameter_80")] == [waves > 0.0] * 2
 
 
-@pytest.mark.usefixtures("described_once")
-def test_energies_of_a_wavefront_that_depends_on_the_direction_come_with_a_bound(call_lommel, lenses, tmp_path):
-    text = lenses["newtonian-off-axis"].read_text(encoding="utf-8")
-    start, end = text.index("[aperture.spider]"), text.index("[aberrations]")
-    (tmp_path / "no-vanes.toml").write_text(text[:start] + text[end:], encoding="utf-8")
-    shown = call_lommel("info", "no-vanes.toml", folder=tmp_path).stdout
-    facts = json.loads(call_lommel("info", "no-vanes.toml", "--json", folder=tmp_path).stdout)
-    assert 0 < facts["encircled_energy_error"] < 1e-3
-    assert f"error of these fractions at most {facts['encircled_energy_error']:.1g}" in shown
-    assert 0 < facts["mtf50"] < facts["cutoff"]
-
-
 def test_the_method_is_chosen_by_the_pupil_unless_named(call_lommel, lenses, tmp_path):
     for lens, arguments, method in (
         ("phone", [], lm.NijboerZernike()),
@@ -414,27 +322,6 @@ def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, le
     facts = json.loads(call_lommel("info", lens, "--json", folder=tmp_path).stdout)
     # The one pixel of this window is on the axis.
     assert made["psf"]["peak"] == pytest.approx(facts["strehl"], rel=1e-8)
-
-
-def test_a_lens_without_such_terms_has_no_table_of_them(call_lommel, lenses, tmp_path):
-    shown = call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout
-    assert "Zernike" not in shown
-
-
-def test_another_model_that_changes_nothing_has_no_row_and_one_out_of_reach_a_short_one(
-    call_lommel, tmp_path, monkeypatch
-):
-    lens = '[lens]\nfocal_length = "50 mm"\nf_number = 8\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
-    (tmp_path / "sharp.toml").write_text(lens, encoding="utf-8")
-    assert "other model" not in call_lommel("info", "sharp.toml", folder=tmp_path).stdout
-    near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
-    assert "aplanatic for the object: PSF differs by" in dict(LINE.findall(near))["other model"]
-    close = dataclasses.replace(lm.load_instrument(tmp_path / "sharp.toml"), object_distance=10e-3)
-    told = other_model(close)
-    assert told["reason"] == "cannot be computed to the tolerance"
-    monkeypatch.setattr("lommel.lensfiles.image_quality.other_model", lambda instrument: told)
-    near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
-    assert dict(LINE.findall(near))["other model"] == "aplanatic: cannot be computed to the tolerance"
 
 
 def test_a_command_is_refused_without_what_others_need():

@@ -50,16 +50,6 @@ def test_a_stack_is_written_as_data_and_as_sections(folder, call_lommel):
     assert "4 x 5 x 6 float32" in result.stdout
 
 
-def test_one_plane_is_written_as_the_picture_of_a_psf(folder, call_lommel):
-    result = call_lommel("psf", "plane.toml", "--shape", 5, "-o", "a.png", "--plot", "b.png", folder=folder)
-    assert result.returncode == 0, result.stderr
-    assert lm.PSF.load(folder / "a.png").shape == (5, 5)
-    assert "sections" not in result.stdout
-    picture = "a.png: 515 x 515 pixels, 103 x 103 for each pixel of the PSF, square root of the values, 16 bit"
-    assert result.stdout.splitlines()[-2:] == [f"wrote {picture}", "wrote b.png: square root of the values"]
-    assert "emitter at a depth of 2 um" in result.stdout
-
-
 def test_the_json_is_what_python_says(folder, call_lommel):
     result = call_lommel("psf", "objective.toml", *STACK, "--json", "-o", "a.npy", folder=folder)
     facts = json.loads(result.stdout)
@@ -98,16 +88,6 @@ def test_info_shows_what_the_file_of_an_objective_has(name, folder, call_lommel)
     assert ("critical angle    none" in out) == (found.objective.critical_angle is None)
 
 
-def test_what_the_file_has_besides_is_told(folder, call_lommel):
-    out = call_lommel("info", ROOT / "examples" / "objectives" / "zeiss-100x-1.4-oil.toml", folder=folder).stdout
-    for told in (
-        "20 nm of index 1.46",
-        "immersion 1.518, cover glass 170 um of index 1.5255",
-        "60 deg from the axis",
-    ):
-        assert told in out
-
-
 def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel):
     file = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
     out = call_lommel("info", file, folder=folder).stdout
@@ -128,44 +108,25 @@ def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel
     assert (wide > 1.2 * tall) != (other_wide > 1.2 * other_tall)
 
 
-@pytest.mark.parametrize("columns", [60, 200])
-def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, monkeypatch):
-    from lommel.cli import output
-
-    monkeypatch.setattr(output.sys.stdout, "isatty", lambda: True, raising=False)
-    monkeypatch.setenv("COLUMNS", str(columns))
-    assert "…" not in call_lommel("info", "objective.toml", folder=folder).stdout
-
-
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (
-            ["psf", "objective.toml", "--object-distance", "1 m"],
-            "--object-distance is for lenses, and objective.toml",
-        ),
+        (["psf", "objective.toml", "--object-distance", "1 m"], "--object-distance is for lenses,"),
         (["info", "objective.toml", "--object-distance", "1 m"], "--depth sets the position of the emitter"),
         (["psf", "objective.toml", "--field", "2x2"], "--field is for lenses, and objective.toml describes a micro"),
+        (["psf", "objective.toml", "--colour"], "--colour is for lenses"),
+        (["psf", "objective.toml", "--mtf"], "--mtf is for lenses"),
+        (["psf", "objective.toml", "--seeing", "1"], "--seeing is for lenses"),
         (["psf", "lens.toml", "--stack", "3"], "--stack is for microscopes, files with a section [objective]; lens"),
         (["psf", "lens.toml", "--step", "1 um"], "--step is for microscopes"),
         (["psf", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
-        (["info", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["psf", "lens.toml", "--normalize", "emitted"], '--normalize "emitted" is for the pupils of an Objective'),
         (["psf", "objective.toml", "-m", "hankel"], "supports the pupils of a lens only"),
         (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
-        (["psf", "objective.toml", "--step", "0 nm"], "step must be of the stage, not 0 and below 10 mm, got 0 m"),
         (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, where the file has no stack"),
-        (
-            ["psf", "plane.toml", "--stack", "3"],
-            "--stack needs --step, where the file has no stack; Nyquist sampling needs at most 279 nm",
-        ),
+        (["psf", "plane.toml", "--stack", "3"], "--stack needs --step, where the file has no stack; Nyquist"),
         (["psf", "objective.toml", "--depth", "-1 um"], "depth is in metres and must be at least 0"),
         (["psf", "objective.toml", "--depth", "1 m"], 'for 1 um write "1 um", for 1 mm "1 mm"'),
-        (["psf", "objective.toml", "--depth", "2"], "'2' is a length without a unit"),
-        (["psf", "objective.toml", "--depth", "180 um"], "where the objective touches the cover glass"),
-        (["psf", "objective.toml", "--plot", "a.gif"], "a figure must end in .png, .pdf or .svg"),
-        (["psf", "objective.toml", "-o", "a.jpg"], "--output must end in .tif"),
-        (["info", "objective.toml", "--pixel", "6.5 m"], 'for 6.5 um write "6.5 um"'),
     ],
 )
 def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_line(

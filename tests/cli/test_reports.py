@@ -1,9 +1,8 @@
-"""What the command line says of a lens and of a PSF, for people and as data."""
+"""What the command line says of a lens, of a PSF and of a stack, for people and as data."""
 
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import json
 import re
 
@@ -12,9 +11,12 @@ import pytest
 
 import lommel as lm
 from lommel.cli import reports
+from lommel.cli.reports import describe_stack
 from lommel.lensfiles.image_quality import compare_methods
 from lommel.lensfiles.instrument import wide_enough
+from lommel.lensfiles.microscope_files import Microscope
 from lommel.show.drawing import HOW
+from objectives import MATCHED
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
@@ -66,19 +68,6 @@ def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses,
     assert ("sums of the values" in rows) == (sampling == "center")
 
 
-def test_a_window_that_loses_light_is_told_with_the_size_that_holds_it(call_lommel, lenses, tmp_path):
-    arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m")
-    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)["psf"]
-    assert facts["energy"] < 0.5
-    side = facts["wide_enough"]
-    shown = call_lommel(*arguments, folder=tmp_path).stdout
-    assert f"holds {facts['energy']:.0%} of the light; --shape {side} would hold about 98 %" in shown
-    wider = call_lommel(*arguments, "--shape", side, "--json", folder=tmp_path)
-    again = json.loads(wider.stdout)["psf"]
-    assert 0.97 < again["energy"] < 1.0
-    assert again["wide_enough"] is None
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.3, 0.6])
 @pytest.mark.parametrize("wavefront", [(0.0, 0.0), (10.0, 0.0), (-5.0, 8.0), (60.0, -20.0)], ids=str)
 @pytest.mark.parametrize("pixel", [0.4, 3.0])
@@ -87,14 +76,6 @@ def test_a_window_that_is_wide_enough_holds_about_98_per_cent(wavefront, obscura
     side = wide_enough(pupil, pixel)
     assert side % 2
     assert 0.97 < lm.psf(pupil, side, pixel).energy < 0.9995
-
-
-def test_distances_that_differ_are_shown_with_the_digits_it_takes(call_lommel, lenses, tmp_path):
-    rows = dict(LINE.findall(call_lommel("info", lenses["microscope-20x"], folder=tmp_path).stdout))
-    assert (rows["focus distance"], rows["object distance"]) == ("10.5 mm", "10.502 mm")
-    at_focus = call_lommel("info", lenses["phone"], "--object-distance", "0.5 m", folder=tmp_path)
-    rows = dict(LINE.findall(at_focus.stdout))
-    assert rows["focus distance"] == rows["object distance"] == "500 mm"
 
 
 def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
@@ -135,32 +116,32 @@ def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel
     assert facts["refused"]
 
 
-def test_the_axis_of_a_table_over_the_field_has_the_unit_of_the_others(call_lommel, lenses, tmp_path):
-    shown = call_lommel("psf", lenses["camera-field"], "--field", "1x3", "--shape", "5", folder=tmp_path).stdout
-    lines = shown.splitlines()
-    head, row = next(pair for pair in itertools.pairwise(lines) if pair[0].split()[:2] == ["-12", "mm"])
-    assert head.split() == ["-12", "mm", "0", "mm", "12", "mm"]
-    assert row.split()[:2] == ["0", "mm"]
-
-
-def test_methods_are_listed_with_their_options(call_lommel, tmp_path):
-    shown = call_lommel("methods", folder=tmp_path)
-    assert (shown.returncode, shown.stderr) == (0, "")
-    rows = json.loads(call_lommel("methods", "--json", folder=tmp_path).stdout)["methods"]
-    from lommel.cli.psf_command import build_method
-    from lommel.methods import METHODS
-
-    assert [row["name"] for row in rows] == list(METHODS)
-    for row in rows:
-        assert f"\n{row['name']} " in shown.stdout
-        # What is shown as the default is taken by --set, and is it.
-        settings = tuple(f"{name}={value}" for name, value in row["options"].items())
-        assert build_method(row["name"], settings) == METHODS[row["name"]]()
-
-
 def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
     instrument = dataclasses.replace(lm.load_instrument(lenses["phone"]), shape=(5, 5))
     for integrate, sampling in ((None, "pixel"), (True, "pixel"), (False, "center")):
         one = dataclasses.replace(instrument, integrate=integrate)
         _, answers = compare_methods(one, [lm.NijboerZernike()])
         assert {answer.sampling for answer in answers.values()} == {sampling}
+
+
+def microscope(**planes) -> Microscope:
+    return Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Scalar(), shape=(5, 6), **planes)
+
+
+def test_a_stack_is_described_plane_by_plane():
+    taken = microscope(planes=3, step=0.3e-6)
+    answer = lm.psf(taken.pupil(), taken.window, taken.pixel)
+    found = describe_stack(answer, 0.5).facts["psf"]
+    np.testing.assert_allclose(found["z"], [-0.3e-6, 0.0, 0.3e-6])
+    np.testing.assert_array_equal(found["focus"], answer.pupil.focus)
+    assert found["brightest"] == int(answer.values.max(axis=(1, 2)).argmax())
+    assert found["energy"] == pytest.approx(answer.energy)
+    assert found["shape"] == [3, 5, 6]
+    assert json.loads(json.dumps(found, allow_nan=False)) == found
+
+
+def test_one_plane_has_numbers_and_no_brightest():
+    taken = microscope()
+    found = describe_stack(lm.psf(taken.pupil(), taken.window, taken.pixel), 0.5).facts["psf"]
+    assert (found["z"], found["brightest"]) == (0.0, None)
+    assert found["energy"] == pytest.approx(float(lm.psf(taken.pupil(), taken.window, taken.pixel).energy))

@@ -11,7 +11,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
-from lommel.base.encoding import from_light, to_light
+from lommel.base.encoding import from_light
 from lommel.imaging import OnePass, RichardsonLucy, TotalVariation, depth_of_field, restore
 
 LENS = """\
@@ -103,13 +103,6 @@ def test_one_pass_is_that_of_python(call_lommel, folder):
     assert "--steps and --strength need --method richardson-lucy or total-variation" in refused.stderr
 
 
-def test_pictures_of_eight_bits_stay_such(call_lommel, folder):
-    ran(call_lommel("restore", "photo.png", "depth.npy", "lens.toml", *GIVEN, "-o", "sharp.png", folder=folder))
-    sharp, photo = (np.asarray(Image.open(folder / name)) for name in ("sharp.png", "photo.png"))
-    assert sharp.dtype == np.uint8
-    assert error(to_light("a", sharp, "srgb", np.float64)) < 0.85 * error(to_light("a", photo, "srgb", np.float64))
-
-
 def test_a_focus_that_is_wrong_is_told(call_lommel, folder):
     wrong = ("--white", 80000, "--read", 3, "--focus", "1.9 m")
     arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *wrong, "--json", "-o", "a.tif")
@@ -136,12 +129,9 @@ FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif
     [
         (FULL.replace("--white 5000 ", ""), "--white is missing: the number of electrons"),
         (FULL.replace("--read 3 ", ""), "--read is missing: the read noise"),
-        (FULL.replace("5000", "0"), "white must be > 0 electrons"),
         (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
-        (FULL.replace("sharp.tif", "sharp.bmp"), "--output must end in"),
         (f"{FULL} --strength 0.1", "--strength needs --method total-variation"),
         (f"{FULL} --method total-variation --target 0", "target must be > 0"),
-        (f"{FULL} --steps 0", "steps must be from 1"),
         (f"{FULL} --saturation -1", "saturation must be > 0"),
         (f"{FULL} --saturation 1e-6 --offset -1", "pixels that are neither masked, NaN nor saturated"),
     ],

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
 from functools import cache
 from pathlib import Path
 
@@ -15,7 +13,6 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
 from lommel.base.encoding import from_light
-from lommel.io import videos
 from scenes import ThinLens, averaged, plane, record, texture
 from video_files import frames_of, write_video
 
@@ -86,14 +83,6 @@ def test_colour_video_of_8_bits_is_sharpened_in_linear_light(folder, call_lommel
     assert off(green) < 0.9 * off(frames()[0].astype(float))
 
 
-@pytest.mark.parametrize(("crf", "told"), [("0", False), ("28", True)])
-def test_compression_that_leaves_less_than_noise_takes_is_told(crf, told, folder, call_lommel):
-    grey = [eight_bits(one) for one in frames()]
-    write_video(folder / "clip.mkv", grey, codec="libx264", stored="gray", crf=crf)
-    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", "-o", "o.mp4", folder=folder)
-    assert ("fine texture is lost with it" in result.stdout) is told
-
-
 def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     lm.imaging.write_photo(folder / "photo.tif", frames()[0] / 65535.0, encoding="linear", dtype=np.uint16)
     depth = np.full((SIDE // 4, SIDE // 4), AT)
@@ -105,46 +94,6 @@ def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     assert "\ndepth 1.5 m, focus 1.8 m, 8.3 % unknown\n" in result.stdout
     sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
     assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
-
-
-def test_a_depth_map_of_half_the_size_is_resampled_where_asked(folder, call_lommel):
-    lm.imaging.write_photo(folder / "photo.tif", frames()[0] / 65535.0, encoding="linear", dtype=np.uint16)
-    np.save(folder / "depth.npy", np.full((SIDE // 2, SIDE // 2), round(1000 * AT), np.uint16))
-    words = [
-        "photo.tif",
-        "lens.toml",
-        "--depth",
-        "depth.npy",
-        "--depth-scale",
-        "0.001",
-        "--encoding",
-        "linear",
-        *DEEP,
-    ]
-    refused = call_lommel("sharpen", *words, "-o", "sharp.tif", folder=folder)
-    assert refused.returncode == 2
-    assert '(96, 96) or (24, 24), got (48, 48); --resample "nearest" takes the nearest' in refused.stderr
-    result = call_lommel("sharpen", *words, "--resample", "nearest", "-o", "sharp.tif", folder=folder)
-    assert "\ndepth 1.5 m, focus 1.8 m\n" in result.stdout
-    sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
-    assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
-
-
-def test_ctrl_c_leaves_a_whole_file(folder, call_lommel, monkeypatch):
-    write, calls = videos.VideoWriter.__call__, []
-
-    def interrupted(self, values, seconds):
-        calls.append(seconds)
-        if len(calls) == 2:
-            os.kill(os.getpid(), signal.SIGINT)
-        return write(self, values, seconds)
-
-    monkeypatch.setattr(videos.VideoWriter, "__call__", interrupted)
-    result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
-    assert result.returncode == 0
-    assert "2 frames in " in result.stdout
-    assert "ended: interrupted" in result.stdout
-    assert len(frames_of(folder / "o.mkv")[0]) == 2
 
 
 def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):
@@ -162,8 +111,6 @@ def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):
     [
         (["clip.mkv", "-o", "o.mkv"], "give one of --at and --depth, got neither"),
         (["clip.mkv", "--at", "1m", "--depth", "d.tif", "-o", "o.mkv"], "give one of --at and --depth, got both"),
-        (["clip.mkv", "--at", "1m", "-o", "o.png"], "--output must end in .mkv, .mp4 for video, got '.png'"),
-        (["no.mkv", "--at", "1m", "-o", "o.mkv"], "no.mkv: No such file or directory"),
         (["lens.toml", "--at", "1m", "-o", "o.mkv"], "lens.toml holds no video"),
         (["clip.mkv", "--depth", "d.tif", "-o", "o.mkv"], "d.tif must have the shape (96, 96) or (24, 24)"),
     ],

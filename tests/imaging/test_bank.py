@@ -1,4 +1,4 @@
-"""Banks: windows between windows, the light they hold, and what is refused."""
+"""Windows of PSFs by depth: their light, their errors and their sizes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,19 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.imaging.bank import Bank, build_bank
-from lommel.imaging.sensor_light import SensorLight
+from lommel.imaging.sensor_light import (
+    DefocusNodes,
+    Parabola,
+    SensorLight,
+    cut,
+    find_cuts,
+    ring_shares,
+    shares_used,
+    sums_of_quarters,
+)
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.pixels.rule import octant, pixel_rule, sums_of_windows
+from lommel.optics.wavefront import wavefront as of_wavefront
 
 SCALE = {"wavelength": 550e-9, "f_number": 4.0}
 GREEN = ((550e-9, 1.0),)
@@ -248,3 +260,114 @@ def test_windows_are_no_closer_than_the_error_asks_for(tol):
         SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (-30.0, 36.0), tol=tol, energy=0.9, largest=60
     )
     assert tol / 20.0 <= made.error <= tol
+
+
+def octants(seed: int, count: int = 9, half: int = 8) -> np.ndarray:
+    """Windows of noise that falls outwards at a rate of its own each, of the sum 1."""
+    rng = np.random.default_rng(seed)
+    column, row = octant(half)
+    falls = rng.uniform(0.2, 1.5, (count, 1))
+    values = rng.uniform(0.5, 1.5, (count, column.size)) * np.exp(-falls * np.hypot(column, row))
+    return values / sums_of_windows(values, half)[:, -1:]
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(0.5, 0.999))
+def test_every_window_holds_what_was_asked_for(seed, energy):
+    values = octants(seed)
+    cuts = find_cuts(values, 8, energy)
+    assert np.all((cuts >= 0.0) & (cuts <= 8.0))
+    assert np.all(sums_of_quarters(cut(values, cuts)) >= energy - 1e-12)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_a_window_alone_holds_just_that_much(seed):
+    values = octants(seed, count=1)
+    energy = max(0.9, float(values[0, 0]))
+    held = sums_of_quarters(cut(values, find_cuts(values, 8, energy)))
+    np.testing.assert_allclose(held, energy, rtol=1e-12)
+
+
+def test_cuts_reach_as_far_as_those_of_the_neighbours():
+    values = octants(3)
+    alone = np.array([find_cuts(values[i : i + 1], 8, 0.9)[0] for i in range(len(values))])
+    padded = np.pad(alone, 1, mode="edge")
+    np.testing.assert_array_equal(find_cuts(values, 8, 0.9), np.max([padded[:-2], padded[1:-1], padded[2:]], axis=0))
+
+
+def test_rings_count_as_the_cuts_of_three_windows_say():
+    shares = ring_shares(np.array([2.0, 2.0, 3.5, 2.25]), 5)
+    np.testing.assert_allclose(shares[0], [1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
+    np.testing.assert_allclose(shares[1], [1.0, 1.0, 1.0, 1.0 / 6.0, 0.5 / 6.0, 0.0])
+    np.testing.assert_allclose(shares[2], [1.0, 1.0, 1.0, (4.0 + 0.25) / 6.0, 2.0 / 6.0, 0.0])
+    np.testing.assert_array_equal(shares_used(np.array([1.5]), 2)[0], [[1, 1, 0.5], [1, 1, 0.5], [0.5, 0.5, 0.5]])
+
+
+LENS = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=1.0, wavelength=550e-9, model="aplanatic")
+CASES = {
+    "paraxial": (lm.Wavefront, lambda _: 2.0, 0.0),
+    "spherical": (lambda c: lm.Wavefront(c) + lm.Wavefront(0.0, 9.0), lambda _: 2.0, 0.3),
+    "aplanatic": (LENS.phase, LENS.phase_rate, 0.0),
+}
+STEP, HALF = 16.0, 14
+
+
+def exact_of_defocus_nodes(phase, obscuration, defocus):
+    rule = pixel_rule(HALF, STEP)
+    pupil = lm.Pupil(phase(defocus), obscuration=obscuration)
+    means = NijboerZernike(1e-8).means(pupil, STEP * rule.radii, rule.matrix)
+    return STEP**2 / (4.0 * np.pi * (1.0 - obscuration**2)) * means
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(("low", "high"), [(-30.0, 50.0), (3.0, 3.15), (20.0, 55.0)])
+def test_windows_are_exact_anywhere_beside_their_own_peaks(name, low, high):
+    phase, rate, obscuration = CASES[name]
+    ends = np.array([low, 0.5 * (low + high), high])
+    parabola = Parabola.through(ends, exact_of_defocus_nodes(phase, obscuration, ends).max(axis=1))
+    asked = []
+
+    def windows(defocus):
+        asked.append(defocus.size)
+        return exact_of_defocus_nodes(phase, obscuration, defocus)
+
+    nodes = DefocusNodes.of(windows, low, high, parabola, rate=rate, bound=STEP**2 / (4.0 * np.pi))
+    defocus = np.append(np.random.default_rng(0).uniform(low, high, 60), [low, high])
+    made, error = nodes(defocus)
+    true = exact_of_defocus_nodes(phase, obscuration, defocus)
+    assert error <= 1e-7
+    assert (np.abs(made - true).max(axis=1) / true.max(axis=1)).max() <= error + 1e-8
+    assert asked == [pytest.approx(high - low + 30.0, abs=25.0)]
+
+
+def test_as_many_nodes_as_the_error_takes():
+    """Of a cosine that grows as fast as a window may: fewer would not do."""
+    nodes = DefocusNodes.of(
+        lambda c: np.cos(2.0 * c)[:, None] + 2.0, 0.0, 60.0, Parabola(0.0, 0.0, 1.0), rate=lambda _: 2.0, bound=3.0
+    )
+    defocus = np.linspace(0.0, 60.0, 777)
+    made, error = nodes(defocus)
+    assert np.abs(made[:, 0] - np.cos(2.0 * defocus) - 2.0).max() <= error * made.max()
+    assert np.abs(nodes.coefficients[60:]).max() > 1e-2
+    assert 1e-13 < np.abs(nodes.coefficients[-1]).max() < 1e-8
+
+
+@pytest.mark.parametrize("vergence", [0.02, 3.0, 15.0])
+@pytest.mark.parametrize("sphere", [-20.0, 0.0, 20.0])
+def test_phases_of_complex_defocus_differ_by_no_more_than_is_said(vergence, sphere):
+    radius = 18e-3
+    most = of_wavefront.growth(radius, sphere, vergence)
+    angle = np.linspace(0.0, 2.0 * np.pi, 400)[1:-1]
+    delta = vergence * np.concatenate([np.exp(1j * angle), 0.5 * np.exp(1j * angle)])
+    delta = delta[np.abs(delta.imag) > 1e-9 * vergence]
+    path = of_wavefront.path(np.linspace(0.0, 1.0, 101), radius, sphere, delta).imag / delta.imag[:, None]
+    found = (path.max(axis=1) - path.min(axis=1)).max()
+    assert found <= most * (1.0 + 1e-12)
+    assert most <= 2.5 * found
+
+
+def test_what_no_lens_does_is_refused():
+    assert aplanatic.growth(18e-3, 20.0, 200.0) == np.inf
+    with pytest.raises(
+        ValueError, match=r"depth spans C_d from 0 to 1e.05 rad, which takes .* PSFs, more than 20000"
+    ):
+        DefocusNodes.of(lambda c: c[:, None], 0.0, 1e5, Parabola(0.0, 0.0, 1.0), rate=lambda _: 2.0, bound=1.0)

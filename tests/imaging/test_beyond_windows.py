@@ -8,7 +8,6 @@ import pytest
 import lommel as lm
 from lommel.imaging import (
     DepthBlur,
-    FocusPlan,
     Occlusion,
     depth_of_field,
 )
@@ -272,12 +271,6 @@ def test_a_dark_object_in_focus_takes_but_the_halo_of_what_is_behind_it():
     assert np.abs(seen - Occlusion(wide).forward(light)).max() < 5e-3
 
 
-def test_where_nothing_hides_anything_points_that_hide_one_another_only_add():
-    image, _ = scene(6, (24, 30))
-    blur = DepthBlur(np.full((24, 30), 3.0), lens(), PIXEL, energy=1.0, dtype=np.float64)
-    assert np.abs(Occlusion(blur).forward(image) - blur.forward(image)).max() < 1e-8
-
-
 def test_points_may_be_put_elsewhere():
     image, depth = scene(7, (24, 30))
     blur = DepthBlur(depth, lens(4.0), PIXEL, energy=1.0, dtype=np.float64)
@@ -295,19 +288,6 @@ def test_threads_do_not_change_a_bit(threads):
     one, more = (DepthBlur(depth, lens(), PIXEL, threads=count, **given) for count in (1, threads))
     assert one.forward(light).tobytes() == more.forward(light).tobytes()
     assert one.adjoint(light).tobytes() == more.adjoint(light).tobytes()
-
-
-@pytest.mark.parametrize("occlusion", [False, True])
-def test_a_plan_makes_the_same_photograph_bit_for_bit(occlusion):
-    image, depth = scene(9, (24, 30))
-    given = {"encoding": "srgb", "energy": 1.0, "occlusion": occlusion}
-    plan = FocusPlan(image.astype(np.float32), depth, lens(4.0), PIXEL, **given)
-    for distance in (2.4, 2.2, 2.4):
-        there = lens(4.0).focused(distance)
-        made = depth_of_field(image.astype(np.float32), depth, there, PIXEL, **given)
-        again = plan(focus_distance=distance)
-        assert again.values.tobytes() == made.values.tobytes()
-        assert (again.lost, again.error) == (0.0, made.error)
 
 
 def test_tiles_and_chunks_refuse_what_reaches_all_of_the_image():

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import BlurSlopes, DepthBlur, Occlusion, depth_of_field, restore_with
-from lommel.imaging import blur as blur_module
+from lommel.imaging import BlurSlopes, DepthBlur, depth_of_field, restore_with
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -78,23 +77,6 @@ def test_threads_do_not_change_a_bit(threads):
     first = blur.forward(image.astype(np.float32))
     blur.threads = threads
     assert blur.forward(image.astype(np.float32)).tobytes() == first.tobytes()
-
-
-@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
-@pytest.mark.parametrize("occlusion", [False, True])
-def test_who_watches_hears_of_every_point_and_changes_nothing_but_rounding(border, occlusion, monkeypatch):
-    image, depth = scene(300, 40)
-    monkeypatch.setattr(blur_module, "_BAND", 64 * 40)
-    plain, watched = (DepthBlur(depth, LENS, PIXEL, border=border, dtype=np.float64) for _ in range(2))
-    heard = []
-    watched.watch = heard.append
-    first, second = ((Occlusion(one) if occlusion else one).forward(image) for one in (plain, watched))
-    assert np.abs(first - second).max() < 1e-13
-    assert len(heard) > 3
-    # Those of the image, and without occlusion copies of its edges beyond.
-    assert sum(heard) >= image.size
-    if border != "extend" or occlusion:
-        assert sum(heard) == image.size
 
 
 def test_an_object_in_focus_stays_sharp_and_one_out_of_focus_does_not():

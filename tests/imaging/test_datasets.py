@@ -16,8 +16,6 @@ import lommel as lm
 from lommel.imaging import DepthBlur, LensRanges, Occlusion, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
-from read_only import read_only
-from small_disk import small_disk
 
 LENSES = LensRanges(focal_length=(30e-3, 50e-3), f_number=(2.0, 8.0), focus_distance=(1.0, np.inf), pixel=30e-6)
 SHAPE = (20, 26)
@@ -229,40 +227,6 @@ def test_what_cannot_be_read_is_left_out_and_what_cannot_be_written_is_an_error(
         rendered(files, "full", psfs=0, on_error="skip")
 
 
-def test_the_command_leaves_out_what_it_cannot_use_and_says_so(files):
-    (files / "depths" / "a.tif").write_bytes(b"not an image")
-    command = ["blur", "--batch", "photos", "depths", "--focal-length", "50mm", "--f-number", "4", "--focus", "1.2m"]
-    run = [sys.executable, "-m", "lommel", *command, "--pixel", "30um", "--psfs", "0", "--copies", "2", "-o", "set"]
-    made = subprocess.run([*run, "--json"], cwd=files, capture_output=True, text=True, check=False)
-    assert made.returncode == 3
-    assert made.stderr.startswith("Left out: depths/a.tif ")
-    assert made.stderr.count("\n") == 1  # once for both copies
-    facts = json.loads(made.stdout)
-    assert (facts["rendered"], [each["number"] for each in facts["failed"]]) == (2, [0, 1])
-    (files / "depths" / "b.tif").write_bytes(b"not an image")
-    run[-1] = "other"
-    nothing = subprocess.run(run, cwd=files, capture_output=True, text=True, check=False)
-    assert nothing.returncode == 2
-    assert "no picture could be rendered: depths/a.tif" in nothing.stderr
-
-
-def test_the_command_tells_depth_foci_and_what_can_hardly_be_meant(files, call_lommel):
-    depth = np.where(np.arange(SHAPE[1]) < 10, 1000.0, 1800.0) * np.ones(SHAPE)
-    depth[0, :13] = -1.0
-    lm.imaging.write_photo(files / "photos" / "c.png", np.zeros((*SHAPE, 3)))
-    np.save(files / "depths" / "c.npy", depth)
-    command = ["blur", "--batch", "photos", "depths", "--focal-length", "50mm", "--f-number", "8", "--focus", "1.2m"]
-    more = ["--pixel", "30um", "--psfs", "0", "--unknown", "-1", "--missing", "nearest", "-o", "set"]
-    made = call_lommel(*command, *more, folder=files)
-    lines = made.stdout.splitlines()
-    assert lines[0] == f"depth 1 m to 1800 m, focus 1.2 m, {100.0 * 13 / 520 / 3:.2g} % unknown"
-    # 50^2 / (8 * 0.06) + 50 mm.
-    text = "note: photos/c.png: all of the depth, 1000 m to 1800 m, is beyond the hyperfocal distance, 5.258 m"
-    assert " ".join(line.strip() for line in lines[3:]).startswith(text)
-    facts = json.loads((files / "set" / "000002.json").read_text())
-    assert (facts["depth_range"], facts["depth_unknown"]) == ([1000.0, 1800.0], pytest.approx(13 / 520))
-
-
 def test_maps_of_inverse_depth_and_half_the_size_are_rendered(files):
     for stem in ("a", "b"):
         (files / "depths" / f"{stem}.tif").unlink()
@@ -370,41 +334,3 @@ def test_damaged_shards_and_records_are_named(files):
         (files / "set" / "dataset.json").write_text(text)
         with pytest.raises(ValueError, match=r"dataset\.json is damaged; remove .*set, or give another folder"):
             rendered(files, shard=2, psfs=0)
-
-
-def test_one_call_at_a_time_renders_into_a_folder(files):
-    first = render_dataset(files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=2, psfs=0)
-    next(first)
-    with pytest.raises(ValueError, match="set is being written by another call; wait until that has ended"):
-        rendered(files, psfs=0)
-    assert [each.number for each in first] == [1, 2, 3]
-    assert rendered(files, psfs=0) == []
-
-
-@pytest.mark.parametrize("shard", [None, 2])
-def test_neighbours_with_likely_names_are_left_and_no_link_is_followed(files, shard):
-    (files / "mine").mkdir()
-    (files / "mine" / "precious.txt").write_text("mine")
-    likely = ["set.old", "set.partial", "set.new", "set.tmp", ".set.unfinished"]
-    for name in likely:
-        (files / name).symlink_to(files / "mine")
-    rendered(files, psfs=0, shard=shard)
-    assert [path.name for path in (files / "mine").iterdir()] == ["precious.txt"]
-    assert sorted(path.name for path in files.iterdir()) == sorted(["photos", "depths", "mine", "set", *likely])
-
-
-@pytest.mark.parametrize("shard", [None, 3])
-def test_a_disk_that_gets_full_is_told_with_the_name_and_the_rest_is_rendered_later(files, shard):
-    with small_disk(1500), pytest.raises(OSError, match=r"'[^']*/set/[^']*'$") as told:
-        rendered(files, psfs=0, shard=shard)
-    assert ".lommel-" not in str(told.value)
-    assert len(rendered(files, psfs=0, shard=shard)) == 4
-    assert not list((files / "set").rglob(".lommel-*"))
-
-
-@pytest.mark.parametrize("there", [False, True], ids=["new", "begun"])
-def test_a_folder_that_is_read_only_is_told_by_its_name(files, there):
-    if there:
-        next(render_dataset(files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=2, psfs=0))
-    with read_only(), pytest.raises(OSError, match=r"Read-only file system: '[^']*/set'$"):
-        rendered(files, psfs=0)

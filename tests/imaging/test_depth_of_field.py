@@ -1,7 +1,8 @@
-"""Photographs: planes against convolution, light, colour, types, distances, and gaps in the depth."""
+"""Depth of field: photographs, and notes of depth that cannot be meant."""
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from functools import partial
 
@@ -10,6 +11,7 @@ import pytest
 from scipy.signal import fftconvolve
 
 import lommel as lm
+from lommel import imaging
 from lommel.imaging import (
     RED_GREEN_BLUE,
     DepthBlur,
@@ -79,14 +81,6 @@ def test_objects_at_infinity_are_the_limit_of_far_ones():
     assert np.abs(a - SCENE).max() > 0.1
 
 
-def test_depth_may_be_of_any_floats():
-    depth = np.where(np.arange(60) < 30, 2, 5) * np.ones((50, 1))
-    a, b = (
-        depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear").values for d in (depth, depth.astype(np.float16))
-    )
-    assert np.array_equal(a, b)
-
-
 @pytest.mark.parametrize(
     ("kind", "step"), [(np.uint8, 1 / 255), (np.uint16, 1 / 65535), (np.float16, 1e-3), (np.float32, 1e-6)]
 )
@@ -95,16 +89,14 @@ def test_photographs_have_the_type_of_the_image(kind, step, encoding):
     most = np.iinfo(kind).max if np.dtype(kind).kind == "u" else 1.0
     image = (SCENE * most).astype(kind)
     depth = np.full(SCENE.shape, 1.8)
-    values = depth_of_field(image, depth, LENS, PIXEL, encoding=encoding).values
+    told = []
+    photograph = depth_of_field(image, depth, LENS, PIXEL, encoding=encoding, progress=lambda *at: told.append(at))
+    values = photograph.values
+    assert told == [(1, 1)]
+    assert np.array_equal(photograph, values)
     exact = depth_of_field(image.astype(float) / most, depth, LENS, PIXEL, encoding=encoding, dtype=np.float64).values
     assert values.dtype == kind
     assert np.abs(values.astype(float) / most - exact).max() <= step
-
-
-def test_a_photograph_is_an_array():
-    photograph = depth_of_field(SCENE, np.full(SCENE.shape, 2.0), LENS, PIXEL, encoding="linear")
-    assert np.asarray(photograph).shape == SCENE.shape
-    assert np.array_equal(np.asarray(photograph, dtype=np.float32), photograph.values.astype(np.float32))
 
 
 def test_in_focus_shorter_wavelengths_blur_less():
@@ -183,9 +175,7 @@ WAYS = [depth_of_field, FocusPlan, partial(depth_of_field, tile=32), _chunks]
     ],
 )
 def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
-    with pytest.raises(
-        ValueError, match=r"lens must have a round aperture.* leave these out, or blur by lommel.imaging.FieldBlur"
-    ):
+    with pytest.raises(ValueError, match=r"lens must have a round aperture.* leave these out, or blur by"):
         way(np.ones((61, 61)), np.full((61, 61), 4.0), replace(LENS, **shape), 8e-6, encoding="linear")
 
 
@@ -212,3 +202,70 @@ def test_a_photograph_has_the_focus_of_each_colour():
         assert found.values[20, 20, k] * (1.0 - found.lost) == pytest.approx(exact[20, 20], rel=2e-3)
     # The blue is out of focus by more than any defocus that is the same path in all light.
     assert found.values[20, 20, 2] < 0.2 * found.values[20, 20, 1]
+
+
+LENS_DEPTH_NOTES = lm.Lens(focal_length=50e-3, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
+PIXEL_DEPTH_NOTES = 40e-6
+SCENE_DEPTH_NOTES = np.full((24, 32), 0.5)
+NOISE = lm.Noise(white=5000, read=3.0)
+
+
+WAYS_DEPTH_NOTES = {
+    "depth_of_field": lambda depth: imaging.depth_of_field(
+        SCENE_DEPTH_NOTES, depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES, encoding="linear"
+    ),
+    "tiles": lambda depth: imaging.depth_of_field(
+        SCENE_DEPTH_NOTES, depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES, encoding="linear", tile=16
+    ),
+    "plan": lambda depth: imaging.FocusPlan(
+        SCENE_DEPTH_NOTES, depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES, encoding="linear"
+    ),
+    "blur": lambda depth: imaging.DepthBlur(depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES),
+    "restore": lambda depth: imaging.restore(
+        SCENE_DEPTH_NOTES,
+        depth,
+        LENS_DEPTH_NOTES,
+        PIXEL_DEPTH_NOTES,
+        encoding="linear",
+        noise=NOISE,
+        method=imaging.RichardsonLucy(steps=1),
+    ),
+}
+
+
+@pytest.mark.parametrize("way", WAYS_DEPTH_NOTES)
+def test_integers_are_refused_with_the_way_out(way):
+    for kind in (np.uint16, np.int64):
+        with pytest.raises(TypeError, match=rf"floats, got {np.dtype(kind)}; .* millimetre give 0\.001 \* depth"):
+            WAYS_DEPTH_NOTES[way](np.full(SCENE_DEPTH_NOTES.shape, 2000, kind))
+    WAYS_DEPTH_NOTES[way](0.001 * np.full(SCENE_DEPTH_NOTES.shape, 2000, np.uint16))
+
+
+@pytest.mark.parametrize("way", WAYS_DEPTH_NOTES)
+def test_depth_beyond_the_hyperfocal_distance_is_told(way):
+    with pytest.warns(UserWarning, match=r"all of the depth, 1900 m to 2200 m, is beyond the hyperfocal .* 15\.68 m"):
+        WAYS_DEPTH_NOTES[way](np.linspace(1900.0, 2200.0, SCENE_DEPTH_NOTES.size).reshape(SCENE_DEPTH_NOTES.shape))
+
+
+def test_depth_within_the_focal_length_is_told_before_its_blur_is_refused():
+    with (
+        pytest.warns(
+            UserWarning, match=r"all of the depth, 2 mm, is within the focal length, 50 mm: is it in metres\?"
+        ),
+        pytest.raises(ValueError, match="windows of more than"),
+    ):
+        imaging.DepthBlur(np.full(SCENE_DEPTH_NOTES.shape, 0.002), LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES)
+
+
+@pytest.mark.parametrize("tile", [None, 16])
+def test_light_far_beyond_white_is_told(tile):
+    depth = np.full(SCENE_DEPTH_NOTES.shape, 2.0)
+    for peak in (9.9, 10.1):
+        scene = SCENE_DEPTH_NOTES.copy()
+        scene[3, 4] = peak
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            imaging.depth_of_field(scene, depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES, encoding="linear", tile=tile)
+        words = [str(each.message) for each in told]
+        assert words == ([] if peak < 10.0 else ["there is light of 10.1 times white, which is 1 in floats; divide "
+                                                 "them by their white"])  # fmt: skip

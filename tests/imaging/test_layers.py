@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import DepthBlur, Occlusion, depth_of_field
+from lommel.imaging import DepthBlur, Occlusion
 from lommel.imaging.occlusion import MOST_LAYERS, Layering, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -174,12 +174,6 @@ def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     assert list(made.layers[0, [0, -1]]) == [0, MOST_LAYERS - 1]
 
 
-def test_occlusion_is_asked_for_by_a_truth_value():
-    image = np.zeros((5, 6))
-    with pytest.raises(TypeError, match="occlusion must be True or False, got 'yes'"):
-        depth_of_field(image, np.full((5, 6), 2.0), LENS, PIXEL, encoding="linear", occlusion="yes")
-
-
 @pytest.mark.parametrize(
     ("light", "error", "message"),
     [
@@ -192,15 +186,3 @@ def test_light_that_does_not_fit_is_refused(light, error, message):
     blur = DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL)
     with pytest.raises(error, match=message):
         Occlusion(blur).forward(light)
-
-
-def test_photographs_are_taken_with_and_without_it():
-    image = np.full((HEIGHT, WIDTH, 3), 220, np.uint8)
-    image[:, BAR] = 40
-    hidden, added = (
-        depth_of_field(image, bar(2.0, 8.0), LENS, PIXEL, encoding="srgb", occlusion=on).values
-        for on in (True, False)
-    )
-    inside = slice(BAR.start + 2, BAR.stop - 2)
-    assert np.all(hidden[:, inside] == 40)
-    assert np.all(added[:, BAR.start + 2] > 80)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel.imaging import DepthBlur, FocusPlan, Occlusion, depth_of_field
+from lommel.imaging import DepthBlur, Occlusion
 from lommel.imaging.occlusion import MOST_LAYERS, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -203,18 +203,6 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     own = {id(blur.positions(channel)) for channel in range(3)}
     kept = sum(array.nbytes for name, array in arrays.items() if name not in own)
     assert kept <= 2 * 40 * one.size
-
-
-def test_plans_keep_what_hides_what(monkeypatch):
-    rng, made = np.random.default_rng(8), []
-    depth, image = torn(rng), rng.random((17, 22)).astype(np.float32)
-    monkeypatch.setattr("lommel.imaging.occlusion._layering", lambda *given: made.append(1) or _layering(*given))
-    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear", largest=20)
-    frames = [plan(focus_distance=distance).values for distance in (2.0, 2.2, 2.0, 2.2)]
-    assert len(made) == 2
-    assert np.array_equal(frames[0], frames[2])
-    whole = depth_of_field(image, depth, LENS.focused(2.2), PIXEL, encoding="linear", largest=20)
-    assert np.array_equal(frames[3], whole.values)
 
 
 def test_what_does_not_fit_is_refused():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from dataclasses import fields
 
 import numpy as np
@@ -12,31 +11,11 @@ import lommel as lm
 from lommel.cli.photo_commands import blur, restore
 from lommel.imaging import DepthBlur, FocusPlan, depth_of_field
 from lommel.imaging.photograph import TileBlur
-from lommel.imaging.settings import BlurKeywords, Keywords, Settings
+from lommel.imaging.settings import Settings
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 IMAGE, DEPTH = np.random.default_rng(0).random((20, 24)).astype(np.float32), np.full((20, 24), 2.1)
 DEFAULTS = {field.name: field.default for field in fields(Settings)}
-
-
-def options(door):
-    return {name: p.default for name, p in inspect.signature(door).parameters.items() if name in DEFAULTS}
-
-
-def test_type_checkers_know_every_setting_by_its_type():
-    assert {**Keywords.__annotations__}.keys() == DEFAULTS.keys()
-    known = {name: getattr(t, "__forward_arg__", t) for name, t in Keywords.__annotations__.items()}
-    assert known == {field.name: field.type for field in fields(Settings)}
-
-
-@pytest.mark.parametrize("door", [DepthBlur, FocusPlan, depth_of_field])
-def test_a_door_shows_every_setting_with_its_default_and_its_text(door):
-    wanted = DEFAULTS if door is not DepthBlur else {name: DEFAULTS[name] for name in BlurKeywords.__annotations__}
-    assert options(door) == wanted
-    text = inspect.getdoc(door)
-    assert "{options}" not in text
-    assert [name for name in wanted if text.count(f"\n{name} : ") != 1] == []
-    assert "Fraction of a point's light that its window must hold, 0.5 to 0.9999, or 1." in text
 
 
 @pytest.mark.parametrize(("command", "needed"), [(blur, ""), (restore, "--white 1 --read 1")])

@@ -44,14 +44,6 @@ def test_tiles_make_the_same_photograph_as_one_piece(border, side, channels):
     assert whole.window > 9
 
 
-def test_tiles_agree_to_double_precision_where_that_is_asked_for():
-    image, depth = scene(dtype=np.float64)
-    options = {"encoding": "linear", "dtype": np.float64}
-    whole = depth_of_field(image, depth, LENS, PIXEL, **options)
-    tiled = depth_of_field(image, depth, LENS, PIXEL, tile=20, **options)
-    assert np.abs(tiled.values - whole.values).max() < 1e-14
-
-
 def test_objects_at_infinity_and_holes_are_tiled_too():
     image, depth = scene(dtype=np.uint8)
     depth[5:9, 60:70] = np.nan
@@ -145,22 +137,6 @@ def test_memory_maps_are_done_by_tiles_of_a_side_that_is_chosen(tmp_path, monkey
     assert told[-1] == (6, 6)
     by_hand = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", tile=40)
     assert np.array_equal(made.values, by_hand.values)
-
-
-def test_the_whole_takes_what_tiles_take():
-    image, depth = scene()
-    whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
-    out, told = np.empty_like(image), []
-    made = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", out=out, progress=lambda *at: told.append(at))
-    assert made.values is out
-    assert np.array_equal(out, whole)
-    assert told == [(1, 1)]
-    # As windows are those of the depths that are named, one tile is the whole.
-    same = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", depths=(depth.min(), depth.max()))
-    assert np.array_equal(same.values, whole)
-    wider = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", depths=(1.6, 2.6), occlusion=False)
-    added = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", occlusion=False)
-    assert 0.0 < np.abs(wider.values - added.values).max() < 1e-3
 
 
 def test_memory_is_that_of_a_tile_whatever_the_image():

@@ -7,7 +7,6 @@ import struct
 
 import numpy as np
 import pytest
-import tifffile
 from PIL import Image, TiffImagePlugin
 
 from lommel.imaging import Exif, PhotoError, read_photo, write_photo
@@ -72,50 +71,6 @@ def test_a_photograph_made_of_another_has_its_camera_date_lens_and_place(tmp_pat
     assert again.values.shape == read.values.shape
     assert again.exif == read.exif == Exif(0.05, 1.8)
     assert again.exif.block == read.exif.block
-
-
-def test_a_tiff_with_exif_has_the_same_values_for_others(tmp_path):
-    exif = Exif(block=block()[6:])
-    light = VALUES[..., 0] / 255.0
-    for dtype in (np.uint8, np.float32):
-        write_photo(tmp_path / "a.tif", light, dtype=dtype, profile=b"of colours")
-        write_photo(tmp_path / "b.tif", light, dtype=dtype, profile=b"of colours", exif=exif)
-        with tifffile.TiffFile(tmp_path / "b.tif") as file:
-            assert len(file.pages) == 1
-            assert np.array_equal(file.pages[0].asarray(), tifffile.imread(tmp_path / "a.tif"))
-            assert file.pages[0].iccprofile == b"of colours"
-            assert file.pages[0].tags["ExifTag"].value["LensModel"] == "RF50mm F1.8 STM"
-            assert file.pages[0].tags["Software"].value.startswith("lommel ")
-
-
-def test_either_order_of_bytes_is_read(tmp_path):
-    for order in ("II", "MM"):
-        Image.fromarray(VALUES).save(tmp_path / f"{order}.jpg", exif=block(order))
-    one, other = (read_photo(tmp_path / f"{order}.jpg").exif for order in ("II", "MM"))
-    assert block("MM")[6:8] == b"MM"
-    assert one.block == other.block
-    assert one.block[:4] == b"II*\0"
-
-
-def test_letters_beyond_ascii_stay_what_they_are(tmp_path):
-    tags = Image.Exif()
-    tags[0x8298] = "© Käthe".encode()
-    Image.fromarray(VALUES).save(tmp_path / "a.png", exif=tags.tobytes())
-    read = read_photo(tmp_path / "a.png")
-    for name in ("b.tif", "b.jpg"):
-        write_photo(tmp_path / name, read.light(), exif=read.exif)
-        assert "© Käthe".encode() in (tmp_path / name).read_bytes()
-
-
-def test_exif_without_any_of_it_leaves_files_as_they_were(tmp_path):
-    tags = Image.Exif()
-    tags[0x0112] = 3
-    Image.fromarray(VALUES).save(tmp_path / "a.png", exif=tags.tobytes())
-    read = read_photo(tmp_path / "a.png")
-    assert read.exif.block is None
-    write_photo(tmp_path / "b.png", read.light(), exif=read.exif)
-    write_photo(tmp_path / "c.png", read.light())
-    assert (tmp_path / "b.png").read_bytes() == (tmp_path / "c.png").read_bytes()
 
 
 def test_damaged_exif_is_left_out_or_refused_and_never_grows(tmp_path):

@@ -10,7 +10,6 @@ import pytest
 import tifffile
 
 import lommel as lm
-from lommel.io import psf_files, psf_formats
 
 OBJECTIVE = lm.Objective(
     NA=1.2,
@@ -85,20 +84,6 @@ def test_a_kind_of_pupil_that_is_not_known_is_told(tmp_path):
         lm.PSF.load(tmp_path / "a.npy")
 
 
-def test_a_file_that_does_not_say_what_kind_its_pupil_is_is_that_of_a_lens(tmp_path):
-    psf = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 5, 0.5)
-    description = psf_files.describe(psf)
-    assert description["pupil"].pop("kind") == "Pupil"
-    (tmp_path / "a.npy").write_bytes(psf_formats.write_npy(psf, description))
-    assert lm.PSF.load(tmp_path / "a.npy").pupil == psf.pupil
-
-
-def test_one_plane_has_neither_a_step_nor_a_word_about_steps(tmp_path):
-    root, description = xml(made(0.0), tmp_path)
-    assert "PhysicalSizeZ" not in root.find(".//{*}Pixels").attrib
-    assert "planes" not in description
-
-
 def test_sizes_are_those_in_the_sample_and_of_the_stage(tmp_path):
     root, description = xml(made(), tmp_path)
     pixels = root.find(".//{*}Pixels").attrib
@@ -108,23 +93,6 @@ def test_sizes_are_those_in_the_sample_and_of_the_stage(tmp_path):
     assert (pixels["SizeZ"], pixels["SizeY"], pixels["SizeX"]) == ("5", "4", "5")
     assert [float(plane.get("PositionZ")) for plane in root.findall(".//{*}Plane")] == [-0.2, -0.1, 0.0, 0.1, 0.2]
     assert "planes" not in description
-
-
-def test_the_objective_its_light_and_its_layers_are_told_in_the_order_of_the_schema(tmp_path):
-    root, _ = xml(made(), tmp_path)
-    objective, settings = root.find(".//{*}Instrument/{*}Objective"), root.find(".//{*}ObjectiveSettings")
-    assert (float(objective.get("LensNA")), float(objective.get("NominalMagnification"))) == (1.2, 60.0)
-    assert settings.get("ID") == objective.get("ID")
-    assert float(settings.get("RefractiveIndex")) == 1.333
-    channel = root.find(".//{*}Channel").attrib
-    assert (float(channel["EmissionWavelength"]), channel["EmissionWavelengthUnit"]) == (520.0, "nm")
-    told = {entry.get("K"): entry.text for entry in root.findall(".//{*}MapAnnotation//{*}M")}
-    assert told["refractive index of the sample"] == "1.36"
-    assert told["refractive index of the cover glass"] == "1.5255"
-    assert told["depth of the emitter in um"] == "2"
-    order = ["Description", "InstrumentRef", "ObjectiveSettings", "Pixels", "AnnotationRef"]
-    assert [part.tag.partition("}")[2] for part in root.find("{*}Image")] == order
-    assert [part.tag.partition("}")[2] for part in root] == ["Instrument", "Image", "StructuredAnnotations"]
 
 
 def test_light_that_is_focused_into_the_sample_has_a_wavelength_of_excitation(tmp_path):
@@ -140,9 +108,3 @@ def test_planes_that_are_not_evenly_spaced_have_no_step_and_the_description_says
     assert description["planes"].startswith("planes are not evenly spaced along z")
     places = [float(plane.get("PositionZ")) for plane in root.findall(".//{*}Plane")]
     np.testing.assert_allclose(places, 1e6 * z.ravel(), rtol=1e-11)
-
-
-def test_planes_from_below_upwards_have_a_positive_step(tmp_path):
-    root, _ = xml(made(EVEN[::-1]), tmp_path)
-    assert float(root.find(".//{*}Pixels").get("PhysicalSizeZ")) == 0.1
-    assert float(root.find(".//{*}Plane").get("PositionZ")) == 0.2

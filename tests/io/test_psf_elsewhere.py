@@ -20,10 +20,9 @@ from astropy.io import fits
 from astropy.wcs import WCS
 from scipy.io.matlab import matfile_version
 
-import format_table
 import lommel as lm
 from lommel.base.checksums import sealed
-from lommel.io import field_files, psf_files, registry
+from lommel.io import psf_files
 from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
@@ -74,12 +73,6 @@ def test_a_fits_header_has_the_scale_on_the_sky_and_the_light_as_poppy_writes_th
     cards = header(PLAIN, tmp_path)
     assert cards["PIXELSZ"] == 0.5
     assert not {"PIXELSCL", "WAVELEN", "CUNIT1", "XPIXSZ"}.intersection(cards)
-
-
-def test_a_lens_without_distances_has_no_scale_on_the_sky(tmp_path):
-    cards = header(lm.psf(lm.Pupil(wavelength=5e-7, f_number=4.0), 5, 1e-6), tmp_path)
-    assert "PIXELSCL" not in cards
-    assert cards["CDELT1"] == 1e-6
 
 
 def test_the_coordinates_of_fits_are_metres_from_the_axis(tmp_path):
@@ -156,16 +149,6 @@ def test_a_mat_file_is_one_of_matlab_whose_first_axis_is_rows(psf, tmp_path):
         assert text == psf.unit
 
 
-@pytest.mark.parametrize("suffix", [".h5", ".mat"])
-def test_no_bit_of_hdf5_may_turn_in_what_is_no_value_either(suffix, tmp_path):
-    SINGLE.save(tmp_path / f"a{suffix}")
-    whole = (tmp_path / f"a{suffix}").read_bytes()
-    for at in range(512, len(whole), 211):
-        (tmp_path / f"a{suffix}").write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
-        with pytest.raises(FileError, match="its checksum does not match: it is damaged"):
-            lm.PSF.load(tmp_path / f"a{suffix}")
-
-
 @each
 def test_bare_numbers_are_told_by_the_text_beside_them(psf, tmp_path):
     psf.save(tmp_path / "a.raw")
@@ -176,13 +159,6 @@ def test_bare_numbers_are_told_by_the_text_beside_them(psf, tmp_path):
     np.testing.assert_array_equal(np.reshape(values, said["shape"]), psf.values)
     assert (said["byte_order"], said["order"], said["pixel"], said["unit"]) == ("little", "C", psf.pixel, psf.unit)
     assert said["axes"][-2:] == ["y", "x"]
-
-
-def test_bare_numbers_are_written_with_their_text_or_not_at_all(tmp_path, monkeypatch):
-    (tmp_path / "a.json").mkdir()
-    with pytest.raises(OSError, match=r"a\.json"):
-        SINGLE.save(tmp_path / "a.raw")
-    assert [path.name for path in tmp_path.iterdir()] == ["a.json"]
 
 
 def test_bare_numbers_without_their_text_or_of_another_size_are_told(tmp_path):
@@ -209,14 +185,6 @@ def test_the_text_beside_bare_numbers_is_no_file_of_its_own(tmp_path):
             call(tmp_path / "a.json")
 
 
-def test_archives_that_hold_their_description_as_text_still_load(tmp_path):
-    SINGLE.save(tmp_path / "a.npz")
-    with np.load(tmp_path / "a.npz") as archive:
-        text = archive["description"].tobytes().decode()
-    np.savez_compressed(tmp_path / "old.npz", values=SINGLE.values, description=np.array(text))
-    np.testing.assert_array_equal(lm.PSF.load(tmp_path / "old.npz").values, SINGLE.values)
-
-
 def test_the_same_psf_gives_the_same_bytes_at_any_time(tmp_path, monkeypatch):
     written = []
     for when in (1e9, 1.5e9):
@@ -240,20 +208,6 @@ def test_the_program_of_the_page_reads_the_middle_of_bare_numbers(tmp_path):
     subprocess.run(["c++", "-std=c++17", "-Wall", "-o", "read", "read.cpp"], cwd=tmp_path, check=True)
     found = subprocess.run(["./read"], cwd=tmp_path, capture_output=True, text=True, check=True).stdout
     assert float(found) == pytest.approx(float(psf.values[40, 40]), rel=1e-5)
-
-
-def test_the_table_of_the_page_names_every_suffix_of_a_psf():
-    named = {suffix for row in format_table.rows() for suffix in re.findall(r"`([.\w]+)`", row.split("|")[1])}
-    assert {suffix for form in registry.formats("psf") for suffix in (*form.suffixes, form.beside)} <= named | {""}
-    assert "```{include} _generated/formats.inc" in PAGE
-
-
-def test_the_list_of_formats_stands_in_the_docstrings_of_what_writes_them():
-    for save, kind in ((psf_files.save, "psf"), (psf_files.save_colours, "colours"), (field_files.save, "field")):
-        assert "{formats}" not in save.__doc__
-        for form in registry.formats(kind):
-            assert f"``{form.suffixes[0]}``" in save.__doc__
-            assert form.what in save.__doc__
 
 
 @compiler

@@ -15,10 +15,8 @@ import pytest
 import tifffile
 from PIL import Image
 
-import lommel as lm
 from lommel.io import videos
 from lommel.io.videos import VideoError, VideoFrame, VideoFrames, frame_pairs, video_frames
-from small_disk import small_disk
 
 av = pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
@@ -258,15 +256,6 @@ def test_arguments_out_of_range_are_told(tmp_path, monkeypatch):
         video_frames(path)
 
 
-@pytest.mark.parametrize(("name", "source"), [("av", "a.mkv"), ("cv2", 0)])
-def test_missing_packages_are_told_with_the_extra_that_has_them(name, source, tmp_path, monkeypatch):
-    (tmp_path / "a.mkv").touch()
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(ImportError, match=f'{name}: pip install .*extra "video"'):
-        lm.io.video_frames(source)
-
-
 class Endless:
     """A live source of frames that count, as fast as they may come."""
 
@@ -389,33 +378,3 @@ def test_colours_are_written_for_players_with_even_sides(suffix, tmp_path):
     assert times == pytest.approx(0.04 * np.arange(8), abs=1e-3)
     assert np.abs(found[5, 8:24, 8:24].astype(int) - (100, 100, 200)).max() <= 6
     assert [path] == list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize("most", [0, 40_000])
-def test_video_on_a_full_disk_is_told_with_its_name_and_leaves_none(most, tmp_path):
-    path = tmp_path / "a.mkv"
-    frames = noise(12, (64, 64), top=65535, dtype=np.uint16)
-
-    def write_all() -> None:
-        with videos.find(path).write(path, 0.04) as write:
-            for k, frame in enumerate(frames):
-                write(frame, 0.04 * k)
-
-    with small_disk(most), pytest.raises(OSError, match=r"a\.mkv") as told:
-        write_all()
-    assert told.value.filename == str(path)
-    assert not list(tmp_path.iterdir())
-
-
-def test_an_error_while_video_is_written_leaves_what_was_there_before(tmp_path):
-    path = tmp_path / "a.mkv"
-    path.write_text("before")
-    writer = videos.find(path).write(path, 0.04)
-    with pytest.raises(AttributeError), writer:  # noqa: PT012 (the second of two calls)
-        writer(noise(1)[0], 0.0)
-        writer(None, 0.04)
-    assert path.read_text() == "before"
-    assert [path] == list(tmp_path.iterdir())
-    with videos.find(path).write(path, 0.04):
-        pass  # nothing to write
-    assert path.read_text() == "before"

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import inspect
-
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel.base.units import LENGTHS
-from lommel.lensfiles.lens_files import ChannelsSection
 
 WAVES = np.arange(400, 701, 20)
 
@@ -127,12 +124,6 @@ def test_tables_that_do_not_meet_are_told(tmp_path, sensor):
         lm.load_channels(sensor, illuminant=sensor)
 
 
-def test_a_lens_file_asks_of_channels_what_the_function_does_by_default():
-    section, function = ChannelsSection.model_fields, inspect.signature(lm.load_channels).parameters
-    for name in ("tol", "paths"):
-        assert section[name].default == function[name].default
-
-
 def star(tmp_path, waves: np.ndarray):
     """Write a passband in blanks and angstrom, and a spectrum as a FITS table."""
     band = tmp_path / "V.dat"
@@ -197,25 +188,6 @@ def test_the_image_of_a_star_through_a_passband_is_within_the_error(tmp_path):
         for each in (few, many)
     ]
     assert np.abs(images[0] - images[1]).max() <= few.error + many.error
-
-
-def test_blanks_may_have_a_line_of_names_and_fits_files_a_compressed_form(tmp_path, sensor):
-    import gzip
-
-    spaced = tmp_path / "spaced.txt"
-    spaced.write_text(
-        "\n".join(
-            line.replace("(nm)", "").replace("wavelength ", "nm").replace(",", "  ")
-            for line in sensor.read_text().splitlines()
-        )
-    )
-    assert lm.load_channels(spaced).names == ("red", "green", "blue")
-    assert lm.load_channels(spaced).wavelengths == lm.load_channels(sensor).wavelengths
-    band, spectrum = star(tmp_path, WAVES * 1e-9)
-    packed = tmp_path / "star.fits.gz"
-    packed.write_bytes(gzip.compress(spectrum.read_bytes()))
-    one, other = (lm.load_channels(band, illuminant=path, unit="angstrom") for path in (spectrum, packed))
-    assert one.weights == other.weights
 
 
 @pytest.mark.parametrize(

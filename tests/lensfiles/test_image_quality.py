@@ -1,14 +1,19 @@
-"""Image quality of lenses: attributes are what the measures of the library say, and plain data are the same."""
+"""Numbers of instruments of files, and how they are shown."""
 
 from __future__ import annotations
 
 import dataclasses
 import json
 import math
+from html.parser import HTMLParser
 
 import pytest
 
 import lommel as lm
+from lommel.lensfiles.example_files import example_files
+from lommel.lensfiles.image_quality import DEPTHS, microscope_quality
+from lommel.lensfiles.microscope_files import Microscope
+from objectives import MATCHED
 
 
 @pytest.fixture(scope="module")
@@ -48,3 +53,124 @@ def test_telescopes_and_microscopes_have_no_depth_of_field(lenses):
     for name in ("hubble-1990", "microscope-20x"):
         quality = lm.ImageQuality(lm.load_instrument(lenses[name]))
         assert quality.depth_of_field is quality.hyperfocal_distance is None
+
+
+def microscope(**changes) -> Microscope:
+    plain = Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Dipole(0.0, 0.0, wobble=1.0), shape=(5, 6))
+    return dataclasses.replace(plain, **changes)
+
+
+@pytest.fixture(scope="module")
+def facts():
+    return microscope_quality(microscope(planes=3, step=0.3e-6))
+
+
+def test_the_foci_are_those_of_the_objective_and_of_its_published_table(facts):
+    rows = {row["depth"]: row for row in facts["focus"]}
+    assert list(rows) == sorted(DEPTHS)
+    at = rows[5e-6]
+    assert (at["brightest"], at["ratio"]) == (pytest.approx(6.342e-6, abs=1e-9), pytest.approx(0.788, abs=1e-3))
+    assert (at["axial_fwhm"], at["peak"]) == (pytest.approx(1131e-9, abs=1e-9), pytest.approx(0.466, abs=1e-3))
+    found = MATCHED.focus(5e-6, wavelength=610e-9)
+    assert (at["paraxial"], at["lateral_fwhm"]) == (found.paraxial, found.lateral_fwhm)
+    assert at["peak_of_surface"] == pytest.approx(at["peak"] / rows[0.0]["peak"])
+    assert (rows[0.0]["ratio"], rows[0.0]["peak_of_surface"]) == (None, 1.0)
+    assert rows[0.0]["collected"] == MATCHED.collected(0.0, wavelength=610e-9) > 1.3
+
+
+def test_angles_and_sampling_are_those_of_the_objective(facts):
+    assert math.sin(facts["critical_angle"]) == pytest.approx(1.33 / 1.515)
+    assert math.sin(facts["rim_angle"]) == pytest.approx(1.4 / 1.515)
+    assert facts["nyquist"]["lateral"] == pytest.approx(610e-9 / 5.6)
+    assert facts["pixel_in_sample"] == 6.5e-6 / 63
+
+
+@pytest.mark.parametrize(
+    ("changes", "coarse"),
+    [
+        ({}, []),
+        ({"pixel": 7e-6}, ["pixel"]),
+        ({"planes": 3, "step": 0.4e-6}, ["step"]),
+        ({"planes": 3, "step": -0.4e-6, "pixel": 7e-6}, ["pixel", "step"]),
+        ({"planes": 1, "step": 0.4e-6}, []),
+    ],
+)
+def test_what_is_sampled_too_coarsely_is_named(changes, coarse):
+    assert microscope_quality(microscope(**changes))["too_coarse"] == coarse
+
+
+def test_depths_out_of_reach_are_left_out_with_the_reason():
+    near = dataclasses.replace(MATCHED, working_distance=10e-6)
+    found = microscope_quality(microscope(objective=near))
+    assert [row["depth"] for row in found["focus"]] == [0.0, 1e-6, 5e-6]
+    assert len(found["refused"]) == 2
+    assert found["refused"][0].startswith(
+        "20 um deep: focus, or where depth and z lead, must be at most 10 um, where"
+    )
+
+
+def test_what_differs_from_the_design_is_told():
+    thick = dataclasses.replace(MATCHED, coverslip=lm.Layer(1.52, 180e-6))
+    found = microscope_quality(microscope(objective=thick))
+    assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
+    assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}
+    assert microscope_quality(microscope())["design"] is None
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"planes": 0}, "planes must be from 1 to 4096, got 0"),
+        ({"planes": 2}, "step must be of the stage, not 0 and below 10 mm, got 0 m"),
+        ({"planes": 2, "step": 1.0}, "got 1 m"),
+        ({"planes": 2, "step": math.nan}, "step must be finite"),
+        ({"planes": 2.5}, "planes must be an integer"),
+    ],
+)
+def test_a_microscope_without_planes_or_steps_is_refused(changes, said):
+    with pytest.raises((TypeError, ValueError), match=said):
+        microscope(**changes)
+
+
+class Cells(HTMLParser):
+    """The cells of the tables of a page, names and values in turn."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.found: list[str] = []
+        self.inside = False
+        self.feed(page)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        self.inside = tag in ("th", "td")
+        self.found += [""] if self.inside else []
+
+    def handle_data(self, data):
+        if self.inside:
+            self.found[-1] += data
+
+
+def rows(page: str) -> dict[str, str]:
+    found = Cells(page).found
+    return dict(zip(found[::2], found[1::2], strict=True))
+
+
+def test_a_microscope_is_shown_with_lengths_in_the_sample_and_degrees():
+    microscope = lm.load_microscope(example_files()["zeiss-63x-1.4-oil"])
+    tilted = dataclasses.replace(microscope, emitter=lm.Dipole(polar=1.0471975511965976, azimuth=0.0))
+    told = rows(tilted._repr_html_())
+    assert told["objective"] == "NA 1.4, 63x, immersion 1.518"
+    assert told["pixels"] == "103.2 nm in the sample (6.5 µm on the camera)"
+    assert told["emitter"] == "dipole, 60° from the axis, azimuth 0°, 2 µm deep"
+    assert told["planes"] == "64, 100 nm apart"
+    assert "<img" in tilted._repr_html_()
+    assert repr(microscope).startswith("<Microscope 'Zeiss Plan-Apochromat 63x/1.4 Oil DIC, in water': NA 1.4, 63x, ")
+
+
+def test_what_cannot_be_computed_does_not_raise(lenses):
+    instrument = lm.load_instrument(lenses["nifty-fifty"])
+    near = dataclasses.replace(instrument, object_distance=-1.0)
+    page = near._repr_html_()
+    assert "object_distance must be" in page
+    assert "<img" not in page

@@ -64,18 +64,6 @@ def test_a_saved_page_opens_from_its_file_and_draws_the_same(running, run_lommel
     assert len(pixels[0]) > 1000
 
 
-def test_a_saved_page_says_what_is_left_out(module, run_lommel, lenses, tmp_path, browser):
-    text = lenses["hubble-1990"].read_text(encoding="utf-8")
-    (tmp_path / "cut.toml").write_text(text + '\n[[aperture.blocked]]\ntype = "disc"\nradius = 0.5\n')
-    done = run_lommel("live", "cut.toml", "--save", "cut.html", folder=tmp_path)
-    assert (done.stdout, done.stderr) == ("wrote cut.html\n", "The page does not show the stop.\n")
-    page = browser.new_page()
-    page.goto((tmp_path / "cut.html").as_uri())
-    page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
-    assert "Left out here: the stop." in page.locator(".source").inner_text()
-    page.close()
-
-
 def test_what_it_cannot_do_is_one_line(module, run_lommel, tmp_path):
     done = run_lommel("live", "missing.toml", folder=tmp_path)
     assert done.returncode == 2

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import ModuleType
@@ -17,7 +16,6 @@ import scipy.signal
 import check
 import lommel as lm
 import scenes
-from live_page import IDLE
 from lommel.imaging.focal_tables import Taps
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -212,99 +210,10 @@ def test_single_frames_are_filtered_as_polynomials_say_and_become_sharper(engine
     assert np.std((made - true)[inside]) < 0.8 * np.std((frame - true)[inside])
 
 
-def number(page: Any, pattern: str) -> float:
-    """A number of the line below the pictures."""
-    found = re.search(pattern, page.locator(NUMBERS).inner_text())
-    assert found, page.locator(NUMBERS).inner_text()
-    return float(found[1])
-
-
 def opened(visit: Callable[..., Any], **options: Any) -> Any:
     page = visit("/mounted?lesson=depth", **options)
     page.locator(NUMBERS, has_text="depth known").wait_for()
     return page
-
-
-def test_the_clip_plays_and_says_how_fast(visit: Callable[..., Any], capsys: pytest.CaptureFixture[str]) -> None:
-    page = opened(visit)
-    page.locator(NUMBERS, has_text="frames/s").wait_for()
-    page.wait_for_timeout(2000)
-    with capsys.disabled():
-        print(f"\nlive page, depth of 320 x 240: {page.locator(NUMBERS).inner_text()}")
-    assert number(page, r"(\d+) %") > 80
-    assert 0.9 < number(page, r"misfit ([\d.]+)") < 1.2
-    assert "depth known at" in page.get_by_label("Depth: ").get_attribute("aria-label")
-    assert page.locator("h2.name").inner_text() == "Depth from two pictures"
-    for other in (".psf", ".numbers", ".plots", ".controls", ".files"):
-        assert page.locator(other).is_hidden()
-    page.get_by_role("button", name="Pause").click()
-    assert page.get_by_role("button", name="Play").is_visible()
-    page.wait_for_timeout(300)
-    picture = page.locator("[data-picture=first] canvas")
-    before = picture.evaluate("node => node.toDataURL()")
-    page.wait_for_timeout(300)
-    assert picture.evaluate("node => node.toDataURL()") == before
-
-
-def test_who_wants_no_motion_gets_a_picture_that_rests(visit: Callable[..., Any]) -> None:
-    page = opened(visit, reduced_motion="reduce")
-    assert page.get_by_role("button", name="Play").is_visible()
-    assert "frames/s" not in page.locator(NUMBERS).inner_text()
-
-
-def test_steps_are_done_by_keyboard_alone(visit: Callable[..., Any]) -> None:
-    page = opened(visit, reduced_motion="reduce")
-    done = page.locator(".lesson li.done")
-    page.get_by_label("Depth: ").focus()
-    page.keyboard.press("ArrowDown")
-    said = page.locator("[data-picture=depth] output")
-    assert re.fullmatch(r"true 1\.920 m, found 1\.[89]\d\d m ± \d+(\.\d)? mm", said.inner_text())
-    assert said.get_attribute("aria-live") == "polite"
-    stop, light = (page.locator(f"[data-depth={key}]") for key in ("stop", "light"))
-    stop.focus()
-    page.keyboard.press("End")
-    page.locator("[data-depth=stop][aria-valuetext='f/5.6']").wait_for()
-    page.locator(".lesson li.done").first.wait_for()
-    page.wait_for_timeout(3000)
-    page.keyboard.press("Home")
-    done.nth(1).wait_for()
-    light.focus()
-    page.keyboard.press("Home")
-    assert light.get_attribute("aria-valuetext") == "200 electrons"
-    done.nth(2).wait_for()
-    page.get_by_label("Exchange the two pictures").focus()
-    page.keyboard.press("Space")
-    done.nth(3).wait_for()
-
-
-def test_another_lesson_takes_the_view_away_and_back_brings_it(visit: Callable[..., Any]) -> None:
-    page = opened(visit)
-    page.get_by_role("button", name="Previous lesson").click()
-    page.wait_for_selector(IDLE, state="attached")
-    assert page.locator(".depth").count() == 0
-    assert page.locator(".psf").is_visible()
-    page.go_back()
-    page.locator(NUMBERS, has_text="depth known").wait_for()
-    assert page.locator(".psf").is_hidden()
-    page.evaluate("live.destroy()")
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("size", [(390, 844), (683, 384), (1280, 800), (1366, 768)])
-def test_all_of_it_is_in_reach_on_any_screen(visit: Callable[..., Any], size: tuple[int, int], scheme: str) -> None:
-    page = opened(visit, viewport={"width": size[0], "height": size[1]}, color_scheme=scheme)
-    assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
-    for part in page.locator(".depth :is(button, select, input, canvas):visible").all():
-        part.evaluate("node => node.scrollIntoView({ block: 'nearest' })")
-        area = part.bounding_box()
-        assert area["x"] >= 0
-        assert area["x"] + area["width"] <= size[0]
-        assert area["width"] > 12
-    if size[0] >= 1280:
-        end = page.locator(NUMBERS).bounding_box()
-        assert end["y"] + end["height"] <= size[1]
-    words = page.locator(".depth").evaluate("node => getComputedStyle(node).color")
-    assert (sum(map(int, re.findall(r"\d+", words)[:3])) > 380) == (scheme == "dark")
 
 
 @pytest.fixture(scope="module")

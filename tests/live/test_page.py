@@ -1,10 +1,12 @@
-"""The controls of the live page in a browser."""
+"""The controls of the live page in a browser, what it saves, and its rules of access."""
 
 from __future__ import annotations
 
+import csv
 import io
 import re
 from collections.abc import Callable
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from live_page import ALL_SHOWN, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
+from live_page import ALL_SHOWN, IDLE, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
 
 
 def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
@@ -109,13 +111,6 @@ def test_what_is_typed_is_exact_and_out_of_range_changes_nothing(visit: Callable
     assert box(page, "defocus").input_value() == "7"
 
 
-def test_distances_of_a_telescope_are_computed(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#focus=distances&focal_length=1000&f_number=5")  # 239 waves of defocus
-    assert page.locator(".notice").is_hidden()
-    assert page.locator('dd[data-number="strehl"]').inner_text().startswith("<")
-    assert page.locator('dd[data-number="d80"]').inner_text() != "–"
-
-
 def test_units_change_what_is_shown_and_not_the_state(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&defocus=0.5&wavelength=600&f_number=5&focal_length=1000&length_unit=um")
     before = state(page)
@@ -202,28 +197,6 @@ def test_a_picture_of_ones_own_is_blurred_here_and_stays_here(visit: Callable[..
     page.locator(".notice", has_text="no.png is not a picture").wait_for()
 
 
-def test_a_large_picture_is_said_to_be_reduced_and_has_larger_pixels(visit: Callable[..., Any]) -> None:
-    image = pytest.importorskip("PIL.Image")
-    page = visit("/mounted#side=64&pixel=2&defocus=3")
-    sides = {}
-    for width, height in ((600, 400), (2400, 1600)):
-        file = io.BytesIO()
-        values = np.zeros((height, width), dtype=np.uint8)
-        values[:, width // 2 :] = 255
-        image.fromarray(values).save(file, "PNG")
-        page.locator("input[type=file]").set_input_files(
-            {"name": f"{width}.png", "mimeType": "image/png", "buffer": file.getvalue()}
-        )
-        page.wait_for_function("live.state.picture === 'own'")
-        page.wait_for_timeout(100)
-        rest(page)
-        sides[width] = page.locator(".picture canvas").evaluate("node => [node.width, node.height, node.title]")
-        page.evaluate("live.set({ picture: 'bars' })")
-        rest(page)
-    assert sides[600] == [600, 400, ""]
-    assert sides[2400] == [849, 566, "Reduced to 849 × 566 pixels, of 5.66 µm each"]
-
-
 REFUSING = """const { postMessage } = Worker.prototype;
 Worker.prototype.postMessage = function (message) {
   const refused = message.arguments[0].defocus === 13;
@@ -231,14 +204,6 @@ Worker.prototype.postMessage = function (message) {
 };"""
 COUNTING = """window.made = []; const Plain = Worker;
 Worker = class extends Plain { constructor(...given) { super(...given); made.push(this); } };"""
-
-
-LISTENING = """window.heard = []; const { postMessage } = Worker.prototype; const known = [];
-Worker.prototype.postMessage = function (message) {
-  if (!known.includes(this)) known.push(this);
-  heard.push([message.method, known.indexOf(this)]);
-  postMessage.call(this, message);
-};"""
 
 
 def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callable[..., Any]) -> None:
@@ -271,45 +236,6 @@ def test_a_newer_setting_does_not_wait_for_one_that_takes_long(visit: Callable[.
     assert page.locator(".notice").is_hidden()
 
 
-def test_pictures_that_are_not_computed_say_so(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    labels = """() => {
-        const { shadowRoot } = document.querySelector(".lommel-live-host");
-        return [...shadowRoot.querySelectorAll("canvas[role=img], svg[role=img]")].map((x) => x.ariaLabel);
-    }"""
-    names = ["Point spread function", "Profile", "Encircled energy", "MTF"]
-    before = page.evaluate(labels)
-    assert not any("not computed" in label for label in before)
-    page.evaluate("live.set({ defocus: 50, coma: 10, astigmatism: 10, light: 'white' })")
-    rest(page)
-    notice = page.locator(".notice").inner_text()
-    assert notice.startswith("This setting cannot be computed: it would take too long. Choose one wavelength")
-    assert page.locator(".ruler").is_hidden()  # there is nothing to measure
-    refused = page.evaluate(labels)
-    for name in names:
-        assert f"{name}: not computed for this setting." in refused
-    page.evaluate("live.set({ light: 'mono' })")
-    rest(page)
-    assert page.locator(".notice").is_hidden()
-    after = page.evaluate(labels)
-    assert not any("not computed" in label for label in after)
-    assert not set(names) & {a.split(":")[0] for a, b in zip(after, before, strict=True) if a == b}
-
-
-def test_a_lens_at_distances_is_left_for_one_in_waves(visit: Callable[..., Any]) -> None:
-    """Of the answers on the page the focal length stays that of their own lens, until the new ones come."""
-    page = visit("/mounted#side=64&focus=distances&focus_distance=1&object_distance=2&focal_length=50")
-    page.locator(".notice").evaluate(
-        """(node) => { window.told = []; new MutationObserver(() => node.textContent && told.push(node.textContent))
-        .observe(node, { childList: true, characterData: true, subtree: true }); }"""
-    )
-    page.evaluate("live.set({ focus: 'waves', focal_length: 20000, defocus: 1, length_unit: 'lambdaN' })")
-    rest(page)
-    assert page.evaluate("told") == []
-    assert page.locator(".notice").is_hidden()
-    assert page.evaluate("live.result().state.focal_length") == 20000
-
-
 def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=COUNTING)
     page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")
@@ -319,18 +245,126 @@ def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     assert page.evaluate("made.length") == 3
 
 
-def test_image_and_curves_are_computed_at_a_time(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", before=LISTENING)
-    page.evaluate("live.set({ coma: 0.4 })")
-    rest(page)
-    heard = page.evaluate("heard")
-    assert {worker for method, worker in heard if method in ("psf", "maps")} == {0}
-    assert {worker for method, worker in heard if method in ("curves", "blur")} == {1}
-    result = page.evaluate("live.result().measures")
-    alone = page.evaluate(
-        """async () => { const { createCore, Engine } = await import("./lommel-live.js");
-        return new Engine(await createCore()).measures(live.state); }"""
+def saved(page: Any, name: str) -> bytes:
+    with page.expect_download() as caught:
+        page.locator(f'[data-action="{name}"]').click()
+    return Path(caught.value.path()).read_bytes()
+
+
+@pytest.mark.parametrize(
+    "look",
+    [
+        "view=fine&coma=0.4&coma_angle=30",
+        "view=averaged&obscuration=0.3",
+        "view=sampled&light=white",
+        "vanes=3&zernike=4,0:.1",
+    ],
+)
+def test_the_tiff_is_one_that_the_package_reads(visit: Callable[..., Any], tmp_path: Path, look: str) -> None:
+    page = visit(f"/mounted#side=96&{look}&defocus=-0.00004&f_number=5.6")
+    path = tmp_path / "psf.tif"
+    path.write_bytes(saved(page, "tiff"))
+    psf = lm.PSF.load(path)
+    values = page.evaluate("Array.from(live.result().psf.values)")
+    assert np.array_equal(psf.values.ravel(), np.array(values, dtype=np.float32))
+    assert psf.pixel == pytest.approx(page.evaluate("live.result().psf.pixel") * 1e-6, rel=1e-12)
+    again = lm.psf(psf.pupil, 96, psf.pixel, method=psf.method, integrate=psf.grid.integrate)
+    assert np.abs(again.values - psf.values).max() <= 2e-6 * again.values.max()
+
+
+def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=0.25")
+    text = saved(page, "csv").decode()
+    lines = text.splitlines()
+    assert "# defocus=0.25 *" in lines
+    rows = list(csv.DictReader(io.StringIO("\n".join(line for line in lines if not line.startswith("#")))))
+    measures = page.evaluate(
+        """() => { const { profile, energy, mtf } = live.result().measures;
+        return [profile.r, profile.mean, energy.share, mtf.f, mtf.limit].map((part) => Array.from(part)); }"""
     )
-    # Two of them are those of the image.
-    for key in ("inside", "peak_strehl", "strehl", "d80"):
-        assert result[key] == alone[key], key
+    wide = page.evaluate("live.result().measures.d80_axis")
+    heads = ("radius (um)", "profile", "encircled energy", "frequency (cycles/mm)", "MTF diffraction limit")
+    for head, wanted in zip(heads, measures, strict=True):
+        near = 5.1e-7 if head.startswith("MTF") else 1e-9
+        assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, rel=1e-7, abs=near)
+        assert max(len(row[head].replace(".", "").lstrip("0")) for row in rows) <= 11
+    assert f"# diameter_80_percent_about_axis_um={float(wide):.4g}" in lines
+
+
+def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=0.25&side=64", permissions=["clipboard-read", "clipboard-write"])
+    page.locator('[data-action="link"]').click()
+    page.wait_for_timeout(50)
+    assert page.evaluate("navigator.clipboard.readText()") == page.url
+    page.locator('[data-action="python"]').click()
+    page.wait_for_timeout(50)
+    text = page.evaluate("navigator.clipboard.readText()")
+    assert "wavelength=5.5e-07" in text
+    assert re.search(r"pixel=\d\.?\d*e-0\d, ", text)
+    scope: dict[str, Any] = {}
+    exec(text, scope)
+    values = np.array(page.evaluate("Array.from(live.result().psf.values)")).reshape(64, 64)
+    assert np.abs(scope["psf"].values - values).max() <= 2e-6 * values.max()
+
+
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+FOUND = f"""axe.run(document, {{ runOnly: {RULES} }}).then((found) => found.violations.flatMap(
+ ({{ id, nodes }}) => nodes.map((node) => `${{id}}: ${{node.target.flat().join(" ")}}, ${{node.failureSummary}}`)))"""
+
+
+def axe() -> str:
+    """Return axe-core as a script."""
+    pytest.importorskip("axe_playwright_python", reason="axe-playwright-python is not installed, which has axe-core")
+    return files("axe_playwright_python").joinpath("axe.min.js").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("width", [390, 1366])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("address", ["/live#coma=0.3&side=64", "/live?lesson=depth"])
+def test_axe_finds_nothing_in_chromium(visit: Callable[..., Any], address: str, scheme: str, width: int) -> None:
+    page = visit(address, color_scheme=scheme, viewport={"width": width, "height": 768})
+    page.evaluate(axe())
+    assert page.evaluate(FOUND) == []
+
+
+RESTS = f"document.querySelector({IDLE!r}) !== null"
+STATE = "#defocus=1.3&coma=0.7&coma_angle=20&light=white&side=96"
+RESULT = """(() => { const { psf, measures } = live.result(); const some = psf.values.filter((_, i) => i % 37 === 0);
+  return { values: Array.from(some), bound: psf.bound,
+  strehl: measures.strehl, d80: measures.d80, mtf: Array.from(measures.mtf.x) }; })()"""
+
+
+def test_firefox_has_the_numbers_of_chromium(tab: Callable[..., Any], visit: Callable[..., Any]) -> None:
+    there = tab(f"/mounted{STATE}").evaluate(RESULT)
+    page = visit(f"/mounted{STATE}")
+    rest(page)
+    here = page.evaluate(RESULT)
+    assert there["values"] == here["values"]
+    assert (there["bound"], there["strehl"], there["d80"]) == (here["bound"], here["strehl"], here["d80"])
+    assert there["mtf"] == pytest.approx(here["mtf"], abs=1e-10)
+
+
+def test_a_slider_is_dragged_sideways_by_a_finger_and_by_keys(tab: Callable[..., Any]) -> None:
+    page = tab("/mounted#side=64", width=390, height=844)
+    slider = (
+        "document.querySelector('.lommel-live-host').shadowRoot.querySelector('input[type=range][data-key=coma]')"
+    )
+    page.evaluate(f"{slider}.scrollIntoView({{ block: 'center' }})")
+    x, y, width, height = page.evaluate(
+        f"(() => {{ const b = {slider}.getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; }})()"
+    )
+    at = {"y": round(y + height / 2)}
+    page.pointer(
+        "touch",
+        {"type": "pointerMove", "x": round(x + 6), **at},
+        {"type": "pointerDown", "button": 0},
+        {"type": "pointerMove", "x": round(x + width / 2), "duration": 200, **at},
+        {"type": "pointerUp", "button": 0},
+    )
+    page.wait_for("Math.abs(live.state.coma - 1.5) < 0.1")
+    page.evaluate(f"{slider}.focus()")
+    before = page.evaluate("live.state.coma")
+    page.press("\ue014")  # the right arrow key
+    page.wait_for(f"live.state.coma > {before}")
+    page.wait_for(RESTS)
+    assert page.evaluate("live.result().state.coma === live.state.coma")

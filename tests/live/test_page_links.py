@@ -127,34 +127,3 @@ def test_a_link_followed_on_the_same_page_is_taken(visit: Callable[..., Any]) ->
     page.evaluate("location.hash = '#a-heading-of-the-page'")
     rest(page)
     assert state(page)["coma"] == 0.5
-
-
-def test_vanes_that_a_link_brings_without_a_scale_are_on_a_logarithmic_one(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&vanes=4&view=sampled")
-    assert state(page)["stretch"] == "log"
-    assert page.locator(".ticks").inner_text().split()[0] == "1e-5"
-    page.evaluate("live.set({ stretch: 'sqrt' })")
-    rest(page)
-    link = fragment(page)
-    assert "stretch=sqrt" in link
-    assert state(visit(f"/mounted#{link}"))["stretch"] == "sqrt"
-
-
-def test_addresses_that_are_too_long_say_so(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&defocus=0")
-    clipboard = "{ value: { writeText: async (text) => { window.copied = text } } }"
-    page.evaluate(f"Object.defineProperty(navigator, 'clipboard', {clipboard})")
-    page.get_by_role("button", name="Copy link").click()
-    page.wait_for_function("window.copied")
-    assert page.locator(".tip").is_hidden()
-    names = [(n, m) for n in range(1, 13) for m in range(-n, n + 1, 2)]
-    terms = ";".join(f"{n},{m}:{1.2345678901234567e-4 * (n + 1)}" for n, m in names)
-    page.evaluate("zernike => live.set({ zernike })", terms)
-    rest(page)
-    page.get_by_role("button", name="Copy link").click()
-    page.locator(".tip").wait_for(state="visible")
-    length = len(page.evaluate("window.copied"))
-    assert length > 2000
-    assert f"The link has {length} characters" in page.locator(".tip").inner_text()
-    long = visit(f"/mounted#side=64&defocus=1&name={'x' * 9000}")
-    assert "characters the first 8000 are read" in long.locator(".notice").inner_text()

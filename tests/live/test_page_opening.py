@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +13,7 @@ import pytest
 
 import lommel as lm
 from lens_file_texts import lens_file
-from live_page import fragment, rest, state
+from live_page import rest, state
 from lommel.page.state import FIELDS, Terms, complete, further_terms, state_of
 
 OPEN = """async ([name, text]) => {
@@ -178,18 +177,6 @@ def test_a_listing_that_a_lens_file_names_becomes_the_wavefront_of_that_lens(
     assert opened(page, "terms.txt", texts["terms.txt"])["state"]["wavelength"] == pytest.approx(632.8)
 
 
-def test_a_file_of_the_same_numbers_has_its_own_note(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=32")
-    for name in ("terms.txt", "absent.txt"):
-        assert opened(page, "lens.toml", lens_with_table(name))["taken"]
-        rest(page)
-        page.wait_for_function(
-            "name => document.querySelector('.lommel-live-host').shadowRoot.textContent.includes(`${name}, which`)",
-            arg=name,
-            timeout=3000,
-        )
-
-
 GOOD = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
 FAULTS = {
     "not TOML": (GOOD + "name = \n", ".toml", ["line 7"]),
@@ -244,72 +231,3 @@ def test_errors_name_the_line_and_what_is_allowed_and_change_nothing(visit: Call
     assert opened(page, "big.toml", "# " + "x" * 1_000_001)["said"].endswith("the limit is 1000000.")
     assert opened(page, "good.toml", GOOD)["taken"]
     assert page.locator(".notice").is_hidden()
-
-
-def test_shapes_of_an_aperture_are_read_and_said_to_be_left_out(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=32")
-    parts = '[[aperture.clear]]\ntype = "disc"\n[[aperture.clear]]\ntype = "hexagon"\nradius = 0.5\n'
-    assert opened(page, "lens.toml", GOOD + parts)["taken"]
-    rest(page)
-    said = "Left out here: the stop. All that is shown is of the rest."
-    source = page.locator(".source")
-    assert source.inner_text() == said
-    # It stays with the lens that is changed, and with a link to either.
-    page.evaluate("live.set({ defocus: 0.1 })")
-    rest(page)
-    assert source.inner_text() == said
-    for name in ("Changed from: lens", "lens"):
-        again = visit(f"/mounted#{fragment(page)}")
-        assert (again.locator("h2.name").inner_text(), again.locator(".source").inner_text()) == (name, said)
-        page.get_by_role("button", name="Undo").click()
-        rest(page)
-    again.evaluate("live.set({ coma: 0.1 })")
-    rest(again)
-    assert again.locator("h2.name").inner_text() == "Changed from: lens"
-    assert again.locator(".source").inner_text() == said
-    assert "has a value" in opened(page, "lens.toml", GOOD + "[aperture]\nclear = [1]\n" + parts)["said"]
-
-
-DROP = """([name, text]) => {
-    const dropped = new DataTransfer();
-    dropped.items.add(new File([text], name));
-    const node = document.querySelector(".lommel-live-host").shadowRoot.querySelector(".numbers");
-    node.dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, bubbles: true, cancelable: true }));
-}"""
-
-
-def test_a_lens_file_without_sections_is_told_what_is_expected(visit: Callable[..., Any]) -> None:
-    page = visit()
-    page.evaluate("""live.open(new File(['focal_length = "50 mm"\\nf_number = 2'], 'flat.toml')).catch(() => null)""")
-    page.wait_for_timeout(300)
-    said = page.locator(".notice").inner_text()
-    assert "flat.toml: has no sections; expected are [lens] and [sensor]" in said
-    assert 'such as [lens] above focal_length = "50 mm"' in said
-
-
-def test_a_dropped_lens_file_names_the_lens_and_what_is_left_out(
-    visit: Callable[..., Any], lenses: dict[str, Path]
-) -> None:
-    page = visit("/mounted#side=64")
-    text = lenses["camera-field"].read_text(encoding="utf-8")
-    page.evaluate(DROP, ["mine.toml", text.replace('name = "35 mm', 'name = "My 35 mm')])
-    page.wait_for_function("live.state.spherical === 0.4")
-    rest(page)
-    assert page.get_by_text("My 35 mm").first.is_visible()
-    assert "Left out here: aberrations of the field" in page.locator(".source").inner_text()
-    page.evaluate("live.set({ defocus: 1 })")
-    rest(page)
-    assert page.get_by_text(re.compile("Changed from: My 35 mm")).first.is_visible()
-
-
-def test_a_file_is_opened_by_keyboard(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    page.on("filechooser", lambda chooser: None)  # caught from now on
-    page.get_by_role("button", name="Open …").first.focus()
-    page.wait_for_timeout(200)
-    with page.expect_file_chooser() as caught:
-        page.keyboard.press("Enter")
-    caught.value.set_files({"name": "bench lens.toml", "mimeType": "text/plain", "buffer": GOOD.encode()})
-    page.wait_for_function("live.state.f_number === 2")
-    rest(page)
-    assert page.get_by_text("bench lens").first.is_visible()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import io
-import itertools
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from live_page import rest, slider
+from live_page import rest
 
 CANVAS = """name => {
     const root = document.querySelector(".lommel-live-host").shadowRoot;
@@ -128,15 +127,6 @@ def test_the_difference_is_white_where_a_is_b_and_signed_elsewhere(visit: Callab
     assert page.locator(".ticks").inner_text().count("−") == page.locator(".ticks").inner_text().count("+") > 0
 
 
-def test_the_difference_of_one_lens_over_two_grids_is_small(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=512&defocus=0.6&stretch=linear")
-    hold(page, side=384)
-    page.get_by_label("How to compare").select_option("difference")
-    # Ticks are the largest difference over the brightest point: that of straight lines between samples.
-    largest = max(float(text.lstrip("+−")) for text in page.locator(".ticks span").all_inner_texts())
-    assert largest < 0.003
-
-
 def test_a_has_the_sampling_the_window_and_the_pixel_of_b(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&view=sampled&pixel=1&coma=0.5&stretch=linear")
     hold(page, side=96, view="averaged", pixel=3)
@@ -161,96 +151,7 @@ def test_a_has_the_sampling_the_window_and_the_pixel_of_b(visit: Callable[..., A
     assert [now[key] for key in ("coma", "defocus", "pixel", "view", "side")] == [0.5, 0.6, 3, "averaged", 96]
 
 
-def test_an_a_that_the_sampling_of_b_would_take_long_for_is_let_go_in_words(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&coma=8&defocus=10&light=white")
-    page.get_by_role("button", name="Hold as A").click()
-    move(page, coma=0, light="mono")
-    assert page.locator(HELD).is_visible()
-    move(page, view="averaged", pixel=50, side=512)
-    said = page.locator(".notice").inner_text()
-    assert said.startswith("A was let go, for with this sampling it cannot be computed: it would take too long.")
-    assert page.locator(HELD).is_hidden()
-    assert page.locator('dd[data-number="strehl"]').inner_text() != "–"
-
-
-def test_a_is_shown_by_a_button_while_both_are_in_turn(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", reduced_motion="reduce")
-    hold(page, defocus=2)
-    page.get_by_label("How to compare").select_option("flicker")
-    page.wait_for_timeout(1000)
-    assert page.locator(HELD).is_hidden()
-    page.get_by_role("button", name="Show A").click()
-    assert page.locator(HELD).is_visible()
-    assert page.locator(PSF).is_hidden()
-    page.get_by_role("button", name="Show B").click()
-    assert page.locator(PSF).is_visible()
-
-
-def test_a_keeps_its_curves_and_its_picture_on_the_sensor(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&astigmatism=0.5&pixel=3")
-    assert page.locator("path.held").count() == 0
-    a = seen(page, ".picture canvas")
-    hold(page, astigmatism=0, defocus=3)
-    curves = page.locator(".curve", has_text="MTF").locator("path.held")
-    assert curves.count() == 2
-    assert curves.nth(0).get_attribute("d") != curves.nth(1).get_attribute("d")
-    b = seen(page, ".picture canvas")
-    page.get_by_label("through A").check()
-    page.wait_for_timeout(500)
-    assert np.array_equal(seen(page, ".picture canvas"), a)
-    page.get_by_label("through A").uncheck()
-    assert np.array_equal(seen(page, ".picture canvas"), b)
-    assert not np.array_equal(a, b)
-
-
-def test_differences_of_shares_are_in_points(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&view=sampled&pixel=1&defocus=0")
-    inside = page.evaluate("live.result().measures.inside")
-    hold(page, defocus=1)
-    by = 100 * (page.evaluate("live.result().measures.inside") - inside)
-    text = page.locator('dd[data-number="inside"] small').inner_text()
-    found = re.fullmatch(r"([+−])([\d.]+) points from A", text)
-    assert found, text
-    assert float(found[1].replace("−", "-") + found[2]) == pytest.approx(by, abs=0.06)
-
-
 # Numbers
-
-
-def test_a_window_that_is_not_computed_whole_is_said(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=512&view=sampled&vanes=4&defocus=0")
-    computed = page.locator(".computed")
-    assert computed.inner_text() == "computed: 64 × 64 of 512 × 512 pixels"
-    assert page.evaluate("live.result().psf.side") == 64
-    move(page, vanes=0)
-    assert computed.is_hidden()
-    move(page, view="fine", coma=0.3)
-    assert computed.is_hidden()
-    track = slider(page, "coma").bounding_box()
-    page.mouse.move(track["x"] + 0.2 * track["width"], track["y"] + 0.5 * track["height"])
-    page.mouse.down()
-    page.mouse.move(track["x"] + 0.3 * track["width"], track["y"] + 0.5 * track["height"], steps=4)
-    # In one look: the words are gone as soon as the whole picture is there.
-    computed.filter(has_text="while it moves 256 × 256 samples").wait_for(state="visible")
-    page.mouse.up()
-    rest(page)
-    assert computed.is_hidden()
-
-
-def test_why_no_error_is_proven_is_said_and_where_one_is_the_pointer_reads_it(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    for vanes in (0, 3):
-        move(page, vanes=vanes)
-        assert page.locator(".why").count() == (vanes > 0)
-        page.locator(PSF).hover()
-        text = place(page)
-        bound = page.evaluate("live.result().psf.bound")
-        assert (bound is None) == (vanes > 0)
-        found = re.search(r" of the unaberrated peak ± (\de-\d+)$", text)
-        assert bool(found) == (vanes == 0), text
-        if found:
-            assert bound <= float(found[1]) <= 2.1 * bound
-    assert page.locator(".why dd").inner_text().startswith("No bound is proven with vanes: ")
 
 
 def test_all_light_is_never_said_to_be_in_a_window_that_misses_some(visit: Callable[..., Any]) -> None:
@@ -304,37 +205,6 @@ def test_the_value_under_the_pointer_is_that_of_the_array(visit: Callable[..., A
     assert float(found[4]) == pytest.approx(value / values.max() * measures["peak_strehl"], rel=6e-3)
     page.mouse.move(5, 5)
     assert page.locator(".now .place").is_hidden()
-
-
-def test_arrow_keys_move_a_cursor_over_the_psf_and_the_wavefront(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&view=sampled&pixel=1&defocus=0.4&length_unit=lambdaN")
-    page.locator(PSF).focus()
-    page.keyboard.press("ArrowRight")
-    assert place(page).startswith("x, y = 0, 0 λN: 1 of the brightest")
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowDown")
-    step = 1 / (0.55 * 4)
-    found = re.match(r"x, y = (\S+), (\S+) λN", place(page))
-    assert [float(found[1]), float(found[2])] == pytest.approx([step, step], rel=5e-3)
-    assert page.locator(".now .place").get_attribute("aria-live") == "polite"
-    page.keyboard.press("Escape")
-    assert page.locator(".now .place").is_hidden()
-    page.locator(".small canvas").first.focus()
-    page.keyboard.press("ArrowUp")
-    found = re.fullmatch(r"x, y = (\S+), (\S+) of the radius: (\S+) waves", place(page, ".spot .place"))
-    assert found
-    page.keyboard.press("Shift+ArrowRight")
-    x, y, waves = re.fullmatch(
-        r"x, y = (\S+), (\S+) of the radius: (\S+) waves", place(page, ".spot .place")
-    ).groups()
-    assert float(waves) == pytest.approx(0.4 * (float(x) ** 2 + float(y) ** 2), abs=2e-3)
-
-
-def test_a_touch_reads_the_value(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", has_touch=True, viewport={"width": 390, "height": 844})
-    box = page.locator(PSF).bounding_box()
-    page.touchscreen.tap(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    assert "of the unaberrated peak" in place(page)
 
 
 # Rays and noise
@@ -408,50 +278,6 @@ def test_the_png_is_a_figure_with_scale_bar_colour_bar_and_title(visit: Callable
     assert max(len(longest(row)) for row in white) == pytest.approx(float(ruler) / field * 1024, abs=3)
 
 
-def test_the_png_of_a_comparison_has_both(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&rays=on")
-    _, one = figure(page)
-    hold(page, defocus=2)
-    text, both = figure(page)
-    assert "defocus=2" in text
-    assert both.shape[1] > 2 * 1024 > one.shape[1]
-    page.get_by_label("How to compare").select_option("difference")
-    assert figure(page)[1].shape[1] == one.shape[1]
-
-
-def test_noise_is_shown_by_pixels_of_the_sensor(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&photons=1000")
-    page.locator('select[data-key="noise"]').select_option("on")
-    rest(page)
-    assert page.evaluate("live.state.view") == "averaged"
-    assert bar_label(page) == "electrons per pixel"
-    move(page, view="fine")
-    assert bar_label(page).endswith("without noise: that is of the sensor's pixels")
-
-
-def test_differences_below_the_assumed_error_are_none_where_none_is_proven(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&vanes=3&defocus=0.6")
-    page.locator('[data-action="hold"]').click()
-    move(page, defocus=0.6000002)
-    assert page.locator('[data-number="strehl"] small').inner_text() == "as A"
-    move(page, defocus=0.6002)
-    assert page.locator('[data-number="strehl"] small').inner_text().endswith("from A")
-
-
-def test_fringes_that_the_picture_does_not_resolve_are_grey(visit: Callable[..., Any]) -> None:
-    said = {}
-    for waves in (5, 172):
-        page = visit(f"/mounted#side=64&defocus={waves}")
-        said[waves] = page.locator(".pupils .note").last.inner_text()
-    assert said[5] == "no central obscuration"
-    assert said[172] == "grey: too many fringes to draw"
-    edge = page.locator('canvas[aria-label^="Pupil"]').evaluate(
-        "node => Array.from(node.getContext('2d').getImageData(node.width - 8, node.width / 2 - 8, 4, 16).data)"
-    )
-    assert max(edge[::4]) - min(edge[::4]) < 3
-    assert 100 < edge[0] < 160
-
-
 def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&pixel=1")
     marks = page.locator(".rings text").evaluate_all(
@@ -465,62 +291,6 @@ def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[...,
     page.locator(".rings").wait_for(state="hidden")
 
 
-def test_side_by_side_holds_the_tail_of_either(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#defocus=0&coma=1.5&coma_angle=0")
-    hold(page, coma=0)
-    page.get_by_label("Scale of A and B").select_option("own")
-    for name in (PSF, HELD):
-        picture = seen(page, name).sum(axis=2)
-        picture = picture - picture.min()
-        edge = np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
-        assert edge.max() < 0.12 * picture.max(), name
-    # The field of A's tail, of which B alone shows less.
-    wide = page.evaluate("2 * live.result().measures.energy.r.at(-1)")
-    text = page.locator(".ruler span").inner_text().split()[0]
-    share = float(page.locator(".ruler i").evaluate("node => node.style.width").rstrip("%")) / 100
-    assert float(text) / share > 1.5 * wide / 2**0.5
-    # Outside of its own window B has no values.
-    area = page.locator(PSF).bounding_box()
-    page.mouse.move(area["x"] + 3, area["y"] + 3)
-    assert place(page) == "beyond the window of B"
-
-
-def test_legends_name_both_settings(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&coma=0.3")
-    legend = page.locator("figure.mtf .legend")
-    assert legend.inner_text().split("\n") == ["x", "y", "with pixel", "limit"]
-    hold(page, coma=0.6)
-    assert legend.inner_text().split("\n") == ["A x", "A y", "B x", "B y", "with pixel", "limit"]
-    assert page.locator("figure.profile .legend").inner_text().split("\n") == [
-        "A",
-        "B: mean over angle",
-        "unaberrated",
-    ]
-
-
-@pytest.mark.parametrize("photons", [10000, 14000, 17000, 20000, 1e6])
-@pytest.mark.parametrize("width", [390, 680, 1366])
-def test_labels_of_the_bar_do_not_overlap(visit: Callable[..., Any], photons: float, width: int) -> None:
-    telescope = "defocus=0&coma=0.5&f_number=5&obscuration=0.25&vanes=4&pixel=3.76&view=averaged&noise=on&side=64"
-    page = visit(f"/mounted#{telescope}&stretch=sqrt&photons={photons}", viewport={"width": width, "height": 768})
-    bar = page.locator(".ticks").bounding_box()
-    places = sorted((node.bounding_box() for node in page.locator(".ticks span").all()), key=lambda box: box["x"])
-    assert len(places) > 2
-    assert all(a["x"] + a["width"] < b["x"] for a, b in itertools.pairwise(places))
-    assert places[-1]["x"] + places[-1]["width"] <= bar["x"] + bar["width"] + 1
-
-
-def test_arrow_keys_read_the_mtf_at_round_frequencies(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&defocus=0")
-    page.locator(".curve.mtf .plot").focus()
-    page.keyboard.press("Shift+ArrowLeft")
-    said = []
-    for _ in range(13):
-        page.keyboard.press("ArrowLeft")
-        said.append(page.locator(".curve.mtf .readout").inner_text())
-    assert any(text.startswith("100 cycles/mm: x, y") for text in said), said
-
-
 def test_contrast_below_its_error_is_not_said_to_be_zero(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#spherical=2&defocus=4&coma=1&astigmatism=1&trefoil=1&light=white&vanes=6")
     said = page.locator(".curve.mtf .readout").inner_text()
@@ -528,15 +298,3 @@ def test_contrast_below_its_error_is_not_said_to_be_zero(visit: Callable[..., An
     assert error > 0
     assert re.search(r"MTF (x )?< 0\.00\d", said), said
     assert not re.search(r"(MTF|[xy]|pixel) 0(?!\.)", said), said
-
-
-def test_numbers_of_a_wavefront_that_is_refused_are_not_those_before(visit: Callable[..., Any]) -> None:
-    refusing = """const { postMessage } = Worker.prototype;
-    Worker.prototype.postMessage = function (message) {
-      const refused = message.arguments[0].defocus === 13;
-      postMessage.call(this, refused ? { ...message, method: "refuse" } : message);
-    };"""
-    page = visit("/mounted#side=64&coma=0.5", before=refusing)
-    assert page.get_by_text(re.compile(r"\d waves P–V")).count() == 1
-    move(page, defocus=13)
-    assert page.get_by_text(re.compile(r"\d waves P–V")).count() == 0

@@ -160,31 +160,6 @@ def test_movies_that_do_not_tell_z_have_x_and_y_of_all_spots(tmp_path):
     assert flat.plot().get_figure(root=True).axes[1:] == []  # no bar of colours
 
 
-def test_what_is_masked_in_a_movie_does_not_count(table, counts):
-    hidden = np.zeros(counts.shape, dtype=bool)
-    hidden[:, 40:42] = True
-    known = localize_movie(np.where(hidden, np.nan, counts), table, noise=CAMERA, block=9)
-    found = localize_movie(np.ma.masked_array(counts, hidden), table, noise=CAMERA, block=9)
-    np.testing.assert_array_equal(found.table, known.table)
-    assert found.left_out == known.left_out > 0
-
-
-def test_maps_of_the_camera_are_those_of_each_box(table, molecules):
-    draw = np.random.default_rng(3)
-    shape = (SIDE, SIDE)
-    camera = lm.Noise(
-        white=draw.uniform(0.4, 0.52, shape),
-        read=np.where(draw.random(shape) < 0.03, 15.0, 1.5),
-        offset=draw.uniform(80.0, 120.0, shape),
-    )
-    mean = simulated.light(molecules, FRAMES, SIDE, 8.0)
-    found = localize_movie(simulated.recorded(mean, camera, 4), table, noise=camera)
-    off = errors(found, molecules)
-    assert len(off) >= molecules.frame.size - 2
-    for name in ("x", "y", "z", "photons"):
-        assert 0.85 < math.sqrt((off[name] ** 2).mean()) < 1.15, name
-
-
 def test_depth_is_found_where_the_table_runs_along_it():
     pupil = simulated.OBJECTIVE.pupil(
         depth=0.5e-6, z=0.0, origin="brightest", wavelength=600e-9, aberrations=simulated.ASTIGMATISM
@@ -201,27 +176,6 @@ def test_depth_is_found_where_the_table_runs_along_it():
     np.testing.assert_allclose(found.table["z"], depths, atol=1e-9)  # no noise: the error is the table's
     np.testing.assert_allclose(found.table["x"], 20.5 * PIXEL, atol=1e-10)
     assert found.recording.along == "depth"
-
-
-def test_images_taken_for_those_on_the_glass_are_as_wrong_as_the_page_says(table):
-    z = np.linspace(-0.5e-6, 0.5e-6, 51)
-    images = 5000.0 * lm.psf(simulated.pupil(z), 15, simulated.PIXEL, dtype="float64", tol=1e-8).values + 10.0
-
-    def off(depth: float) -> tuple[float, float, float, float]:
-        """Root mean square and largest error in nm, error of the scale, and what a straight line leaves."""
-        one = Table(simulated.pupil(depth=depth), z=(-0.9e-6, 0.9e-6))
-        found = lm.localize.fit(one, images)
-        assert found.converged.all()
-        error = 1e9 * (found.z - z)
-        line = np.polyfit(1e9 * z, error, 1)
-        left = error - np.polyval(line, 1e9 * z)
-        return np.sqrt((error**2).mean()), np.abs(error).max(), line[0], np.sqrt((left**2).mean())
-
-    rms, largest, scale, _ = off(1e-6)
-    assert rms < 1e-3
-    assert largest < 3e-3
-    assert abs(scale) < 1e-5
-    assert off(0.0) == pytest.approx((104.0, 259.0, -0.29, 27.0), rel=0.03)
 
 
 def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_sample():
@@ -247,21 +201,6 @@ def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_s
     error = 1e9 * (lm.localize.fit(one, 5000.0 * images + 10.0).z - z)
     assert np.sqrt((error**2).mean()) < 2.0
     assert abs(np.polyfit(1e9 * z, error, 1)[0]) < 0.003
-
-
-def test_fixed_dipoles_are_found_beside_where_they_are_as_the_page_says(table):
-    for wobble, expected in {0.0: (52.4, -44.8, 121.1, -161.6), 0.5: (27.4, -16.2, 48.5, -58.4)}.items():
-        planes = simulated.OBJECTIVE.pupil(
-            depth=1e-6,
-            z=np.array([0.0, 0.4e-6]),
-            wavelength=600e-9,
-            aberrations=simulated.ASTIGMATISM,
-            emitter=lm.Dipole(math.radians(60.0), 0.0, wobble=wobble),
-        )
-        found = lm.localize.fit(table, 5000.0 * lm.psf(planes, 15, simulated.PIXEL, dtype="float64").values + 10.0)
-        off = 1e9 * np.column_stack([(found.column - 7) * PIXEL, found.z - [0.0, 0.4e-6]]).ravel()
-        np.testing.assert_allclose(off, expected, atol=2.0)
-        np.testing.assert_allclose(found.row, 7.0, atol=1e-3)
 
 
 def test_a_molecule_deeper_in_the_sample_has_a_smaller_z(table):

@@ -165,10 +165,3 @@ def test_bad_input_is_told(change, message):
     options = {"images": np.zeros((60, 60)), "noise": NOISE} | change
     with pytest.raises((TypeError, ValueError), match=message):
         lm.find_spots(options.pop("images"), **options)
-
-
-def test_the_picture_has_a_window_for_each_spot_and_the_reasons():
-    axes = found_in([(60, 60, 4e4), (60, 72, 3e4), (150, 200, 4e4)]).plot()
-    assert len(axes.patches) == 1
-    labels = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert labels == ["window", "refused: neighbor"]

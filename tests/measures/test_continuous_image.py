@@ -13,7 +13,6 @@ from scipy import integrate, optimize, special
 import lommel as lm
 from lommel.measures.continuous_image import (
     ImageModel,
-    _turning,
     cartesian_images,
     images,
     polar_images,
@@ -259,32 +258,6 @@ def test_a_grid_answers_for_every_place_and_channel():
 # Continuity: what physics does not change does not change.
 
 
-def numbers(psf):
-    unit = psf.pupil.scale
-    return np.array(
-        [
-            psf.fwhm() / unit,
-            psf.fwhm("x", of="optics") / unit,
-            psf.encircled_energy(3e-6),
-            psf.encircled_energy(30e-6, about="centroid"),
-            psf.ensquared_energy(3e-6),
-            psf.energy_diameter(0.8) / unit,
-            psf.energy_diameter(0.5, of="optics") / unit,
-            psf.energy,
-            psf.mtf(100e3),
-        ]
-    )
-
-
-@pytest.mark.parametrize("pixel", [0.4e-6, 1e-6, 3.45e-6, 7e-6])
-def test_a_nanoradian_of_coma_changes_nothing(pixel):
-    radial, coma = (lm.psf(camera(coma=c), 65, pixel) for c in (0.0, 1e-9))
-    np.testing.assert_allclose(numbers(coma), numbers(radial), rtol=1e-6)
-    assert radial.fwhm(of="optics") == pytest.approx(2.5385e-6, rel=1e-4)
-    if pixel == 3.45e-6:
-        assert radial.encircled_energy(3e-6) == pytest.approx(0.39315, abs=1e-5)
-
-
 @settings(max_examples=12, deadline=None)
 @given(st.floats(-12.0, 12.0), st.floats(0.5e-6, 8e-6), st.sampled_from([0.0, 0.4]))
 def test_nor_does_it_for_any_defocus_and_pixel(defocus, pixel, eps):
@@ -307,20 +280,6 @@ def test_nor_does_it_for_any_defocus_and_pixel(defocus, pixel, eps):
     # Near a dark ring the energy hardly changes with the diameter: each has 0.8 within the diameter of the other.
     for one, other in ((coma, radial), (radial, coma)):
         assert one.encircled_energy(0.5 * other.energy_diameter(0.8)) == pytest.approx(0.8, abs=1e-6)
-
-
-def test_a_vane_of_a_billionth_changes_nothing():
-    plain, vane = (
-        lm.psf(lm.Pupil(lm.Wavefront(1.0), spider=s, wavelength=LAMBDA, f_number=F_NUMBER), 33, 2e-6)
-        for s in (None, lm.Spider.equal(2, width=1e-9))
-    )
-    np.testing.assert_allclose(numbers(vane), numbers(plain), rtol=2e-6)
-
-
-@pytest.mark.parametrize("pixel", [1e-6, 4e-6])
-def test_a_blur_of_a_picometre_changes_nothing(pixel):
-    plain, blurred = (lm.psf(camera(), 33, pixel, blur=b, tol=1e-5) for b in ((), lm.Jitter(1e-12)))
-    np.testing.assert_allclose(numbers(blurred), numbers(plain), rtol=2e-5)
 
 
 @pytest.mark.parametrize("coma", [0.0, 1.3])
@@ -405,9 +364,7 @@ def test_what_makes_no_sense_is_refused():
             call(*arguments, of="pixels")
     with pytest.raises(ValueError, match=r"what reaches 0\.01 m from the axis .* ask for less of at most 0\.0016"):
         psf.encircled_energy(1e-2)
-    with pytest.raises(
-        ValueError, match=r"pixel must be left out for a PSF, which has its own; give it with psf\.pupil"
-    ):
+    with pytest.raises(ValueError, match="pixel must be left out for a PSF, which has its own; give it with"):
         lm.mtf(psf, 1e4, pixel=1e-6)
     with pytest.raises(ValueError, match="spectrum must be left out for a PSF"):
         lm.otf(psf, 1e4, spectrum=lm.Polychromatic([5e-7], [1.0]))
@@ -419,8 +376,3 @@ def test_the_frequency_of_half_contrast_is_that_of_the_image():
     assert psf.mtf(f) == pytest.approx(0.3, abs=1e-8)
     white = lm.psf(camera(), 9, 1e-6, method=lm.Polychromatic([450e-9, 650e-9], [1, 1]))
     assert white.mtf(lm.mtf_frequency(white)) == pytest.approx(0.5, abs=1e-8)
-
-
-def test_waves_at_equal_steps_turn_by_products():
-    f, x = np.linspace(-0.9, 0.8, 23), 0.37 * np.arange(-11.0, 27.0)
-    np.testing.assert_allclose(_turning(f, x), np.exp(2j * np.pi * np.outer(x, f)), atol=1e-13)

@@ -1,6 +1,8 @@
-"""The best focus, against defocus that is known and the balance of Zernike."""
+"""The best focus, light through focus, and widths along z."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ import pytest
 import lommel as lm
 from lommel import LommelSeries, NijboerZernike, Pupil, Wavefront
 from lommel.measures.energy import radial_energy
+from lommel.show.curves import moved, section
 
 
 @pytest.mark.parametrize("obscuration", [0.0, 0.5])
@@ -50,3 +53,168 @@ def test_the_best_focus_is_found_with_the_method_that_is_given() -> None:
 def test_other_apertures_have_no_best_focus_in_a_circle():
     with pytest.raises(ValueError, match="pupil must be radially symmetric for its best focus"):
         lm.best_focus(lm.Pupil(stop=lm.Polygon.regular(6, 1.0)), 1.0)
+
+
+X = np.linspace(-3.0, 3.0, 13)
+
+
+def test_the_light_on_the_axis_is_that_of_defocus():
+    through = moved(lm.Pupil(), reach=6.0, count=25)
+    values = section(through, X)
+    assert values.shape == (25, 13)
+    np.testing.assert_array_equal(through.at, np.linspace(-6.0, 6.0, 25))
+    assert not through.metric
+    np.testing.assert_allclose(values[:, 6], np.sinc(through.at / math.pi) ** 2, atol=2e-6)
+    airy = lm.psf(lm.Pupil(), (1, 13), 0.5, normalize="strehl").values[0]
+    np.testing.assert_allclose(values[12], airy, atol=2e-6)
+
+
+def test_the_defocus_of_a_moved_sensor_is_that_of_the_lens(camera):
+    through = moved(camera, 1.9, reach=50e-6, count=5)
+    assert through.metric
+    for z, pupil in zip(through.at, through.pupils, strict=True):
+        # C_d = (pi / (2 lambda)) (1/d - 1/f + 1/s) R^2 with the sensor at d + z.
+        d, radius = camera.sensor_distance + z, 0.5 * camera.aperture_diameter
+        expected = math.pi / (2.0 * 550e-9) * (1.0 / d - 1.0 / 50e-3 + 1.0 / 1.9) * radius**2
+        assert float(pupil.wavefront.defocus) == pytest.approx(expected, rel=1e-9)
+        assert pupil.f_number == pytest.approx(d / camera.aperture_diameter, rel=1e-12)
+    values = section(through, 1e-6 * X)
+    expected = [
+        float(lm.strehl(pupil)) * (through.pupils[2].f_number / pupil.f_number) ** 2 for pupil in through.pupils
+    ]
+    np.testing.assert_allclose(values[:, 6], expected, atol=2e-6)
+
+
+def test_a_pupil_and_its_lens_agree_where_the_sensor_moves_little(camera):
+    of_lens = moved(camera, reach=20e-6, count=9)
+    of_pupil = moved(camera.pupil(), reach=20e-6, count=9)
+    np.testing.assert_allclose(of_lens.at, of_pupil.at)
+    (stack,) = of_pupil.pupils
+    exact = [float(pupil.wavefront.defocus) for pupil in of_lens.pupils]
+    np.testing.assert_allclose(stack.wavefront.defocus, exact, rtol=1e-3, atol=1e-9)
+    np.testing.assert_allclose(section(of_lens, 1e-6 * X), section(of_pupil, 1e-6 * X), atol=2e-3)
+
+
+@pytest.mark.parametrize("options", [{}, {"spider": lm.Spider.equal(3, width=0.1)}], ids=["round", "spider"])
+def test_light_of_any_wavefront_is_that_of_its_psf(options):
+    coma = lm.Pupil(lm.Wavefront(0.5, nonradial={(3, 1): 1.0}), wavelength=500e-9, f_number=4.0, **options)
+    through = moved(coma, reach=40e-6, count=3)
+    values = section(through, 1e-6 * X)
+    (stack,) = through.pupils
+    exact = lm.psf(stack, (1, 13), 0.5e-6, integrate=False, normalize="strehl").values[:, 0]
+    np.testing.assert_allclose(values, exact, atol=3e-6)
+    # The focus of the sensor moved away from the lens is that of more defocus.
+    np.testing.assert_allclose(
+        stack.wavefront.defocus, 0.5 + np.array([1, 0, -1]) * math.pi * 40e-6 / (8 * 5e-7 * 16)
+    )
+
+
+@pytest.mark.parametrize("wavefront", [lm.Wavefront(), lm.Wavefront(20.0), lm.Wavefront(-15.0, 10.0)], ids=str)
+def test_by_default_each_zone_has_its_focus_in_between_and_so_has_the_sensor(wavefront):
+    (stack,) = moved(lm.Pupil(wavefront), count=41).pupils
+    added = stack.wavefront.defocus - wavefront.defocus
+    assert added.min() < 0.0 < added.max()
+    middle, rim = -wavefront.defocus, -wavefront.defocus - wavefront.spherical
+    assert added.min() < min(middle, rim)
+    assert added.max() > max(middle, rim)
+
+
+def test_the_sensor_goes_to_where_the_lens_focuses_but_not_into_the_lens():
+    lens = lm.Lens(focal_length=50e-3, f_number=8.0, sensor_distance=45e-3, wavelength=550e-9)
+    through = moved(lens, 2.0, count=7)
+    assert through.at[0] < 0.0
+    assert through.at[-1] > 1.0 / (1.0 / 50e-3 - 1.0 / 2.0) - 45e-3
+    slow = lm.Lens(focal_length=50e-3, f_number=400.0, focus_distance=2.0, wavelength=10e-6)
+    ends = moved(slow, count=7).at[[0, -1]]
+    np.testing.assert_allclose(ends, slow.sensor_distance * np.array([-0.95, 2.0]))
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ({"reach": 0.0}, "reach must be > 0, got 0"),
+        ({"reach": 1.0}, "reach must be below the distance of the sensor, 0.0512821 m, got 1"),
+        ({"count": 2}, "count must be from 3 to 4096, got 2"),
+        ({"object_distance": [1.0, 2.0]}, r"there must be a single pupil, got a stack of shape \(2,\)"),
+    ],
+)
+def test_what_is_out_of_range_is_refused(camera, options, told):
+    with pytest.raises(ValueError, match=told):
+        moved(camera, **options)
+
+
+def test_a_pupil_has_its_object():
+    with pytest.raises(ValueError, match="object_distance must be None for a pupil"):
+        moved(lm.Pupil(), 1.0)
+
+
+OIL = lm.Objective(
+    NA=1.4,
+    magnification=63,
+    immersion=1.515,
+    working_distance=0.19e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)
+WAVE, PIXEL = 610e-9, 6.5e-6
+STEP = 0.5 * OIL.nyquist(wavelength=WAVE).axial
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.23, 0.5])
+@pytest.mark.parametrize(("depth", "planes"), [(1e-6, 16), (5e-6, 24)])
+def test_the_width_along_z_is_that_of_the_focus(depth, planes, shift):
+    z = (np.arange(planes) - planes // 2 + shift) * STEP
+    stack = lm.psf(OIL.pupil(depth=depth, z=z, wavelength=WAVE), 3, PIXEL, tol=1e-4)
+    assert stack.axial_fwhm() == pytest.approx(OIL.focus(depth, wavelength=WAVE).axial_fwhm, rel=0.01)
+    assert stack.z == pytest.approx(z)
+
+
+def test_several_stacks_have_a_width_each():
+    z = np.arange(-12, 13) * STEP
+    stack = lm.psf(OIL.pupil(depth=[[1e-6], [5e-6]], z=z, wavelength=WAVE), 3, PIXEL, tol=1e-4)
+    assert stack.axial_fwhm() == pytest.approx([757e-9, 1131e-9], rel=0.01)
+    assert stack.z.shape == (2, 25)
+    assert stack[1].axial_fwhm() == pytest.approx(stack.axial_fwhm()[1])
+
+
+def test_a_dipole_is_measured_by_its_brightest_pixel():
+    z = np.arange(-10, 11) * STEP
+    # Upright, it is dark on the axis.
+    pupil = OIL.pupil(depth=1e-6, z=z, wavelength=WAVE, emitter=lm.Dipole(0.2, 0.0))
+    stack = lm.psf(pupil, 15, PIXEL, tol=1e-3)
+    width = float(stack.axial_fwhm())
+    k = np.unravel_index(stack.values.argmax(), stack.shape)
+    line = stack.values[:, k[1], k[2]]
+    inside = np.flatnonzero(line > 0.5 * line.max())
+    assert abs(width - STEP * (np.ptp(inside) + 1.0)) < STEP
+
+
+def test_what_is_no_stack_over_z_is_refused():
+    def made(**given):
+        return lm.psf(OIL.pupil(wavelength=WAVE, **given), 3, PIXEL, tol=1e-3)
+
+    z = np.arange(-3, 4) * 0.1e-6
+    for answer, said in (
+        (lm.psf(lm.Pupil(lm.Wavefront()), 5, 0.3), "this is the PSF of a lens"),
+        (made(depth=0.0), "a stack of planes, got one of shape"),
+        (made(depth=[0.0, 1e-6], z=0.0), "several depths"),
+        (made(depth=[0.0, 1e-6], z=z[:2]), "several depths"),
+        (made(depth=0.0, z=z[::-1]), "z must rise"),
+        (made(depth=0.0, z=[0.0, 0.0, 1e-7, 2e-7]), "z must rise"),
+    ):
+        for ask in (lambda of: of.z, lambda of: of.axial_fwhm()):
+            with pytest.raises(ValueError, match=said):
+                ask(answer)
+    with pytest.raises(ValueError, match="takes at least 4 planes, got 3"):
+        made(depth=0.0, z=z[:3]).axial_fwhm()
+    with pytest.raises(ValueError, match="do not fall to half of the largest on both sides within the stack"):
+        made(depth=0.0, z=0.5 * z).axial_fwhm()
+
+
+def test_rings_beside_the_peak_do_not_count():
+    # Deep below the glass there is a second maximum beyond the first, more than half as bright.
+    far = np.arange(-20, 60) * STEP
+    stack = lm.psf(OIL.pupil(depth=100e-6, z=far, wavelength=WAVE), 3, PIXEL, tol=1e-3, integrate=False)
+    line = stack.profile([0.0])[1][:, 0]
+    assert np.count_nonzero(np.diff(line > 0.5 * line.max())) == 4
+    assert stack.axial_fwhm() == pytest.approx(OIL.focus(100e-6, wavelength=WAVE).axial_fwhm, rel=0.01)

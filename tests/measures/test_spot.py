@@ -1,4 +1,4 @@
-"""Where the light is and how wide: the Airy pattern, defocus, and images of pupils that are not radial."""
+"""Widths, diameters and centroids of PSFs, and differences of two."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import special
+from scipy import integrate, optimize, special
 from scipy.optimize import brentq
 
 import lommel as lm
+from lommel import ClosedForm, Hankel, Pupil, Wavefront
 from lommel.measures import energy, spot
 
 FINE = lm.Fraunhofer(samples=256, edge="grey")
@@ -203,14 +204,6 @@ def test_what_is_impossible_is_refused_by_name():
             call()
 
 
-@pytest.mark.parametrize("defocus", [0.0, 1.0, math.pi, -7.3])
-@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
-def test_the_strehl_ratio_of_defocus_is_a_sinc_squared(defocus, normalize):
-    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), (4, 5), 0.7, method=lm.Hankel(), normalize=normalize)
-    expected = (math.sin(defocus) / defocus) ** 2 if defocus else 1.0
-    assert float(answer.strehl) == pytest.approx(expected, rel=1e-12, abs=1e-15)
-
-
 def test_the_strehl_ratio_of_an_obscured_lens_is_relative_to_itself():
     assert float(lm.psf(lm.Pupil(obscuration=0.6), 3, 0.7, method=lm.Hankel()).strehl) == pytest.approx(
         1.0, rel=1e-13
@@ -224,3 +217,102 @@ def test_of_long_pixels_a_diameter_may_reach_the_corners_of_the_window():
         found = float(spot.energy_diameter(psf, within))
         assert energy.encircled_energy(psf, 0.5 * found) == pytest.approx(within, rel=3e-8)
         assert found == pytest.approx(2.0 * radius, rel=0.05)
+
+
+images = st.lists(st.floats(0.0, 10.0), min_size=4, max_size=4)
+
+
+@given(images, images)
+def test_the_error_measures_are_what_the_paper_defines(one: list[float], other: list[float]) -> None:
+    values, reference = np.array(one).reshape(2, 2), np.array(other).reshape(2, 2) + 0.5
+    peak = max(other) + 0.5
+    squares = [(a - b - 0.5) ** 2 for a, b in zip(one, other, strict=True)]
+    assert lm.mse(values, reference) == pytest.approx(sum(squares) / 4 / peak**2, rel=1e-12)
+    assert lm.peak_error(values, reference) == pytest.approx(math.sqrt(max(squares)) / peak, rel=1e-12)
+    assert lm.mse(values, reference) <= lm.peak_error(values, reference) ** 2 * (1 + 1e-12)
+    assert lm.mse(reference, reference) == lm.peak_error(reference, reference) == 0.0
+
+
+def test_the_error_measures_take_psfs_and_do_not_depend_on_their_scale() -> None:
+    pupil, method = Pupil(Wavefront(5.0)), ClosedForm()
+    pairs = [
+        [lm.psf(pupil, 33, 0.4, method=m, normalize=n, dtype=np.float64) for m in (method, Hankel())]
+        for n in ("energy", "strehl")
+    ]
+    for measure in (lm.mse, lm.peak_error):
+        assert measure(*pairs[0]) == pytest.approx(measure(*pairs[1]), rel=1e-12)
+        assert measure(*pairs[0]) > 1e-4
+
+
+@pytest.mark.parametrize(
+    ("values", "reference", "message"),
+    [
+        ([1.0, 2.0], [1.0], "must have the same shape"),
+        ([1.0, math.nan], [1.0, 2.0], "must be finite"),
+        ([1.0, 2.0], [1.0, math.inf], "must be finite"),
+        ([1.0, 2.0], [0.0, 0.0], "positive peak"),
+    ],
+)
+def test_errors_of_nothing_are_refused(values: list[float], reference: list[float], message: str) -> None:
+    for measure in (lm.mse, lm.peak_error):
+        with pytest.raises(ValueError, match=message):
+            measure(values, reference)
+
+
+APERTURES = {
+    "annulus": lm.Pupil(lm.Wavefront(nonradial={(2, 2): 1.0}), obscuration=0.3),
+    "vlt": lm.Pupil(stop=lm.telescopes.vlt()),
+    "jwst": lm.Pupil(stop=lm.telescopes.jwst()),
+    "tilted": lm.Pupil(lm.Wavefront(nonradial={(1, 1): 20.0}), spider=lm.Spider.equal(4, 0.03)),
+}
+
+
+@pytest.mark.parametrize("name", APERTURES)
+@pytest.mark.parametrize("strength", [4, 30, 60])
+def test_the_light_in_a_pixel_and_at_half_of_the_peak(name, strength):
+    pupil, side, air = APERTURES[name], 0.8 * strength, lm.Seeing(1.0 / strength)
+    pixel = lm.psf(pupil, 3, side, integrate=True, blur=air, tol=1e-6, normalize="energy", dtype="float64")
+    exact = pixel.values[1, 1]
+    energy = pixel.ensquared_energy(0.5 * side, of="optics")
+    assert energy == pytest.approx(exact, abs=1e-5)
+    assert pixel.encircled_energy(0.5 * side, of="optics") < energy
+    diameter = pixel.energy_diameter(0.5, of="optics", about="centroid")
+    assert pixel.encircled_energy(0.5 * diameter, of="optics", about="centroid") == pytest.approx(0.5, abs=1e-5)
+    if name == "vlt":  # symmetric about both axes
+        for along, shape in (("x", (1, 3)), ("y", (3, 1))):
+            step = 0.5 * pixel.fwhm(along, of="optics")
+            line = lm.psf(pupil, shape, step, integrate=False, blur=air, tol=1e-6, dtype="float64").values.ravel()
+            assert line[0] / line[1] == pytest.approx(0.5, abs=1e-5)
+
+
+def test_pixels_and_wavelengths_count():
+    telescope = lm.Pupil(stop=lm.telescopes.vlt(), wavelength=600e-9, f_number=15.0)
+    air = lm.Seeing(0.2, 120.0, 500e-9, outer_scale=22.0)
+    white = lm.Polychromatic([500e-9, 700e-9], [1.0, 2.0])
+    several = lm.psf(telescope, 3, 300e-6, blur=(air, lm.Motion(1e-4, 0.3)), method=white, tol=1e-5, dtype="float64")
+    assert several.ensquared_energy(150e-6, of="optics") == pytest.approx(several.values[1, 1], abs=2e-5)
+    one = lm.psf(telescope, 3, 300e-6, blur=air, tol=1e-4)
+    assert one.fwhm() > 1.05 * one.fwhm(of="optics")
+    stack = lm.psf(
+        lm.Pupil(lm.Wavefront([0.0, 9.0]), stop=lm.telescopes.vlt()), 3, 9.0, blur=lm.Seeing(0.1), tol=1e-4
+    )
+    assert stack.fwhm()[1] > stack.fwhm()[0]
+    assert stack.fwhm()[0] == stack[0].fwhm()
+
+
+@pytest.mark.parametrize("strength", [30, 150, 1000])
+@pytest.mark.parametrize("outer", [None, 3.0])
+def test_the_width_of_a_disc_in_any_seeing(strength, outer):
+    psf = lm.psf(lm.Pupil(), 9, strength / 9.0, blur=lm.Seeing(1.0 / strength, outer_scale=outer), tol=1e-4)
+    air = psf.blur[0]
+
+    def light(r):
+        def wave(x):
+            f = x**3
+            otf = 2.0 / math.pi * (math.acos(f) - f * math.sqrt(1.0 - f * f))
+            return otf * float(air.transfer(f)) * special.j0(2.0 * math.pi * f * r) * 3.0 * x**5
+
+        return integrate.quad(wave, 0.0, min(1.0, 6.0 / strength) ** (1 / 3), epsabs=1e-14, limit=400)[0]
+
+    half = optimize.brentq(lambda r: light(r) - 0.5 * light(0.0), 0.1 * strength, strength, xtol=1e-9)
+    assert psf.fwhm(of="optics") == pytest.approx(2.0 * half, rel=2e-8)

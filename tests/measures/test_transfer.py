@@ -197,22 +197,9 @@ def test_a_tilt_turns_the_phase_of_the_otf_and_nothing_else(a, b, fx, fy):
     assert moved == pytest.approx(plain * np.exp(-2j * (fx * a + fy * b)), abs=1e-9)
 
 
-def test_the_otf_of_a_symmetric_pupil_is_real_and_the_same_in_every_direction():
-    pupil = lm.Pupil(lm.Wavefront(3.0, -2.0), obscuration=0.2)
-    angle = np.linspace(0, 2 * math.pi, 9)
-    values = lm.otf(pupil, 0.4 * np.cos(angle), 0.4 * np.sin(angle))
-    assert np.all(values.imag == 0)
-    np.testing.assert_allclose(values, values[0], rtol=0, atol=1e-12)
-
-
 def test_the_phase_transfer_of_a_tilt_is_linear_and_zero_where_there_is_no_contrast():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(1, 1): 0.5}))
     np.testing.assert_allclose(lm.ptf(pupil, [0.0, 0.5, 0.9, 1.0, 2.0]), [0, -0.5, -0.9, 0, 0], rtol=0, atol=1e-8)
-
-
-def test_defocus_reverses_contrast():
-    assert lm.otf(lm.Pupil(lm.Wavefront(6.0)), 0.15).real < -0.05
-    assert lm.ptf(lm.Pupil(lm.Wavefront(6.0)), 0.15) == pytest.approx(math.pi)
 
 
 def test_frequencies_in_cycles_per_metre_and_per_lambda_N_agree():

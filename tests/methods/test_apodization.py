@@ -123,12 +123,6 @@ def test_a_spectrum_can_be_apodized_if_its_method_can(tmp_path):
         lm.psf(pupil, 9, 1e-6, method=lm.Polychromatic([5e-7], [1], lm.LommelSeries()))
 
 
-@pytest.mark.parametrize("value", [-1.0, np.nan, 101.0, np.inf])
-def test_an_apodization_out_of_range_is_refused(value):
-    with pytest.raises(ValueError, match="apodization must be"):
-        lm.Pupil(apodization=value)
-
-
 # Brighter in the middle and at the rim than between; what is drawn is computed on its own.
 RINGED = lm.Apodization([2.0, -3.0, 0.5, 0.2])
 LOW = 0.2**2
@@ -247,7 +241,5 @@ def test_what_an_amplitude_leaves_out_counts_in_the_bound(normalize):
     times = 2.0 if normalize == "peak" else 1.0
     assert added == pytest.approx(times * 2.0 * 2.0 * e * pupil.amplitude / math.sqrt(peak), rel=1e-4)
     assert np.array_equal(answer.values, plain.values)
-    with pytest.raises(
-        lm.ToleranceError, match=r"leave up to 0 rad of the phase out, those of the apodization 1e-06 of"
-    ):
+    with pytest.raises(lm.ToleranceError, match="leave up to 0 rad of the phase out, those of the apodization"):
         lm.psf(lm.Pupil(apodization=stated), 9, 0.4, method=lm.NijboerZernike(1e-6))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import math
 from pathlib import Path
 
@@ -10,12 +9,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-import organisation
 from disk_questions import disk_question
 from lommel import _core
 from lommel.core.answers import Declined
 from lommel.core.engine import Window, disk_costs
-from lommel.methods import METHODS, choice
+from lommel.methods import choice
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 
 COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}))
@@ -49,10 +47,6 @@ def test_a_small_window_that_the_light_misses_goes_to_the_series():
     assert answer.values.max() < 1e-4
     with pytest.raises(ValueError, match="chords"):
         lm.psf(TILTED, 17, 0.5, method=lm.ChordalGauss())
-
-
-def test_a_method_that_was_named_is_not_replaced():
-    assert type(lm.psf(COMA, 33, 0.5, method=lm.NijboerZernike()).method) is lm.NijboerZernike
 
 
 def test_both_methods_for_general_wavefronts_agree():
@@ -150,11 +144,6 @@ def test_what_one_of_the_methods_can_prove_is_answered():
     assert lm.psf(STRONG, 33, 4.0, tol=1e-8).method == lm.NijboerZernike(1e-8)
 
 
-def test_the_page_on_how_to_choose_has_the_table_of_the_code():
-    page = Path(__file__).parents[2] / "docs" / "choose.md"
-    assert f"\n{choice.table()}\n" in page.read_text(encoding="utf-8")
-
-
 def test_the_next_method_is_asked_where_one_proves_nothing_and_the_last_one_says_why():
     asked = []
 
@@ -176,18 +165,6 @@ def test_a_tolerance_below_that_of_the_only_method_is_refused():
     with pytest.raises(ValueError, match=r"tol must be >= 1e-12 and < 0\.1, got 1e-13"):
         lm.psf(lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 9, 0.5, tol=1e-13)
     assert lm.psf(COMA, 9, 0.5, tol=1e-11).error_bound <= 1e-11
-
-
-def test_no_package_above_the_methods_makes_one_by_itself():
-    """All take what lommel.methods.choice gives, or what the user names; the paper compares them all."""
-    names = {kind.__name__ for kind in METHODS.values()}
-    makers = []
-    for name, tree in organisation.modules().items():
-        for node in ast.walk(tree):
-            called = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
-            if called and organisation.package_of(name) not in ("methods", "paper"):
-                makers.append(f"{name}:{node.lineno}")
-    assert makers == []
 
 
 @pytest.mark.parametrize(("part", "options"), [("plan", {}), ("images", {"integrate": True})])

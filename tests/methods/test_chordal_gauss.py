@@ -403,7 +403,5 @@ def test_what_no_certified_method_takes_is_told_with_one_that_computes_it():
         lm.psf(pupil, 64, 32.0)
     samples = int(re.findall(r"samples=(\d+)", str(caught.value))[0])
     assert lm.psf(pupil, 64, 32.0, method=lm.Fraunhofer(samples=samples)).values.sum() == pytest.approx(1.0, abs=0.01)
-    with pytest.raises(
-        ValueError, match=r"more than the limit of 1600: less aberration or a smaller window takes fewer$"
-    ):
+    with pytest.raises(ValueError, match="more than the limit of 1600: less aberration or a smaller window"):
         lm.psf(pupil, 64, 32.0, method=lm.NijboerZernike())

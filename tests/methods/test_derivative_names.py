@@ -45,10 +45,6 @@ def test_what_is_no_name_is_refused(names, error, told):
         checked(names, "of")
 
 
-def test_names_may_be_strings_of_numpy():
-    assert [type(name) for name in checked([np.str_("row"), "defocus"])] == [str, str]
-
-
 def test_derivatives_have_the_names_that_were_asked_for():
     names = [(3, 1), "noll 8", "ansi  7", [2, 2], "defocus", "defocus", (np.int64(2), np.int64(-2))]
     answer = lm.psf(lm.Pupil(COMA), 9, 0.5, derivatives=names)
@@ -213,19 +209,6 @@ def test_methods_that_have_none_say_which_do(method):
     for each in (method, lm.Polychromatic([5e-7, 6e-7], [1, 1], method)):
         with pytest.raises(ValueError, match=f"not available from {name}; use NijboerZernike, ChordalGauss or"):
             lm.psf(pupil, 9, 1e-6, method=each, derivatives=("defocus",))
-
-
-def test_a_method_that_was_named_is_not_replaced():
-    pupil = lm.Pupil(lm.Wavefront(3.0), wavelength=5e-7, f_number=2.0)
-    series = lm.NijboerZernike()
-    for method in (series, lm.Polychromatic([5e-7, 6e-7], [1, 1], series)):
-        assert lm.psf(pupil, 9, 1e-6, method=method, derivatives=("defocus",)).method is method
-        with pytest.raises(
-            ValueError, match=r"by \(3, 1\), 'row' are not available from NijboerZernike.* use Chordal"
-        ):
-            lm.psf(pupil, 9, 1e-6, method=method, derivatives=((3, 1), "row"))
-    with pytest.raises(ValueError, match='"peak", which has kinks'):
-        lm.psf(pupil, 9, 1e-6, derivatives=((3, 1),), normalize="peak")
 
 
 def test_factors_are_those_of_the_conventions():

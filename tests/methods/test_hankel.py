@@ -7,11 +7,8 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import special
 
-import lommel as lm
 from lommel import Hankel, Pupil, Wavefront
 from lommel.methods import hankel
 from lommel.special.legendre import gauss_legendre
@@ -53,31 +50,12 @@ def test_the_error_falls_with_the_tolerance_and_stays_below_it(wavefront: Wavefr
         assert bound[0] <= tol * pupil.area + 1e-15 * (np.abs(pupil.coefficients()).sum() + 20)
 
 
-@given(st.lists(st.tuples(st.floats(-100, 100), st.floats(-100, 100)), min_size=1, max_size=5))
-def test_a_stack_holds_the_same_fields_as_its_pupils_alone(coefficients: list[tuple[float, float]]) -> None:
-    defocus, spherical = np.array(coefficients).T
-    pupils = Pupil(Wavefront(defocus, spherical), obscuration=0.3)
-    together = Hankel().field(pupils, V)
-    assert together.shape == (len(coefficients), V.size)
-    for i, field in enumerate(together):
-        assert np.abs(field - Hankel().field(pupils[i], V)).max() <= 1e-13
-
-
 @pytest.mark.parametrize("block", [1, 1000, 4096])
 def test_the_size_of_the_blocks_does_not_matter(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
     pupil, v = Pupil(Wavefront(30.0, -7.0)), np.linspace(0.0, 90.0, 301)
     whole = Hankel().field(pupil, v)
     monkeypatch.setattr(hankel, "_BLOCK", block)
     assert np.abs(Hankel().field(pupil, v) - whole).max() <= 1e-15
-
-
-def test_the_intensity_is_the_square_of_the_field_at_every_pixel() -> None:
-    pupil = Pupil(Wavefront(12.0, -3.0), obscuration=0.25)
-    answer = lm.psf(pupil, (7, 10), 0.6, method=Hankel(), normalize="strehl")
-    y, x = np.mgrid[-3:4, -5:5]
-    field = Hankel().field(pupil, math.pi * 0.6 * np.hypot(y, x))
-    assert answer.values == pytest.approx(np.abs(field) ** 2 / pupil.area**2, rel=0, abs=1e-15)
-    assert answer.values.dtype == np.float64
 
 
 def test_its_intensity_error_bound_is_relative_to_the_largest_value() -> None:
@@ -95,14 +73,3 @@ def test_as_few_nodes_as_it_takes_reach_the_answer_at_great_phases() -> None:
     t, w = gauss_legendre(12_000)
     direct = [np.sum(w * np.exp(1e4j * t) * special.j0(at * np.sqrt(t))) for at in v]
     assert np.abs(Hankel().field(pupil, v) - direct).max() <= 1e-13
-
-
-@pytest.mark.parametrize("tol", [1e-16, 0.0, -1.0, 0.01, math.inf])
-def test_a_tolerance_out_of_range_is_refused(tol: float) -> None:
-    with pytest.raises(ValueError, match="tol must be"):
-        Hankel(tol=tol)
-
-
-def test_phases_beyond_the_limit_are_refused_with_their_size() -> None:
-    with pytest.raises(ValueError, match=r"phases of 1e\+06 rad and v up to 1 take 5.01e\+05 quadrature nodes"):
-        Hankel().field(Pupil(Wavefront(1e6)), 1.0)

@@ -91,12 +91,6 @@ def test_each_pupil_of_a_stack_has_the_image_it_has_alone(method: Method) -> Non
         assert np.abs(values - alone.values).max() <= 2e-6 * alone.values.max()
 
 
-@pytest.mark.parametrize("method", ALL)
-def test_only_a_pupil_is_a_pupil(method: Method) -> None:
-    with pytest.raises(TypeError, match="pupil must be a Pupil"):
-        method.require(Wavefront(1.0))  # type: ignore[arg-type]
-
-
 def test_what_each_method_supports() -> None:
     plain, aberrated, physical = Pupil(Wavefront(1.0)), Pupil(Wavefront(1.0, 1.0)), LENS.pupil(0.3)
     supported = {

@@ -9,8 +9,6 @@ import pytest
 from scipy.special import j0, j1
 
 import lommel as lm
-from lommel.core.answers import Intensities
-from lommel.optics.colour.spectrum import Spectrum
 
 WAVES, WEIGHTS = (450e-9, 550e-9, 650e-9), (1.0, 2.0, 1.0)
 
@@ -27,27 +25,11 @@ def test_a_spectrum_is_the_sum_of_what_each_wavelength_makes():
     assert lm.peak_error(answer, expected) <= answer.error_bound <= 1.1e-6
 
 
-def test_a_single_wavelength_is_the_reference_itself():
-    plain = lm.psf(lens().pupil(3.0), 41, 2e-6, dtype=np.float64)
-    answer = lm.psf(lens().pupil(3.0), 41, 2e-6, dtype=np.float64, method=lm.Polychromatic([550e-9], [7.0]))
-    assert lm.peak_error(answer, plain) < 2e-6
-    assert answer.strehl == pytest.approx(plain.strehl, abs=1e-6)
-
-
 def test_without_aberration_the_strehl_ratio_is_one():
     perfect = lm.Pupil(wavelength=550e-9, f_number=4.0)
     answer = lm.psf(perfect, 21, 1e-6, method=lm.Polychromatic(WAVES, WEIGHTS), normalize="strehl", integrate=False)
     assert answer.strehl == pytest.approx(1.0, abs=2e-6)
     assert answer.values.max() == pytest.approx(1.0, abs=2e-6)
-
-
-def test_energies_pixel_averages_and_files_work_as_of_any_method(tmp_path):
-    method = lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike(1e-7))
-    answer = lm.psf(lens().pupil(3.0), 60, 3e-6, method=method, integrate=True, dtype=np.float64)
-    assert answer.sampling == "pixel"
-    assert answer.values.sum() == pytest.approx(answer.energy, abs=1e-6)
-    answer.save(tmp_path / "p.npz")
-    assert lm.PSF.load(tmp_path / "p.npz").encircled_energy(9e-6) == answer.encircled_energy(9e-6)
 
 
 def test_without_weights_all_wavelengths_count_alike():
@@ -270,28 +252,6 @@ def test_a_method_whose_tolerance_is_no_contract_is_summed_as_it_is():
     certified = lm.psf(lens().pupil(3.0), 21, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS), tol=1e-10)
     assert lm.peak_error(answer, certified) <= 1e-10
     assert lm.Hankel().tol < answer.error_bound < 1e-11
-
-
-def test_the_pupils_of_all_wavelengths_are_made_once_however_often_more_is_asked_of_them(monkeypatch):
-    made, asked = [], []
-    components = Spectrum.components
-
-    def counted(spectrum, pupil):
-        made.append(components(spectrum, pupil))
-        return made[-1]
-
-    def one_place(method, pupil, v):
-        """Light of each wavelength elsewhere: the sum is as bright as one of them, its error that of all."""
-        asked.append(method.tol)
-        values = (np.arange(v.size) == round(1e8 * pupil.wavelength)).astype(float)[None]
-        return Intensities(values, np.array([method.tol]), np.ones(1))
-
-    monkeypatch.setattr(Spectrum, "components", counted)
-    monkeypatch.setattr(lm.NijboerZernike, "profile", one_place)
-    found = lm.Polychromatic(WAVES, WEIGHTS).profile(lens().pupil(3.0), np.arange(99.0))
-    assert found.error.max() <= 1e-6
-    assert len(set(asked)) == 2
-    assert len(made) == 1
 
 
 def test_measures_of_white_light_are_those_of_its_parts():

@@ -121,27 +121,6 @@ def test_all_light_is_counted():
     assert lm.psf(pupil, 801, 0.5).values.sum(dtype=np.float64) == pytest.approx(1.0, abs=3e-3)
 
 
-def test_a_stack_is_what_its_members_are():
-    coefficients = np.linspace(-3, 3, 7)
-    stack = lm.Pupil(lm.Wavefront(np.linspace(0, 2, 7), nonradial={(3, 1): coefficients, (2, -2): 1.0}))
-    together = lm.psf(stack, (20, 31), 0.4, method=lm.NijboerZernike())
-    # Chords are as many as the neighbours in a vector take, too.
-    alike = lm.psf(stack, (20, 31), 0.4, method=lm.ChordalGauss())
-    for i in (0, 3, 6):
-        one = lm.psf(stack[i], (20, 31), 0.4, method=lm.NijboerZernike())
-        assert together.values[i].tobytes() == one.values.tobytes()
-        one = lm.psf(stack[i], (20, 31), 0.4, method=lm.ChordalGauss())
-        most = (alike.error_bound + one.error_bound) * one.values.max()
-        assert np.abs(alike.values[i] - one.values).max() <= most
-
-
-def test_threads_do_not_change_a_bit():
-    pupil = lm.Pupil(lm.Wavefront(5.0, nonradial={(3, 1): 6.0, (2, -2): 4.0}))
-    for method in (lm.NijboerZernike(), lm.ChordalGauss()):
-        one, four = (lm.psf(pupil, 200, 0.4, method=method, threads=threads) for threads in (1, 4))
-        assert one.values.tobytes() == four.values.tobytes()
-
-
 @pytest.mark.parametrize("level", ["portable", "avx2"])
 def test_other_instructions_give_the_same_to_rounding(level):
     pupil = lm.Pupil(lm.Wavefront(5.0, nonradial={(3, 1): 6.0, (2, -2): 4.0}), obscuration=0.3)
@@ -165,16 +144,6 @@ def test_pixels_average_over_their_area_when_asked_to(normalize):
     mean = 0.25 * np.einsum("iajb,a,b->ij", squares.reshape(9, 10, 12, 10), w, w)
     mean *= answer.scale
     assert np.abs(answer.values - mean).max() / answer.values.max() <= answer.error_bound <= 1e-6 + 1e-15
-
-
-def test_the_series_has_no_profile_and_no_derivatives_of_such_pupils():
-    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(ValueError, match="no radial profile"):
-        lm.NijboerZernike().field(pupil, [0.0, 1.0])
-    with pytest.raises(ValueError, match="no radial profile"):
-        lm.NijboerZernike().profile(pupil, np.array([0.0, 1.0]))
-    with pytest.raises(ValueError, match="radially symmetric"):
-        lm.psf(pupil, 9, 0.5, method=lm.NijboerZernike(), derivatives=("defocus",))
 
 
 def test_aberrations_beyond_the_limit_are_refused_with_a_reason():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import subprocess
 import sys
 
@@ -198,32 +197,6 @@ def test_a_stack_whose_z_runs_the_other_way_is_told_in_words_of_microscopes():
     assert "photo" not in found.stopped
 
 
-class _Terminal(io.StringIO):
-    def isatty(self):
-        return True
-
-
-@pytest.mark.parametrize("terminal", [True, False])
-def test_a_long_job_shows_where_it_is_in_terminals_only(monkeypatch, terminal):
-    from lommel.imaging import restoration
-
-    shown = _Terminal() if terminal else io.StringIO()
-    monkeypatch.setattr(sys, "stderr", shown)
-    stack, way = np.full((3, 12, 12), 200.0), lm.imaging.RichardsonLucy(steps=3, target=0.0)
-    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
-    assert shown.getvalue() == ""  # it was too quick to be worth a word
-    monkeypatch.setattr(restoration, "_QUIET", 0.0)
-    monkeypatch.setattr(restoration, "_PAUSE", 0.0)
-    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
-    if terminal:
-        lines = shown.getvalue().split("\r")
-        assert [line[:7] for line in lines[1:-1]] == ["step 0,", "step 1,", "step 2,", "step 3,"]
-        assert "s left" in lines[1]
-        assert lines[-1] == "\x1b[K"
-    else:
-        assert shown.getvalue() == ""
-
-
 def test_progress_is_told_of_each_step_and_may_end_the_work():
     stack, told = np.full((3, 12, 12), 200.0), []
     way = lm.imaging.RichardsonLucy(steps=3, target=0.0)
@@ -273,16 +246,8 @@ def test_memory_is_at_most_ten_times_the_stack_in_float32():
         ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
         ({"psf": PSF.values}, TypeError, "psf must be a PSF"),
         ({"noise": 1.0}, TypeError, "noise must be a Noise"),
-        (
-            {"noise": lm.Noise(read=np.ones((3, 3)))},
-            ValueError,
-            r"read, of shape \(3, 3\), must have a value for each pixel, got images of \(4, 5, 5\)",
-        ),
-        (
-            {"method": "total-variation"},
-            TypeError,
-            "method must be of the type RichardsonLucy or TotalVariation, or None",
-        ),
+        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\), must have a value for"),
+        ({"method": "total-variation"}, TypeError, "method must be of the type RichardsonLucy or TotalVariation,"),
         ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),
         ({"margin": (-1, 3)}, ValueError, "margin"),
         ({"progress": 3}, TypeError, "progress must be callable"),
@@ -300,9 +265,7 @@ def test_the_only_channel_of_a_recording_is_the_stack():
     expected = lm.microscopy.deconvolve(stack, PSF, NOISE, method=few).values
     one, two = (lm.microscopy.open_recording(np.stack([stack] * count)) for count in (1, 2))
     np.testing.assert_array_equal(lm.microscopy.deconvolve(one, PSF, NOISE, method=few).values, expected)
-    with pytest.raises(
-        ValueError, match=r"stack must be one channel, got a recording of 2: .*; recording\.stack\(0\)"
-    ):
+    with pytest.raises(ValueError, match="stack must be one channel, got a recording of 2:"):
         lm.microscopy.deconvolve(two, PSF, NOISE)
 
 

@@ -1,24 +1,22 @@
-"""PSFs of microscopes that scan, light sheets and beads: their widths, their planes, what is refused."""
+"""Confocal, two-photon, light-sheet and STED PSFs."""
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
+from scipy.special import jv
 
 import lommel as lm
 from lommel import microscopy as room
+from lommel.methods.layers.scanning import crest
 from lommel.optics.layers.emitter import Absorbed
+from objectives import WATER_60X
 
-WATER = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+WATER = WATER_60X
 DEPTH, PIXEL = 20e-6, 6e-6
 Z = np.linspace(-1.5e-6, 1.5e-6, 7)
 
@@ -192,40 +190,146 @@ def test_a_sheet_takes_dipoles():
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (
-            lambda ex, em: room.confocal(em, ex, 9, PIXEL, normalize="energy"),
-            "normalize must be one of 'stre",
-        ),
+        (lambda ex, em: room.confocal(em, ex, 9, PIXEL, normalize="energy"), "normalize must be one of 'stre"),
         (lambda ex, em: room.confocal(ex[:2], em, 9, PIXEL), r"of shape \(7,\), got \(2,\)"),
-        (
-            lambda ex, em: room.confocal(ex[::-1], em, 9, PIXEL),
-            "a focus up to 3e-06 metres off; objective.pu",
-        ),
-        (
-            lambda ex, em: room.confocal(488e-9, em, 9, PIXEL),
-            "excitation must be an ObjectivePupil, got 4.88",
-        ),
-        (
-            lambda ex, em: room.two_photon(em, 9, PIXEL, normalize="emitted"),
-            "normalize must be one of 'stre",
-        ),
+        (lambda ex, em: room.confocal(ex[::-1], em, 9, PIXEL), "a focus up to 3e-06 metres off; objective.pu"),
+        (lambda ex, em: room.confocal(488e-9, em, 9, PIXEL), "excitation must be an ObjectivePupil, got 4.88"),
+        (lambda ex, em: room.two_photon(em, 9, PIXEL, normalize="emitted"), "normalize must be one of 'stre"),
         (lambda ex, em: room.light_sheet(em, 0.0, 9, PIXEL), "thickness must be > 0 metres, got 0"),
         (lambda ex, em: room.light_sheet(em, 1e-7, 9, PIXEL), "offset must be within 5 times the thickness"),
-        (
-            lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, offset=[[0.0], [0.0]]),
-            "offset must broadcast",
-        ),
-        (
-            lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, offset=[0.0, 1.0]),
-            "offset and the stack must",
-        ),
-        (
-            lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, tol=1.0),
-            "tol must be >= 1e-12 and < 0.1, got 1",
-        ),
+        (lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, offset=[[0.0], [0.0]]), "offset must broadcast"),
+        (lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, offset=[0.0, 1.0]), "offset and the stack must"),
+        (lambda ex, em: room.light_sheet(em, 1e-6, 9, PIXEL, tol=1.0), "tol must be >= 1e-12 and < 0.1, got 1"),
         (lambda ex, em: room.bead("bead", 1e-7, 9, PIXEL), "pupil must be an ObjectivePupil, got 'bead'"),
     ],
 )
 def test_what_makes_no_psf_is_refused(make, said):
     with pytest.raises((TypeError, ValueError), match=said):
         make(*colours(Z))
+
+
+WATER_DEPLETED = dataclasses.replace(WATER_60X, sample=1.333)
+
+
+def three(z=0.0, depth=2e-6, depleting="vortex", **other):
+    emission = WATER_DEPLETED.pupil(depth=depth, z=z, wavelength=680e-9)
+    planes = {"depth": depth, "z": emission.focus, "origin": "coverslip"}
+    excitation = WATER_DEPLETED.pupil(**planes, wavelength=640e-9, emitter=lm.Beam(**other))
+    return excitation, WATER_DEPLETED.pupil(**planes, wavelength=775e-9, emitter=lm.Beam(depleting)), emission
+
+
+def test_half_is_left_on_the_crest_at_a_saturation_of_1():
+    excitation, doughnut, emission = three()
+    window = {"shape": 65, "pixel": 1e-6, "tol": 1e-8}
+    crest = lm.psf(doughnut, 65, 1e-6, integrate=False, normalize="strehl").values.argmax()
+    confocal = lm.microscopy.confocal(excitation, emission, **window).values.ravel()
+    for saturation in (1.0, 3.0):
+        left = lm.microscopy.sted(excitation, doughnut, emission, **window, saturation=saturation).values.ravel()
+        assert left[crest] / confocal[crest] == pytest.approx(0.5**saturation, rel=1e-3)
+        assert left.max() == pytest.approx(confocal.max(), rel=1e-6)
+
+
+def test_spots_become_sharper_like_the_root_of_the_saturation():
+    made = [lm.microscopy.sted(*three(), 9, 1e-6, saturation=s) for s in (0.0, 30.0, 90.0)]
+    none, some, more = (float(each.fwhm()) / 60 for each in made)
+    assert none == pytest.approx(285.4e-9, abs=0.1e-9)
+    # With widths added as those of Gaussians: 1 / w^2 grows by as much for every unit.
+    slopes = (some**-2 - none**-2) / 30.0, (more**-2 - none**-2) / 90.0
+    assert slopes[0] == pytest.approx(slopes[1], rel=0.01)
+    assert max(each.error_bound for each in made) <= 1e-6
+
+
+def test_planes_out_of_focus_are_dark_for_longer_and_a_polarised_laser_serves():
+    # A doughnut leaves all of the axis: the spot is a needle, as long as that of the confocal microscope.
+    z = np.linspace(-1e-6, 1e-6, 9)
+    excitation, doughnut, emission = three(z, polarization="x")
+    needle = lm.microscopy.sted(excitation, doughnut, emission, 17, 2e-6, saturation=10.0)
+    plain = lm.microscopy.confocal(excitation, emission, 17, 2e-6)
+    assert needle.axial_fwhm() == pytest.approx(float(plain.axial_fwhm()), rel=0.01)
+    assert needle.values[:, 8, 8] == pytest.approx(plain.values[:, 8, 8], rel=1e-4)
+    assert float(needle[4].fwhm("x")) < 0.45 * float(plain[4].fwhm("x"))
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda ex, de, em: room.sted(ex, de[:1], em, 9, 1e-6, saturation=1.0), r"depletion must have the planes"),
+        (lambda ex, de, em: room.sted(ex, de[::-1], em, 9, 1e-6, saturation=1.0), "depletion must have"),
+        (lambda ex, de, em: room.sted(ex[::-1], de, em, 9, 1e-6, saturation=1.0), "excitation must have"),
+        (lambda ex, de, em: room.sted(ex, 775e-9, em, 9, 1e-6, saturation=1.0), "depletion must be an Obj"),
+        (lambda ex, de, em: room.sted(ex, de, em, 9, 1e-6, saturation="strong"), "saturation must be a real number"),
+        (lambda ex, de, em: room.sted(ex, de, em, 9, 1e-6, saturation=1e9), "saturation must be >= 0 and <= 10000"),
+    ],
+)
+def test_what_makes_no_psf_is_refused_of_depleted(make, said):
+    with pytest.raises((TypeError, ValueError), match=said):
+        make(*three(np.array([0.0, 1e-6])))
+
+
+def test_a_doughnut_without_symmetry_is_refused():
+    with pytest.raises(ValueError, match="depletion must not depend on the direction"):
+        lm.microscopy.sted(*three(depleting="x"), 9, 1e-6, saturation=1.0)
+
+
+OIL = lm.Objective(
+    NA=1.4,
+    magnification=60,
+    immersion=1.518,
+    working_distance=0.19e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)
+WAVELENGTH = 775e-9
+Complex = NDArray[np.complex128]
+
+
+def angles(objective: lm.Objective) -> tuple[NDArray[np.float64], NDArray[np.float64], list[Complex]]:
+    """Nodes in rho that crowd at the critical angle, weights with rho, and the amplitudes of K0, K1 and K2."""
+    x, w = np.polynomial.legendre.leggauss(800)
+    s, w = 0.5 * (x + 1.0), 0.5 * w
+    critical = min(1.0, objective.sample / objective.NA)
+    below, above = critical * (1.0 - (1.0 - s) ** 2), critical + (1.0 - critical) * s**2
+    rho = np.append(below, above)
+    weight = rho * np.append(2.0 * critical * (1.0 - s) * w, 2.0 * (1.0 - critical) * s * w)
+    t_s, t_p = objective.transmission(rho, wavelength=WAVELENGTH)
+    sample = np.sqrt((1.0 - (objective.NA * rho / objective.sample) ** 2).astype(complex))
+    a = (1.0 - (objective.NA * rho / objective.immersion) ** 2) ** -0.25
+    return (
+        rho,
+        weight,
+        [a * (t_s + t_p * sample), a * t_p * objective.NA * rho / objective.sample, a * (t_s - t_p * sample)],
+    )
+
+
+def total(parts: list[Complex], weight: NDArray[np.float64], fading: NDArray[np.float64]) -> float:
+    """``(k NA)^2 / (4 pi) int I d^2r`` over a plane, by Parseval."""
+    each = [np.abs(part) ** 2 * fading**2 for part in parts]
+    return float(0.5 * weight @ (each[0] + 2.0 * each[1] + each[2]))
+
+
+@pytest.mark.parametrize("depth", [0.3e-6, 3e-6])
+def test_two_photons_are_excited_by_light_over_that_in_the_plane_of_the_emitter(depth):
+    pupil = OIL.pupil(depth=depth, wavelength=WAVELENGTH, emitter=lm.Beam("circular"))
+    found = lm.microscopy.two_photon(pupil, (1, 9), 6e-6)
+    field = OIL.fields(np.abs(found.grid.x) / 60, depth=depth, focus=float(pupil.focus), wavelength=WAVELENGTH)
+    light = np.abs(field.K0) ** 2 + 2.0 * np.abs(field.K1) ** 2 + np.abs(field.K2) ** 2
+    rho, weight, parts = angles(OIL)
+    psi = OIL.phase(rho, depth=depth, focus=float(pupil.focus), wavelength=WAVELENGTH)
+    held = total(parts, weight, np.exp(-psi.imag))
+    assert found.values[0] == pytest.approx((light / held) ** 2, abs=2e-6 * float(found.values.max()))
+    # Far from the glass less light is in the plane, by what is collected of such light: one power of the laser.
+    far = total([part * (rho < OIL.sample / OIL.NA) for part in parts], weight, np.ones(rho.shape))
+    assert float(pupil.collected) == pytest.approx(held / far, rel=1e-6)
+    if depth < 1e-6:
+        assert float(pupil.collected) > 1.05
+
+
+def test_the_crest_is_that_of_a_doughnut_whose_waves_have_lost_their_phase():
+    pupil = OIL.pupil(depth=2e-6, wavelength=WAVELENGTH, emitter=lm.Beam("vortex"))
+    rho, weight, parts = angles(OIL)
+    psi = OIL.phase(rho, depth=2e-6, focus=float(pupil.focus), wavelength=WAVELENGTH)
+    fading = np.exp(-psi.imag)
+    v = np.linspace(1.0, 3.0, 401)
+    K = [(weight * part * fading) @ jv(n + 1, np.outer(rho, v)) for n, part in enumerate(parts)]
+    light = np.abs(K[0]) ** 2 + 2.0 * np.abs(K[1]) ** 2 + np.abs(K[2]) ** 2
+    assert crest(pupil) == pytest.approx(float(light.max()) / total(parts, weight, fading), rel=1e-5)

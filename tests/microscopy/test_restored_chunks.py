@@ -7,10 +7,7 @@ import pytest
 import zarr
 
 import lommel as lm
-from lommel.recorded.recordings import open_recording
 from objectives import OIL_60X
-from read_only import read_only
-from small_disk import small_disk
 
 SHAPE = (4, 16, 48)
 ONE, OTHER = (np.random.default_rng(k).poisson(30.0 + 50.0 * k, (2, *SHAPE)).astype(np.uint16) for k in (0, 1))
@@ -114,65 +111,6 @@ def test_memory_that_is_short_is_not_called_damage(tmp_path, error, monkeypatch)
     with pytest.raises(type(error)) as told:
         restored(ONE[0], tmp_path / "a.zarr")
     assert told.value is error
-
-
-def test_two_at_once_are_refused(tmp_path):
-    there = tmp_path / "a.zarr"
-
-    def second():
-        with pytest.raises(ValueError, match=r"a\.zarr is being written by another call; wait until that has ended"):
-            restored(OTHER[0], there)
-
-    found, _ = restored(ONE[0], there, at_first=second)
-    np.testing.assert_array_equal(found, restored(ONE[0])[0])
-
-
-def test_what_came_to_the_place_meanwhile_is_left_and_the_chunks_are_kept(tmp_path):
-    there = tmp_path / "a.zarr"
-    with pytest.raises(FileExistsError, match="holds no restored stack, and is not replaced"):
-        restored(ONE[0], there, at_first=there.mkdir)
-    there.rmdir()
-    found, done = restored(ONE[0], there)
-    assert len(done) == 1
-    np.testing.assert_array_equal(found, restored(ONE[0])[0])
-
-
-def test_neighbours_with_likely_names_are_left(tmp_path):
-    there = tmp_path / "a.zarr"
-    first = restored(ONE[0], there)[0]
-    likely = ["a.zarr.old", "a.zarr.partial", "a.zarr.new", "a.zarr.unfinished", "old", "new"]
-    for name in likely:
-        (tmp_path / name).mkdir()
-        (tmp_path / name / "precious.txt").write_text(name)
-    likely.append("a.zarr.tmp")
-    (tmp_path / "a.zarr.tmp").symlink_to(tmp_path / "old")
-    found = restored(OTHER[0], there)[0]  # in place of the one of before
-    assert not np.array_equal(found, first)
-    assert np.array_equal(np.asarray(open_recording(there).stack(0)), found[0])
-    for name in likely:
-        assert (tmp_path / name / "precious.txt").read_text() == name.replace("a.zarr.tmp", "old")
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(["a.zarr", *likely])
-
-
-def test_a_link_where_the_chunks_go_is_refused(tmp_path):
-    (tmp_path / "mine").mkdir()
-    (tmp_path / ".a.zarr.unfinished").symlink_to(tmp_path / "mine")
-    with pytest.raises(
-        ValueError, match=r"\.a\.zarr\.unfinished holds no unfinished result: it is a link.*; move or"
-    ):
-        restored(ONE[0], tmp_path / "a.zarr")
-    assert not list((tmp_path / "mine").iterdir())
-
-
-@pytest.mark.parametrize("chunks", [0, 3])
-@pytest.mark.parametrize("disk", [lambda: small_disk(100), read_only], ids=["full", "read-only"])
-def test_a_disk_that_cannot_be_written_is_told_by_the_name_of_the_output(tmp_path, disk, chunks):
-    there = tmp_path / "a.zarr"
-    if chunks:
-        cut(ONE[0], there, chunks)
-    with disk(), pytest.raises(OSError, match=r"\[Errno \d+\] .*: '[^']*/a\.zarr'$"):
-        restored(ONE[0], there)
-    np.testing.assert_array_equal(restored(ONE[0], there)[0], restored(ONE[0])[0])
 
 
 @pytest.mark.parametrize("kind", ["raw", "other", "folder", "file"])

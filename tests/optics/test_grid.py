@@ -64,27 +64,11 @@ def test_the_optical_coordinate_of_a_pixel_is_pi_pixels_over_lambda_N():
     np.testing.assert_allclose(grid.v(pupil), grid.radii * math.pi / 2e-6)
 
 
-def test_one_number_makes_a_square():
-    assert lm.Grid(7, 0.5) == lm.Grid((7, 7), 0.5)
-    assert lm.Grid(7, 0.5).shape == (7, 7)
-    assert lm.Grid((7, 7), 0.5) != lm.Grid((7, 7), 0.25)
-
-
-@pytest.mark.parametrize("shape", [np.int64(4), [4, 4], (np.int32(4), 4), np.array([4, 4])], ids=repr)
-def test_any_whole_numbers_make_a_shape(shape):
-    assert lm.Grid(shape, 1.0).shape == (4, 4)
-
-
 def test_a_grid_cannot_be_changed_and_can_be_a_key():
     grid = lm.Grid(3, 1.0)
     with pytest.raises(FrozenInstanceError):
         grid.pixel = 2.0
     assert {grid: "here"}[lm.Grid(3, 1.0)] == "here"
-
-
-def test_writing_into_the_radii_of_one_grid_spares_the_next():
-    lm.Grid((6, 6), 1.0).radii[:] = 99.0
-    assert lm.Grid((6, 6), 1.0).radii[0] == 0.0
 
 
 @given(grids)

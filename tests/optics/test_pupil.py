@@ -6,7 +6,6 @@ import copy
 import json
 import math
 import pickle
-from dataclasses import FrozenInstanceError
 
 import numpy as np
 import pytest
@@ -87,24 +86,9 @@ def test_a_stack_of_pupils_is_indexed_as_numpy_does_with_its_object_distances(ca
     assert stack[index] == camera.pupil(distances[index])
 
 
-def test_iterating_a_stack_gives_its_pupils(camera):
-    assert list(camera.pupil([1.0, 3.0])) == [camera.pupil(1.0), camera.pupil(3.0)]
-
-
 @pytest.mark.parametrize("distance", [1.5, math.inf, [0.5, math.inf]])
 def test_a_pupil_survives_json_and_pickling(camera, distance):
     pupil = camera.pupil(distance)
     text = json.dumps(pupil.to_dict(), allow_nan=False)
     assert lm.Pupil.from_dict(json.loads(text)) == pupil
     assert pickle.loads(pickle.dumps(pupil)) == pupil
-
-
-def test_a_pupil_cannot_be_changed():
-    pupil = lm.Pupil()
-    with pytest.raises(FrozenInstanceError):
-        pupil.obscuration = 0.5
-
-
-def test_everything_but_the_wavefront_is_given_by_keyword():
-    with pytest.raises(TypeError):
-        lm.Pupil(lm.Wavefront(), 0.5)

@@ -61,10 +61,6 @@ def test_pages_of_errors_may_do_as_little_as_others(server, first, host, status)
     assert head.count("Content-Security-Policy") == 1
 
 
-def test_many_may_knock_at_once(server):
-    assert server.request_queue_size >= 100
-
-
 def ask(server, path, *, host=None, method="GET"):
     connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
     connection.putrequest(method, path, skip_host=True)

@@ -100,18 +100,6 @@ def test_further_zernike_terms_are_checked_one_by_one():
         complete({"zernike": 3})
 
 
-def test_every_control_has_one_sentence_of_help():
-    for name, field in FIELDS.items():
-        assert field.about.endswith("."), name
-        assert ". " not in field.about, name
-
-
-def test_rows_shown_with_another_setting_name_values_it_can_have():
-    for name, field in FIELDS.items():
-        for key, *values in getattr(field, "row", None).when if hasattr(field, "row") else ():
-            assert [FIELDS[key].accepted(key, value) for value in values] == values, name
-
-
 def test_a_link_says_what_differs_and_says_it_exactly():
     assert link({}) == ""
     state = {"defocus": 0.1 + 0.2, "f_number": 2.0, "view": "sampled", "focal_length": 1e6, "zernike": "4,2:.1"}

@@ -18,10 +18,8 @@ from astropy.io import fits
 from PIL import Image
 
 import containers
-from lommel import microscopy
-from lommel.recorded.frames import open_frames
 from objectives import OIL_FILE
-from small_recordings import DEPTH, bead, coloured, grey, movie, pair, sky, stack, stars
+from small_recordings import DEPTH, bead, coloured, grey, movie, sky, stack, stars
 
 ROOT = Path(__file__).resolve().parents[2]
 ASTIGMATIC = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
@@ -54,15 +52,6 @@ focus_distance = "2 m"
 wavelength = "550 nm"
 [sensor]
 pixel = "30 um"
-shape = 33
-"""
-PAIR_LENS = """
-[lens]
-focal_length = "35 mm"
-f_number = 8.0
-wavelength = "540 nm"
-[sensor]
-pixel = "4 um"
 shape = 33
 """
 Call = Callable[..., "subprocess.CompletedProcess[str]"]
@@ -112,7 +101,6 @@ def folder(tmp_path: Path) -> Path:
     """A folder with the files of all lenses."""
     for name, text in (("star", STAR_LENS), ("sky", TELESCOPE), ("oil", OIL_FILE), ("photo", PHOTO_LENS)):
         (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
-    (tmp_path / "pair.toml").write_text(PAIR_LENS, encoding="utf-8")
     (tmp_path / "glass.toml").write_text(ASTIGMATIC.read_text(encoding="utf-8"), encoding="utf-8")
     return tmp_path
 
@@ -230,46 +218,6 @@ REFUSED = {
 }  # fmt: skip
 
 
-def test_one_image_behind_a_thumbnail_is_the_one_that_is_fitted(folder, call_lommel):
-    """Of images one by one, nothing counts them."""
-    options = [*options_of("retrieve"), "--defocus", "4", "--json"]
-    found = []
-    for name, write in (("plain", containers.tiff), ("thumbnail", containers.thumbnail)):
-        (folder / name).mkdir()
-        words = write(stars()[2:], folder / name)
-        found.append(json.loads(call_lommel("retrieve", *words, *options, folder=folder).stdout))
-    assert found[1]["coefficients"] == found[0]["coefficients"]
-
-
-# The axes of more than one image, and files that lack some.
-AXES = {
-    "imagej, frames": lambda values, folder: containers.imagej(values, folder, axes="TYX"),
-    "ome-tiff, frames": lambda values, folder: containers.ome(values, folder, axes="TYX"),
-    "imagej, channels": lambda values, folder: containers.imagej(values, folder, axes="CYX"),
-    "ome-tiff, channels": lambda values, folder: containers.ome(values, folder, axes="CYX"),
-}
-
-
-@pytest.mark.parametrize("name", AXES)
-@pytest.mark.parametrize("command", IMAGES)
-def test_frames_and_channels_are_planes_where_there_are_no_others(command, name, folder, call_lommel, caplog):
-    """Of a stack that is to be deconvolved the file must say so, or the option that the refusal names."""
-    place = folder / "images"
-    place.mkdir()
-    words = [*AXES[name](IMAGES[command](), place), *options_of(command), "--json"]
-    if command == "deconvolve" and "frames" in name:
-        refused = answered(call_lommel(command, *words, folder=folder), folder, caplog)
-        assert 'state --axes "ZYX"' in refused.refusal
-    if command == "deconvolve":
-        words += ["--axes", "ZYX", *(SIZES.split()[2:] if "imagej" in name else ())]
-    answer = answered(call_lommel(command, *words, folder=folder), folder, caplog)
-    place.rename(folder / "other")
-    plain = REFERENCE.get(command, "tiff")
-    expected = once(command, lambda: ask(command, plain, folder, call_lommel, caplog))
-    assert answer.facts is not None, answer.refusal
-    equal(answer.facts, expected, 1e-6)
-
-
 def with_header(command: str, folder: Path, **cards: object) -> Path:
     """Write images with cards in their header."""
     unit = fits.PrimaryHDU(IMAGES[command]())
@@ -333,146 +281,12 @@ def test_files_whose_headers_contradict_each_other_are_refused(folder, call_lomm
     assert "states gain of 0.5, 0.48 in different files, which cannot be used" in result.stdout
 
 
-def test_extensions_have_the_numbers_and_versions_of_fits_and_the_header_of_the_first(folder, call_lommel, caplog):
-    images = stars().astype(np.uint16)
-    primary = fits.PrimaryHDU()
-    primary.header["EGAIN"], primary.header["RDNOISE"] = 0.5, 2.0
-    units = [
-        primary,
-        *(fits.ImageHDU(one, name="SCI", ver=k + 1) for k, one in enumerate(images)),
-        fits.ImageHDU(images[0]),
-    ]
-    fits.HDUList(units).writeto(folder / "all.fits")
-    for part, k in (("1", 0), ("2", 1), ("sci,3", 2), ("SCI,1", 0), ("4", 0)):
-        with open_frames(f"{folder}/all.fits[{part}]") as frames:
-            np.testing.assert_array_equal(frames[...], images[k])
-            assert (frames.said["gain"], frames.said["read"]) == (0.5, 2.0)
-    for part in ("0", "SCI", "SCI,4", "5"):
-        with pytest.raises(
-            ValueError, match=r"4 images, \[SCI,1\] of .*, \[4\] of .*: name one, as in file.fits\[SCI,1\]"
-        ):
-            open_frames(f"{folder}/all.fits[{part}]")
-
-
-def test_a_mask_of_stars_leaves_out_pixels(folder, call_lommel, caplog):
-    spoilt, mask = stars().copy(), np.zeros(stars().shape[1:], np.uint8)
-    spoilt[:, 10, 12:14], mask[10, 12:14] = 60000, 1
-    fits.HDUList([fits.PrimaryHDU(spoilt), fits.ImageHDU(mask, name="BAD")]).writeto(folder / "spoilt.fits")
-    words = [*options_of("retrieve"), "--json"]
-    masked = call_lommel(
-        "retrieve", folder / "spoilt.fits[0]", *words, "--mask", folder / "spoilt.fits[BAD]", folder=folder
-    )
-    fits.PrimaryHDU(np.where(mask, np.nan, stars())).writeto(folder / "without.fits")
-    without = call_lommel("retrieve", folder / "without.fits", *words, folder=folder)
-    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
-
-
-@pytest.mark.parametrize("command", ["beads", "localize"])
-def test_pixels_and_wavelengths_that_are_not_those_of_the_microscope_are_told(command, folder, call_lommel):
-    sizes = {"PhysicalSizeX": 0.16, "PhysicalSizeY": 0.16, "Channel": {"EmissionWavelength": 680}}
-    axes = "TYX" if command == "localize" else "ZYX"
-    tifffile.imwrite(folder / "other.ome.tif", IMAGES[command](), metadata={"axes": axes, **sizes})
-    result = call_lommel(command, folder / "other.ome.tif", *options_of(command), "--json", folder=folder)
-    notes = " ".join(json.loads(result.stdout)["notes"])
-    assert "The images state pixels of 160 nm in the sample; " in notes
-    assert "The images state an emission of 680 nm; " in notes
-
-
-def test_a_wavelength_of_the_stack_that_is_not_the_objective_s_is_told(folder, call_lommel):
-    sizes = {"PhysicalSizeX": 0.1, "PhysicalSizeY": 0.1, "PhysicalSizeZ": 0.25}
-    meta = {"axes": "ZYX", **sizes, "Channel": {"EmissionWavelength": 680}}
-    tifffile.imwrite(folder / "red.ome.tif", stack(), metadata=meta)
-    words = [*options_of("deconvolve"), "--step", "300nm", "--json"]
-    notes = " ".join(
-        json.loads(call_lommel("deconvolve", folder / "red.ome.tif", *words, folder=folder).stdout)["notes"]
-    )
-    assert "The stack has an emission wavelength of 680 nm, the objective file " in notes
-    assert "was taken, not that of the file." in notes
-
-
-def test_a_mask_of_beads_leaves_out_pixels(folder, call_lommel, caplog):
-    spoilt, mask = bead().copy(), np.zeros(bead().shape[1:], np.uint8)
-    spoilt[:, 2, 3], mask[2, 3] = 9000, 1
-    np.save(folder / "spoilt.npy", spoilt)
-    np.save(folder / "mask.npy", mask)
-    np.save(folder / "without.npy", np.where(mask, np.nan, bead()))
-    masked = call_lommel("beads", "spoilt.npy", *options_of("beads"), "--mask", "mask.npy", "--json", folder=folder)
-    without = call_lommel("beads", "without.npy", *options_of("beads"), "--json", folder=folder)
-    equal(answered(masked, folder, caplog).facts, answered(without, folder, caplog).facts, 0.0)
-
-
-def test_a_flat_top_of_a_movie_is_told(folder, call_lommel):
-    np.save(folder / "clipped.npy", np.minimum(movie(), int(np.sort(movie().ravel())[-30])))
-    result = call_lommel("localize", "clipped.npy", *options_of("localize"), "--json", folder=folder)
-    (told,) = (one for one in json.loads(result.stdout)["findings"] if one["code"] == "flat_top")
-    assert "pixels have exactly the largest value" in told["text"]
-
-
 @pytest.mark.parametrize("command", list(IMAGES))
 def test_an_ome_tiff_that_lacks_files_is_refused(command, folder, call_lommel, caplog):
     words = containers.set_of_ome(IMAGES[command](), folder)
     (folder / "plane-1.ome.tif").unlink()
     answer = answered(call_lommel(command, *words, *options_of(command), "--json", folder=folder), folder, caplog)
     assert WAY.search(answer.refusal), answer.refusal
-
-
-def test_what_deconvolve_asks_for_is_what_it_takes(folder, call_lommel, caplog):
-    words = [*containers.ome(stack(), folder, axes="CYX"), *options_of("deconvolve"), "--json"]
-    told = answered(call_lommel("deconvolve", *words, folder=folder), folder, caplog).refusal
-    (wave,) = re.findall(r"give --wavelength, .*such as (\S+)$", told)
-    after = answered(call_lommel("deconvolve", *words, "--wavelength", wave, folder=folder), folder, caplog).refusal
-    assert "without a unit" not in after
-
-
-def test_what_deconvolve_says_of_several_images_names_an_option(folder, call_lommel):
-    words = [*containers.thumbnail(stack(), folder), *options_of("deconvolve")]
-    told = call_lommel("deconvolve", *words, folder=folder).stdout
-    assert "image 1, counted from 0, was taken" in " ".join(told.split())
-    assert "image=" not in told
-
-
-@pytest.mark.parametrize("name", ["imagej, zunit of its own", "ome-tiff in dm", "ome-tiff, planes in reverse"])
-def test_beads_are_told_of_another_step_in_any_unit(name, folder, call_lommel):
-    words = [*containers.STATED[name](bead(), folder), *options_of("beads"), "--step", "300nm"]
-    assert "states planes 250 nm apart; --step 300 nm was taken" in " ".join(
-        call_lommel("beads", *words, folder=folder).stdout.split()
-    )
-
-
-@pytest.mark.parametrize("name", containers.STATED)
-def test_voxels_are_those_that_the_file_states(name, tmp_path):
-    (word,) = containers.STATED[name](stack(), tmp_path)
-    with microscopy.open_recording(word) as found:
-        assert found.pixel == pytest.approx(containers.PIXEL, rel=1e-6)
-        assert found.step == pytest.approx(containers.STEP, rel=1e-6)
-        np.testing.assert_array_equal(np.asarray(found.stack()), stack())
-
-
-@pytest.mark.parametrize("name", ["tiff", "npy, big-endian", "fits", "fits.gz", "pngs", "imagej", "ome-tiff in nm"])
-def test_the_largest_number_of_16_bits_is_saturated_in_any_file(name, folder, call_lommel):
-    """The numbers of FITS are signed, and an offset makes them others."""
-    full = stars().copy()
-    full[1, 11:14, 12:14] = 65535
-    words = [*containers.ALL[name](full, folder), *options_of("retrieve"), "--json"]
-    found = json.loads(call_lommel("retrieve", *words, folder=folder).stdout)
-    np.save(folder / "known.npy", np.where(full == 65535, np.nan, full))
-    words = ["known.npy", *options_of("retrieve"), "--json"]
-    known = json.loads(call_lommel("retrieve", *words, folder=folder).stdout)
-    assert found["coefficients"] == known["coefficients"]
-
-
-def test_the_blank_of_fits_is_as_unknown_as_nan(folder, call_lommel):
-    images = stars().astype(np.int32)
-    images[1, 12, 12] = -7
-    made = fits.PrimaryHDU(images)
-    made.header["BLANK"] = -7
-    made.writeto(folder / "blank.fits")
-    np.save(folder / "nan.npy", np.where(images == -7, np.nan, images))
-    blank, nan = (
-        json.loads(call_lommel("retrieve", name, *options_of("retrieve"), "--json", folder=folder).stdout)
-        for name in ("blank.fits", "nan.npy")
-    )
-    assert blank["coefficients"] == nan["coefficients"]
 
 
 MASKS = {
@@ -509,49 +323,10 @@ def test_a_mask_in_any_file_leaves_out_the_same_pixels(name, folder, call_lommel
     assert found["waves"] == expected["waves"]
 
 
-MAPS = [
-    "npy",
-    "npy, Fortran order",
-    "npy, big-endian",
-    "tiff",
-    "tiff, deflate",
-    "fits",
-    "fits.gz",
-    "fits, SCI after ERR",
-]
-
-
-@pytest.mark.parametrize("name", MAPS)
-def test_a_map_of_the_camera_in_any_file_is_the_same(name, folder, call_lommel, caplog):
-    level = np.full((1, *movie().shape[1:]), 100, np.uint16)
-    level[:, :, ::2] += 3
-    (folder / "map").mkdir()
-    (offset,) = containers.BARE[name](level, folder / "map")
-    words = [*containers.tiff(movie(), folder), *options_of("localize"), "--offset", offset, "--json"]
-    answer = answered(call_lommel("localize", *words, folder=folder), folder, caplog)
-    assert answer.facts is not None, answer.refusal
-    assert answer.facts["table.csv"] == once("map", lambda: answer)["table.csv"]
-
-
 # ------------------------------------------------------------------------------------- photographs and depth maps
 
 
 PHOTO_OPTIONS = {"blur": [], "restore": ["--white", 5000, "--read", 3, "--steps", 3, "--target", 0]}
-FOCI = [
-    "--focus",
-    "1.35m",
-    "--focus",
-    "1.8m",
-    "--between",
-    "1.2m",
-    "2m",
-    "--white",
-    "1e4",
-    "--read",
-    "3",
-    "--candidates",
-    "20",
-]
 IN_COLOUR = ["webp", "png, a palette", "gif", *(name for name in containers.GREY if "in colour" in name)]
 
 
@@ -633,26 +408,3 @@ def test_a_depth_map_in_any_file_has_the_same_answer_or_a_way_out(command, name,
         assert WAY.search(answer.refusal), answer.refusal
         return
     np.testing.assert_allclose(light, LIGHT[f"{command} depth"], rtol=0.0, atol=1e-6)
-
-
-@pytest.mark.parametrize(("command", "name"), cases([("depth", name) for name in containers.GREY]))
-def test_a_pair_of_photographs_in_any_file_has_the_same_depth_or_a_way_out(
-    command, name, folder, call_lommel, caplog
-):
-    def found(write: containers.Writer, key: str) -> Answer:
-        names: list[str] = []
-        for k, one in enumerate(pair()):
-            (folder / f"{key}{k}").mkdir()
-            word, *options = write(one, folder / f"{key}{k}")
-            names.append(word)
-        result = call_lommel(
-            command, *names, "pair.toml", *options, *FOCI, "-o", "found.npy", "--json", folder=folder
-        )
-        return answered(result, folder, caplog)
-
-    answer = found(containers.GREY[name], "this")
-    if answer.facts is None:
-        assert WAY.search(answer.refusal), answer.refusal
-        return
-    expected = once("depth", lambda: found(containers.raster, "plain"))
-    equal(answer.facts, expected, 1e-5 if "float" in name or "light" in name else 0.0)

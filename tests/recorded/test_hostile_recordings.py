@@ -11,7 +11,6 @@ import pytest
 import tifffile
 from PIL import Image
 
-from lommel.base import reading
 from lommel.localize import MovieError, open_movie
 from lommel.recorded.recordings import RecordingError, open_recording
 
@@ -77,10 +76,6 @@ def refused(path, message):
 @pytest.mark.parametrize("following", [1, 2], ids=["the first", "the second"])
 def test_pages_that_run_in_a_circle_are_refused(following, tmp_path):
     refused(pages(tmp_path / "a.ome.tif", 150, ome(), following=following), "its pages run in a circle")
-
-
-def test_many_pages_are_as_they_were(tmp_path):
-    assert len(all_planes(pages(tmp_path / "a.ome.tif", 150, ome(planes=150)))) == 150
 
 
 @pytest.mark.parametrize(
@@ -162,17 +157,6 @@ def test_files_of_micro_manager_are_read_beside_the_first_alone(tmp_path):
     assert len(all_frames(path)) == 1
     os.mkfifo(room / "a_MMStack_1.tif")
     refused(path, r"its metadata name 'a_MMStack_1\.tif', which is no regular file")
-
-
-def test_what_libraries_say_of_damage_names_the_file(tmp_path, monkeypatch):
-    path = pages(tmp_path / "a.ome.tif", 3, ome())
-    for error in (RuntimeError("of a library"), IndexError("of a library"), OSError("of a library"), MemoryError()):
-
-        def fail(*_, error=error):
-            raise error
-
-        monkeypatch.setattr(reading, "tiff_values", fail)
-        refused(path, "of a library|MemoryError")
 
 
 def test_places_beyond_what_python_counts_are_refused(tmp_path):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import gc
-
 import dask.array
 import numpy as np
 import pytest
@@ -131,9 +129,7 @@ def test_planes_of_several_channels_and_planes_that_are_not_there_are_refused(tm
 def test_fits_images_are_packed_and_one_of_several_is_named(tmp_path):
     units = [fits.PrimaryHDU(), fits.ImageHDU(STACK[0], name="SCI"), fits.ImageHDU(STACK[1], name="ERR")]
     fits.HDUList(units).writeto(tmp_path / "three.fits")
-    with pytest.raises(
-        RecordingError, match=r"it holds 2 images, \[SCI\] of 3 x 4, \[ERR\] of 3 x 4: name one, as in f"
-    ):
+    with pytest.raises(RecordingError, match=r"it holds 2 images, \[SCI\] of 3 x 4, \[ERR\] of 3 x 4: name one,"):
         read_images([tmp_path / "three.fits"])
     assert np.array_equal(read_images([f"{tmp_path}/three.fits[err]"]).values, STACK[1:])
     assert np.array_equal(read_images([tmp_path / "three.fits[SCI]"]).values, STACK[:1])
@@ -213,22 +209,6 @@ def test_pages_that_were_written_one_by_one_are_a_stack(options, tmp_path):
         read_images([tmp_path / "complex.tif"])
 
 
-def test_axes_of_one_are_none(tmp_path):
-    np.save(tmp_path / "a.npy", MANY[:1, 0, :, None])
-    fits.PrimaryHDU(MANY[:1, :1, 0]).writeto(tmp_path / "a.fits")
-    np.testing.assert_array_equal(read_images([tmp_path / "a.npy"]).values, MANY[0, 0])
-    np.testing.assert_array_equal(read_images([tmp_path / "a.fits"]).values, MANY[0, 0, :1])
-
-
 def test_an_orientation_that_is_not_applied_is_told(tmp_path):
     tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0, 0], extratags=[(274, 3, 1, 4, True)], metadata=None)
     assert read_images([tmp_path / "a.tif"]).notes == ("The file states the orientation 4, which was not applied.",)
-
-
-def test_a_file_in_one_piece_is_not_held_open(tmp_path):
-    tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0], photometric="minisblack")
-    frames = open_frames(tmp_path / "a.tif")
-    (tmp_path / "a.tif").rename(tmp_path / "b.tif")
-    np.testing.assert_array_equal(frames[...], MANY[0, 0])
-    del frames
-    gc.collect()  # an open file would be told by a warning, which is an error here

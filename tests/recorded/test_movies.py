@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 import tifffile
 
-import lommel as lm
 from lommel.localize import MovieError, open_movie
 
 COUNTS = np.random.default_rng(1).integers(0, 4000, (7, 5, 6))
@@ -65,14 +64,6 @@ def test_frames_hold_integers_or_floats_of_any_width(way, kind, tmp_path):
         (found,) = movie.blocks()
         assert found.dtype == movie.dtype == np.dtype(kind)
         np.testing.assert_array_equal(found, frames)
-
-
-def test_one_frame_is_a_movie_too(tmp_path):
-    tifffile.imwrite(tmp_path / "movie.tif", COUNTS[0].astype(np.uint16))
-    with open_movie(tmp_path / "movie.tif") as movie:
-        assert movie.shape == (1, 5, 6)
-        np.testing.assert_array_equal(movie.frames(0, 1), COUNTS[:1])
-        assert repr(movie) == "<Movie 'movie.tif': 1 frames of 5 x 6, uint16>"
 
 
 @pytest.mark.parametrize("way", ["pages", "stack"])
@@ -207,7 +198,3 @@ def test_frames_that_are_not_there_are_refused(call, message, tmp_path):
     WRITERS["stack"](tmp_path / "movie.tif", COUNTS.astype(np.uint16))
     with open_movie(tmp_path / "movie.tif") as movie, pytest.raises((TypeError, ValueError), match=message):
         call(movie)
-
-
-def test_the_module_is_public():
-    assert lm.localize.open_movie is open_movie

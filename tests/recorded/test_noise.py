@@ -1,4 +1,4 @@
-"""How electrons become values, and how uncertain these are."""
+"""Noise of a camera, counts, saturation and what images state."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.fit import Findings
+from lommel.recorded import camera_noise
+from lommel.recorded.counts import Counts, flat_top, full_value, recording_findings
 
 MAP = np.linspace(1.0, 3.0, 12).reshape(3, 4)
 
@@ -82,11 +85,159 @@ def test_what_is_no_noise_is_refused(options, error, said):
 
 def test_images_that_do_not_fit_are_refused():
     noise = lm.Noise(white=2.0, read=MAP)
-    with pytest.raises(
-        ValueError, match=r"read, of shape \(3, 4\), must have a value for each pixel, got .*\(4, 3\)"
-    ):
+    with pytest.raises(ValueError, match=r"read, of shape \(3, 4\), must have a value for each pixel, got .*\(4"):
         noise.variance(MAP.T)
     with pytest.raises(ValueError, match="image must be finite, got nan"):
         noise.electrons(math.nan)
     with pytest.raises(ValueError, match=r"electrons must be finite and >= 0, got -1.0"):
         noise.record(-np.ones((3, 4)), 0)
+
+
+def test_of_a_large_stack_fewer_points_do(monkeypatch):
+    rng = np.random.default_rng(3)
+    light = 50.0 + 950.0 * rng.random((8, 1, 1)) * np.linspace(0.1, 1.0, 90) * np.ones((90, 1))
+    stack = lm.Noise(white=0.5, read=1.6, offset=100.0).record(light, seed=4)
+    whole, error = camera_noise.measured_noise(stack)
+    monkeypatch.setattr(camera_noise, "_POINTS", 9000)
+    fewer, larger = camera_noise.measured_noise(stack)
+    assert 1.5 * error < larger < 4.0 * error
+    assert abs(float(fewer.white) - float(whole.white)) < 3.0 * larger * float(whole.white)
+
+
+NOISE = lm.Noise(white=0.46, read=1.6, offset=100.0)
+IMAGES = np.round(NOISE.record(np.full((3, 8, 9), 400.0), seed=1)).astype(np.uint16)
+
+
+def counted(images, **options):
+    return Counts.of("images", images, sides=(2, 3), shape="(height, width) or (n, height, width)", **options)
+
+
+def told(images):
+    return Findings(recording_findings(images, NOISE, "image")).text
+
+
+@pytest.mark.parametrize("kind", [np.uint16, np.int32, np.float32])
+def test_pixels_are_known_full_or_hidden(kind):
+    images = IMAGES.astype(kind)
+    images[0, 2, 3] = images[1, 2, 4] = 2000
+    mask = np.zeros((8, 9), dtype=bool)
+    mask[2, 4] = True
+    found = counted(images, saturation=2000, mask=mask)
+    assert np.argwhere(found.full).tolist() == [[0, 2, 3]]
+    assert np.argwhere(found.hidden).tolist() == [[0, 2, 4], [1, 2, 4], [2, 2, 4]]
+    assert (~found.known).sum() == 4
+    assert found.marked().dtype == (np.float64 if kind == np.int32 else np.float32)
+    np.testing.assert_array_equal(np.isnan(found.marked()), ~found.known)
+    np.testing.assert_array_equal(found.filled(), np.where(found.known, images, 0.0))
+    assert counted(IMAGES).marked() is IMAGES
+    assert "4 of 216 pixels left out (masked, saturated or NaN)" in told([found])
+    assert told([counted(IMAGES)]) == ""
+
+
+def test_infinities_are_left_out_and_the_largest_of_a_type_is_full():
+    images = IMAGES.astype(np.float64)
+    images[0, 0, :3] = np.nan, np.inf, -np.inf
+    assert (~counted(images).known).sum() == 3
+    images = IMAGES.copy()
+    images[2, 1, 1] = 65535
+    assert np.argwhere(counted(images).full).tolist() == [[2, 1, 1]]
+    assert counted(images, saturation=np.inf).known.all()
+
+
+def test_what_was_assumed_or_may_be_saturated_is_said_once():
+    bright = np.clip(np.arange(216.0).reshape(3, 8, 9) * 10.0, 100, 1023)
+    found = counted(bright.astype(np.uint16))
+    assert found.saturation == 1023
+    said = told([found[0], found[1], found[2]])
+    assert said.count("that of 10 bits: they were taken as saturated; saturation= states another") == 1
+    other = counted(np.minimum(bright, 1000.0))
+    said = told([other[k] for k in range(3)])
+    assert "pixels of image 1 have exactly the largest value, 1000: if they are saturated, state it" in said
+
+
+def test_images_without_light_or_known_pixels_are_refused():
+    dark = IMAGES.copy()
+    dark[1] = 7
+    with pytest.raises(ValueError, match=r"images\[1\] must show a star, got the value 7 everywhere"):
+        counted(dark).require_light("images", "a star")
+    blind = np.where(np.arange(3)[:, None, None] == 2, np.nan, IMAGES)
+    with pytest.raises(ValueError, match=r"images\[2\] must have pixels that are neither .*, got none"):
+        counted(blind).require_known("images")
+    half = np.where(np.arange(9) < 6, np.nan, IMAGES)
+    counted(half).require_known("images", 0.3)
+    with pytest.raises(ValueError, match=r"images\[0\] must have pixels .*, got 24"):
+        counted(half).require_known("images", 0.5)
+    with pytest.raises(ValueError, match="images must have pixels"):
+        counted(blind[2]).require_known("images")
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "said"),
+    [
+        ({"images": np.zeros((2, 0, 3))}, ValueError, r"images must have the shape .*, got \(2, 0, 3\)"),
+        ({"images": np.zeros((0, 4, 3))}, ValueError, r"images must have the shape .*, got \(0, 4, 3\)"),
+        ({"images": np.zeros(3)}, ValueError, r"got \(3,\)"),
+        ({"images": "bright"}, TypeError, "images must hold real numbers"),
+        ({"images": IMAGES, "mask": np.zeros((8, 9))}, ValueError, r"mask must be True or False .* float64"),
+        ({"images": IMAGES, "mask": np.zeros((9, 8), bool)}, ValueError, "mask must be True or False"),
+        ({"images": IMAGES, "saturation": np.nan}, ValueError, "saturation must be finite"),
+    ],
+)
+def test_bad_arguments_are_refused(given, kind, said):
+    with pytest.raises(kind, match=said):
+        counted(**given)
+
+
+AIRY = lm.psf(lm.Pupil(), 31, 0.5).values
+
+
+def counts(flux, white, seed):
+    """Return a stack of stars in counts and its noise."""
+    noise = lm.Noise(white=white, read=1.6, offset=100.0)
+    return noise.record(np.repeat(flux * AIRY[None] + 20.0, 8, axis=0), seed=seed).round(), noise
+
+
+@pytest.mark.parametrize("share", [0.9, 0.5, 0.1])
+@pytest.mark.parametrize("white", [0.1, 1.0, 5.0])
+def test_a_flat_top_is_found_with_its_value(share, white):
+    values, noise = counts(1e5, white, 1)
+    limit = np.round(100.0 + share * (values.max() - 100.0))
+    top, count = flat_top(np.minimum(values, limit), np.ones(values.shape, dtype=bool), noise)
+    assert top == limit
+    assert count == (values >= limit).sum()
+    valid = values < limit
+    assert flat_top(values, valid, noise)[1] == 0  # saturation that was stated
+
+
+@pytest.mark.parametrize("white", [0.1, 1.0, 30.0])
+def test_noise_alone_has_no_flat_top_even_if_few_counts_are_many_electrons(white):
+    for flux in (0.0, 30.0, 300.0, 1e5):
+        for seed in range(10):
+            values, noise = counts(flux, white, seed)
+            assert flat_top(values, np.ones(values.shape, dtype=bool), noise)[1] == 0
+
+
+def test_full_is_what_is_stated_else_the_largest_of_the_type_or_of_the_bits_of_a_camera():
+    values, _ = counts(1e5, 5.0, 3)
+    stored = values.astype(np.uint16)
+    for bits in (8, 10):
+        for made in (np.minimum(stored, 2**bits - 1), np.minimum(values, 2**bits - 1)):
+            limit, said = full_value(list(made), None)
+            assert limit == 2**bits - 1
+            assert said.startswith(
+                f"{(made == limit).sum()} pixels have exactly the largest value, {limit:.10g}, that of"
+            )
+            assert full_value([made], 999.0) == (999.0, "")
+            assert full_value([made], np.inf)[0] == np.inf
+    assert full_value([stored], None) == (65535, "")
+    assert full_value([values], None) == (np.inf, "")
+    assert full_value([np.minimum(values, 4000.0)], None) == (np.inf, "")  # which flat_top asks about
+
+
+@pytest.mark.parametrize("white", [0.1, 1.0, 30.0])
+def test_noise_that_ends_at_a_power_of_two_is_not_saturated(white):
+    for flux in (30.0, 300.0, 1e5):
+        for seed in range(5):
+            values, _ = counts(flux, white, seed)
+            for shift in (0, 1023 - values.max()):  # its largest value is that of ten bits
+                assert full_value([values + shift], None)[0] == np.inf

@@ -170,10 +170,6 @@ def linked(file: Any) -> None:
         file[f"derivative {k}"] = file["values"]
 
 
-def of_instrument(text: str) -> tuple[str, bytes, Callable[[Path], object]]:
-    return ".toml", text.encode(), lm.load_instrument
-
-
 def with_description(said: bytes) -> bytes:
     """Return a .npy file of a PSF whose description is this text."""
     buffer = io.BytesIO()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import lommel as lm
@@ -21,6 +22,7 @@ def oil(**more: Any) -> lm.Objective:
 
 
 OIL = oil()
+TIRF = dataclasses.replace(OIL, NA=1.45)
 # Of the index of the oil is the cover glass.
 MATCHED = lm.Objective(
     NA=1.4,
@@ -54,6 +56,14 @@ OIL_60X = lm.Objective(
     working_distance=0.2e-3,
     coverslip=lm.Layer(1.5255, 170e-6),
     sample=1.33,
+)
+WATER_60X = lm.Objective(
+    NA=1.2,
+    magnification=60,
+    immersion=1.333,
+    working_distance=0.28e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.36,
 )
 WATER_40X = lm.Objective(
     NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38

@@ -7,17 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 import lommel as lm
+from objectives import OIL
 
 PIXEL, MAGNIFICATION = 6.5e-6, 63.0
 REACH = 10  # pixels around a molecule that its image fills
-OBJECTIVE = lm.Objective(
-    NA=1.4,
-    magnification=MAGNIFICATION,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
+OBJECTIVE = OIL
 ASTIGMATISM = lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
 
 

@@ -1,4 +1,4 @@
-"""What an installed wheel must do on its own: run by tests/test_wheel.py, and by cibuildwheel for each one."""
+"""What an installed wheel must do on its own: run by tests/test_packaging.py, and by cibuildwheel for each one."""
 
 from __future__ import annotations
 

@@ -33,17 +33,3 @@ def test_curves_of_precision_have_gaps_where_nothing_can_be_known():
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["near", "far"]
     axes.figure.canvas.draw()
     estimates.precision(distance, {"": np.full(5, np.inf)}, "nothing").figure.canvas.draw()
-
-
-def test_the_focus_distances_within_the_range_are_marked():
-    distance = np.linspace(1.0, 2.0, 5)
-    axes = estimates.precision(distance, {"": np.full(5, 1e-3)}, "title", [1.2, 1.7, 2.5])
-    assert [line.get_xdata()[0] for line in axes.lines[1:]] == [1.2, 1.7]
-    assert [text.get_text().strip() for text in axes.texts] == ["focus 1.2 m", "focus 1.7 m"]
-
-
-def test_maps_are_named_in_the_words_of_the_field():
-    figure = estimates.maps(np.full((4, 4), 1.5), np.full((4, 4), 1e-3), np.ones((4, 4)))
-    titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    assert titles == ["depth, known at 100 %", "standard error", "all-in-focus image"]
-    assert {axes.get_ylabel() for axes in figure.axes} >= {"depth (m)", "standard error of depth (mm)"}

@@ -6,9 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from lommel.localize import Localizations, Recording
 from lommel.localize.localizations import columns
-from lommel.show import estimates as drawn
 from lommel.show.estimates import rendered
 
 
@@ -58,34 +56,3 @@ def test_colours_are_those_of_the_molecules_and_mix_by_light():
 def test_no_molecules_are_black_and_those_outside_are_left_out():
     assert not rendered(molecules(), (1e-7, 1e-7), 1e-8, np.zeros((0, 3))).any()
     assert not rendered(molecules((-50.0, 50.0, 0.0, 5.0)), (1e-7, 1e-7), 1e-8, np.ones((1, 3))).any()
-
-
-@pytest.mark.parametrize(("along", "label"), [("z", "stage position z (um)"), ("depth", "depth (um)")])
-def test_the_picture_has_its_scales(along, label):
-    rows = molecules((305.0, 105.0, -200.0, 20.0), (2305.0, 1105.0, 300.0, 20.0))
-    rows = np.concatenate([rows, rows])
-    rows["state"][2:] = 1
-    found = Localizations(rows, Recording(10, 64, 80, 103e-9, (15, 15), along))
-    axes = found.plot(pixel=25e-9)
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (um)", "y (um)")
-    assert axes.get_title() == "2 localisations, pixels of 25 nm"  # those that converged
-    (image,) = axes.images
-    assert image.get_extent() == [0.0, pytest.approx(8.24), pytest.approx(6.592), 0.0]
-    bar = axes.get_figure().axes[1]
-    assert bar.get_ylabel() == label
-    low, high = bar.get_ylim()
-    assert -0.2 <= low < -0.18
-    assert 0.28 < high <= 0.3
-    assert found[:0].plot(ax=plt.figure().subplots()).get_title().startswith("0 localisations")
-
-
-def test_pictures_are_no_larger_than_a_few_thousand_pixels(monkeypatch):
-    assert 2000 < drawn._MOST < 5000
-    monkeypatch.setattr(drawn, "_MOST", 1024)  # for it takes a sixteenth of the time and memory
-    found = Localizations(molecules((5.0, 5.0, 0.0, 20.0)), Recording(1, 512, 512, 103e-9, (15, 15), "z"))
-    (image,) = found.plot(pixel=1e-9).images
-    assert image.get_array().shape == (1024, 1024, 3)
-    (image,) = found.plot().images
-    assert image.get_array().shape == (800, 800, 3)
-    with pytest.raises(ValueError, match="pixel must be > 0"):
-        found.plot(pixel=0.0)

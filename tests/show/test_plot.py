@@ -6,12 +6,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
 import lommel as lm
 from lommel.methods import METHODS
 from lommel.show import plot
-from lommel.show.drawing import columns_of, entitle, fitted, round_length
 
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
@@ -35,13 +33,6 @@ def test_it_draws_on_the_axes_it_is_given_and_returns_them(image):
     assert not left.get_images()
 
 
-def test_it_draws_on_new_axes_where_none_are_given(image):
-    _, axes = plt.subplots()
-    new = image.plot()
-    assert new is not axes
-    assert new.figure in map(plt.figure, plt.get_fignums())
-
-
 def test_the_picture_shows_the_values_with_row_zero_at_the_top(image):
     axes = image.plot()
     picture = axes.get_images()[0]
@@ -50,12 +41,6 @@ def test_the_picture_shows_the_values_with_row_zero_at_the_top(image):
     # Edges of the outer pixels in micrometres: columns -4..4 and rows -3..2 of 2 um, and half a pixel around.
     assert (left, right, top, bottom) == pytest.approx((-9.0, 9.0, -7.0, 5.0))
     assert axes.get_ylim() == pytest.approx((bottom, top))
-
-
-@pytest.mark.parametrize(("options", "pixel", "unit"), [(METRIC, 2e-6, "µm"), ({}, 0.5, "λN")], ids=["m", "lambda*N"])
-def test_the_labels_have_the_unit_of_the_sensor(options, pixel, unit):
-    axes = lm.psf(lm.Pupil(**options), 5, pixel).plot()
-    assert (axes.get_xlabel(), axes.get_ylabel()) == (f"x ({unit})", f"y ({unit})")
 
 
 @pytest.mark.parametrize(("stretch", "grey"), [("linear", 1e-2), ("sqrt", 1e-1), ("log", 0.6)])
@@ -67,32 +52,11 @@ def test_a_hundredth_of_the_peak_is_as_grey_as_the_stretch_says(image, stretch, 
     assert norm(0.0) == pytest.approx(0.0)
 
 
-def test_the_square_root_is_the_stretch_unless_another_is_named(image):
-    norm = image.plot().get_images()[0].norm
-    assert norm(0.25 * float(image.values.max())) == pytest.approx(0.5)
-
-
 @pytest.mark.parametrize("stretch", ["cubic", "", None, 1])
 def test_an_unknown_stretch_is_refused(image, stretch):
     with pytest.raises(ValueError, match="stretch must be one of 'sqrt', 'linear', 'log', got ") as caught:
         image.plot(stretch=stretch)
     assert repr(stretch) in str(caught.value)
-
-
-def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(image):
-    axes = image.plot()
-    how = "averaged over each pixel" if image.sampling == "pixel" else "sampled at pixel centres"
-    assert axes.get_title() == f"6 × 9 pixels of 2 µm, {how}"
-    bar = next(other for other in axes.figure.axes if other is not axes)
-    assert bar.get_ylabel() == "fraction of all light per pixel"
-    # Axes that are someone's own stay as they are.
-    _, own = plt.subplots()
-    image.plot(own)
-    assert own.get_title() == ""
-    assert own.figure.axes == [own]
-    averaged = lm.psf(lm.Pupil(), 5, 0.5, integrate=True, normalize="peak").plot()
-    assert averaged.get_title() == "5 × 5 pixels of 0.5 λN, averaged over each pixel"
-    assert averaged.figure.axes[1].get_ylabel() == "1 = largest value"
 
 
 @pytest.mark.parametrize(
@@ -119,14 +83,6 @@ def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
         stack.plot()
     with pytest.raises(ValueError, match="ax must be None for a stack"):
         stack[:2].plot(plt.subplots()[1])
-
-
-@pytest.mark.parametrize("draw", [lm.PSF.plot, lambda image: plot.compare({"a": image}, "a")])
-def test_without_matplotlib_it_is_said_how_to_get_it(image, draw, monkeypatch):
-    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.figure"):
-        monkeypatch.setitem(__import__("sys").modules, name, None)
-    with pytest.raises(ImportError, match=r'plots need matplotlib: pip install matplotlib \(the extra "plot"'):
-        draw(image)
 
 
 @pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 2, 300], ids=str)
@@ -172,49 +128,6 @@ def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_refere
     assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
 
 
-def test_a_line_of_errors_has_its_name_at_its_end_in_its_colour(answers):
-    figure = plot.compare(answers, "Hankel")
-    figure.canvas.draw()
-    errors = figure.axes[-1]
-    colors = [line.get_color() for line in errors.get_lines()]
-    assert len(set(colors)) == len(colors)
-    assert [text.get_text() for text in errors.texts] == [name for name in answers if name != "Hankel"]
-    assert [text.get_color() for text in errors.texts] == colors
-    # None upon another, and none beyond the figure.
-    places = sorted(text.xyann[1] * errors.bbox.height for text in errors.texts)
-    heights = [Text.get_window_extent(text).height for text in errors.texts]
-    assert min(np.diff(places)) > max(heights)
-    assert all(text.get_window_extent().x1 <= figure.bbox.x1 for text in errors.texts)
-
-
-@pytest.mark.parametrize("count", [2, 3, 5])
-def test_nothing_of_a_comparison_overlaps_nor_leaves_the_figure(answers, count):
-    long = "nonuniform-fft (tol=1e-11)"
-    few = {long: answers["Hankel"]} | dict(list(answers.items())[1:count])
-    figure = plot.compare(few, long)
-    figure.draw_without_rendering()
-    titles = [axes.title.get_window_extent() for axes in figure.axes if axes.get_title()]
-    labels = [axes.yaxis.label.get_window_extent() for axes in figure.axes if axes.get_ylabel()]
-    for box in (*titles, *labels):
-        assert figure.bbox.x0 <= box.x0 <= box.x1 <= figure.bbox.x1
-        assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
-    assert not any(a.overlaps(b) for k, a in enumerate(titles) for b in titles[:k])
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_a_comparison_of_few_methods_is_drawn_too(answers, count):
-    few = {name: answers[name] for name in ["Hankel", "Geometric"][:count]}
-    figure = plot.compare(few, "Hankel")
-    figure.canvas.draw()
-    assert len(figure.axes) == count + 2 + (count > 1)  # a bar where there are errors
-
-
-@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 300], ids=str)
-def test_a_comparison_of_windows_of_every_shape_is_drawn_without_a_warning(shape):
-    few = {"Hankel": lm.psf(lm.Pupil(), shape, 0.5), "other": lm.psf(lm.Pupil(lm.Wavefront(1.0)), shape, 0.5)}
-    plot.compare(few, "Hankel").canvas.draw()
-
-
 def test_a_comparison_leaves_no_figure_open(answers):
     before = plt.get_fignums()
     assert isinstance(plot.compare(answers, "Hankel"), Figure)
@@ -252,28 +165,6 @@ def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
     assert [text.get_text() for text in axes.get_yticklabels()] == ["−5", "5"]
 
 
-def test_a_grid_says_that_each_is_over_its_largest_value(over_the_field):
-    axes = over_the_field.plot()
-    assert axes.get_title("left") == "2 × 3 PSFs, each over its largest value"
-    bar = axes.figure.axes[1]
-    assert bar.get_ylabel() == "value over the largest of each PSF"
-    assert bar.get_ylim() == pytest.approx((0.0, 1.0))
-    _, own = plt.subplots()
-    over_the_field.plot(own)
-    assert (own.get_title("left"), own.figure.axes) == ("", [own])
-
-
-def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):
-    axes = over_the_field.plot()
-    (bar,) = axes.get_lines()
-    (label,) = axes.texts
-    micrometres = float(label.get_text().split()[0])
-    assert label.get_text() == f"{micrometres:g} µm in the PSFs"
-    # 15 pixels of 1 um are drawn 10 mm high on a sensor 30 mm wide.
-    assert np.ptp(bar.get_xdata()) * 30.0 == pytest.approx(micrometres * 10.0 / 15.0)
-    assert micrometres <= 11.0
-
-
 @pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
 def test_each_psf_of_a_grid_is_scaled_to_its_own_peak(over_the_field, stretch):
     for picture, values in zip(
@@ -291,51 +182,3 @@ def test_a_grid_is_drawn_on_the_axes_it_is_given(over_the_field):
     assert not left.get_images()
     with pytest.raises(ValueError, match="stretch must be one of"):
         over_the_field.plot(stretch="cubic")
-
-
-@pytest.mark.parametrize(("rows", "columns"), [(1, 1), (1, 9), (9, 1)])
-def test_grids_of_every_shape_are_drawn_without_a_warning(rows, columns):
-    field = lm.FieldMap.from_seidel(20.0, W131=1.0)
-    grid = field.grid(rows, columns, sensor=(2, 30), shape=1, pixel=0.1, method=lm.Fraunhofer(samples=32))
-    axes = grid.plot()
-    axes.figure.canvas.draw()
-    assert axes.get_xlabel() == "x on the sensor (λN)"
-
-
-@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
-def test_titles_are_no_wider_than_their_figures_and_say_the_stretch(stretch):
-    colours = lm.colour_psf(lm.Pupil(lm.Wavefront(3.0), wavelength=550e-9, f_number=4.0), 15, 1e-6, lm.Channels.rgb())
-    figure = colours.plot(stretch=stretch).figure
-    entitle(figure, f"{'a lens with a very long name ' * 4}\n{figure.get_suptitle()}")
-    figure.canvas.draw()
-    title = figure._suptitle.get_window_extent()
-    assert title.x0 >= 0
-    assert title.x1 <= figure.bbox.x1
-    assert {"sqrt": "square root", "linear": "brightness: the value", "log": "logarithm"}[stretch] in " ".join(
-        figure.get_suptitle().split()
-    )
-
-
-def test_lines_of_a_title_are_about_equally_long():
-    text = "brightness: the square root of the value, each channel over its largest value"
-    lines = fitted(text, plt.figure(figsize=(4.8, 3.0))).split("\n")
-    assert len(lines) == 2
-    assert min(map(len, lines)) > 0.7 * max(map(len, lines))
-    assert " ".join(lines) == text
-
-
-@pytest.mark.parametrize(("count", "columns"), [(1, 1), (8, 8), (9, 3), (12, 4), (16, 4), (25, 5), (49, 7), (64, 8)])
-def test_stacks_fill_their_rows(count, columns):
-    assert columns_of(count) == columns
-
-
-def test_lengths_of_scale_bars_are_round():
-    assert [round_length(most) for most in (1.0, 1.9, 2.3, 7.0, 0.03)] == pytest.approx([1.0, 1.0, 2.0, 5.0, 0.02])
-
-
-def test_a_grid_in_colour_has_no_bar_of_one_colour_map():
-    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
-    grid = field.grid(1, 2, sensor=(10e-3, 20e-3), shape=9, pixel=1e-6, channels=lm.Channels.rgb())
-    axes = grid.plot(stretch="linear")
-    assert axes.figure.axes == [axes]
-    assert axes.get_title("left") == "1 × 2 PSFs, each over its largest value\nbrightness: the value"

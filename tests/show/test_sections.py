@@ -9,16 +9,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.show.plot import is_z_stack, sections, voxels
+from lommel.show.plot import is_z_stack
+from objectives import WATER_60X
 
-OBJECTIVE = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+OBJECTIVE = WATER_60X
 RISING = np.arange(-3, 4) * 0.2e-6
 
 
@@ -59,36 +53,10 @@ def test_lengths_are_those_in_the_sample_and_of_the_stage():
     assert [each.get_aspect() for each in (xy, xz, yz)] == pytest.approx([1.0, 1.0, 1.0])
 
 
-@pytest.mark.parametrize(
-    ("stretch", "said"),
-    [("sqrt", "square root"), ("linear", "brightness: the value"), ("log", "1e-5 of the largest")],
-)
-def test_the_stretch_and_the_voxels_are_said(stretch, said):
-    axes = stack().plot(stretch=stretch)
-    text = axes[0].figure.get_suptitle()
-    assert said in " ".join(text.split())
-    assert "7 planes, 0.2 µm apart" in text
-    assert "8 × 9 pixels of 0.1 µm in the sample" in text
-
-
 def test_planes_that_are_not_evenly_spaced_are_drawn_where_they_are():
     (mesh,) = stack(np.array([0.0, 0.2e-6, 0.8e-6])).plot()[1].collections
     np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], (-0.1, 0.1, 0.5, 1.1), atol=1e-12)
     assert "3 planes, not evenly spaced" in plt.gcf().get_suptitle()
-
-
-def test_a_stack_much_longer_than_wide_is_drawn_and_says_that_it_is_not_to_scale():
-    axes = stack(np.arange(-10, 11) * 1e-6, shape=9).plot()
-    # x and y are to one scale still: a round PSF is drawn round.
-    assert axes[0].get_aspect() == pytest.approx(1.0)
-    assert axes[1].get_aspect() < 0.2
-    assert axes[1].get_aspect() * axes[2].get_aspect() == pytest.approx(1.0)
-    assert "x, y and z are not to one scale" in axes[0].figure.get_suptitle()
-
-
-def test_one_row_of_pixels_has_a_height():
-    axes = stack(shape=(1, 9)).plot()
-    assert np.ptp(axes[0].get_ylim()) == 1.0
 
 
 @pytest.mark.parametrize(
@@ -115,12 +83,3 @@ def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
         psf.plot(plt.figure().subplots())
     with pytest.raises(ValueError, match="stretch must be one of"):
         psf.plot(stretch="cube")
-
-
-def test_every_normalisation_has_words():
-    for normalize in ("energy", "emitted", "strehl", "peak"):
-        assert sections(stack(normalize=normalize)).shape == (3,)
-
-
-def test_voxels_are_not_below_zero():
-    assert voxels(stack(emitter="isotropic")).values.min() >= 0.0

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, split_edges
+from lommel.special.piecewise import SPLITS, fit_quadratics, split_edges
 
 RHO = np.linspace(0.0, 1.0, 4001)
 amounts = st.floats(-200, 200)
@@ -109,7 +109,3 @@ def test_a_sweep_that_excludes_the_optimum_says_so():
 def test_what_cannot_be_fitted_is_refused(arguments, error, message):
     with pytest.raises(error, match=message):
         fit_quadratics(**({"coefficients": (1.0, 2.0)} | arguments))
-
-
-def test_every_fit_has_a_name():
-    assert set(FITS) == {"interpolation", "least-squares", "sweep"}

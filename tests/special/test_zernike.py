@@ -170,8 +170,3 @@ def test_terms_have_the_names_that_opticians_use():
     assert names[4, -4] == "tetrafoil y"
     assert names[12, 0] == "5th spherical"
     assert names[9, 9] == "9-foil x"
-
-
-def test_fringe_has_no_terms_beyond_its_37():
-    with pytest.raises(ValueError, match="ends with 37"):
-        zernike.index_of(8, 8, "fringe")

@@ -18,8 +18,6 @@ import pytest
 import lommel as lm
 from lommel.io.psf_files import FileError
 from lommel.stacks import compute
-from read_only import read_only
-from small_disk import small_disk
 
 pytest.importorskip("zarr")
 
@@ -214,14 +212,6 @@ def test_a_store_of_another_request_is_refused_and_stays(tmp_path, known):
     assert contents(run(path, chunk=None)) == known
 
 
-def test_a_store_with_nothing_in_it_may_be_asked_for_otherwise(tmp_path, known):
-    path = tmp_path / "a.zarr"
-    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
-        run(path, method=lm.Stratified())
-    assert lm.open_stack(path).done == (0, 7)
-    assert contents(run(path)) == known
-
-
 def test_something_else_at_the_path_is_refused_and_stays(tmp_path):
     path = tmp_path / "a.zarr"
     path.write_bytes(b"mine")
@@ -281,38 +271,6 @@ def test_a_chunk_that_is_damaged_is_refused_until_it_is_removed(how, begun, tmp_
         run(path)[:]
     (path / "chunks" / "checksum" / "c.1").unlink()
     assert contents(run(path)) == known
-
-
-def test_neighbours_with_likely_names_are_left_and_no_link_is_followed(tmp_path, known):
-    likely = [f"a.zarr{end}" for end in (".old", ".partial", ".new", ".tmp")]
-    (tmp_path / "mine").mkdir()
-    (tmp_path / "mine" / "precious.txt").write_text("mine")
-    for name in (*likely, ".a.zarr.unfinished"):
-        (tmp_path / name).symlink_to(tmp_path / "mine")
-    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
-        run(tmp_path / "a.zarr", method=lm.Stratified())
-    assert contents(run(tmp_path / "a.zarr")) == known  # in place of the one of before
-    assert [path.name for path in (tmp_path / "mine").iterdir()] == ["precious.txt"]
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
-        ["a.zarr", "mine", *likely, ".a.zarr.unfinished"]
-    )
-
-
-def test_a_disk_that_gets_full_is_told_with_the_name_and_the_rest_is_computed_later(tmp_path):
-    path, pupil = tmp_path / "a.zarr", lm.Pupil(lm.Wavefront([0.0, 1.0]))
-    with small_disk(8000), pytest.raises(OSError, match=r"a\.zarr/values/c\.\d\.0\.0'") as told:
-        lm.psf_to(path, pupil, 64, 0.5, chunk=1)  # 16 kB each
-    assert ".lommel-" not in str(told.value)
-    assert lm.open_stack(path).done == (0, 2)
-    assert not list(path.rglob(".lommel-*"))
-    assert lm.psf_to(path, pupil, 64, 0.5, chunk=1).done == (2, 2)
-
-
-@pytest.mark.parametrize("there", [False, True], ids=["new", "begun"])
-def test_a_folder_that_is_read_only_is_told_by_the_name_of_the_store(there, begun, tmp_path):
-    path = begun if there else tmp_path / "a.zarr"
-    with read_only(), pytest.raises(OSError, match=r"Read-only file system: .*a\.zarr'"):
-        run(path)
 
 
 def test_a_disk_without_room_is_told_before_anything_is_computed(tmp_path, monkeypatch):

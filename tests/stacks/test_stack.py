@@ -13,20 +13,14 @@ import pytest
 
 import lommel as lm
 from lommel.io.psf_files import FileError
+from objectives import WATER_60X
 
 pytest.importorskip("zarr")
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 FIELD = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, aperture=LENS.pupil(2.0).unaberrated())
 X, Y, DISTANCES = np.linspace(-9e-3, 9e-3, 3), np.array([0.0, 6e-3]), np.array([1.8, 2.0, 2.5, np.inf])
-OIL = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+OIL = WATER_60X
 
 
 def table() -> list[lm.Pupil]:
@@ -98,13 +92,6 @@ def test_dask_and_xarray_see_the_values_with_names_and_units(fields):
     assert float(data["error_bound"].max()) == whole.error_bound
 
 
-def test_xarray_opens_the_folder_itself(fields):
-    xarray = pytest.importorskip("xarray")
-    with xarray.open_zarr(fields, consolidated=False) as data:
-        np.testing.assert_array_equal(data["values"].values, lm.open_stack(fields)[:].values)
-        assert data["field_x"].attrs == {"units": "m"}
-
-
 def test_a_stack_travels_to_other_processes_by_its_path(fields):
     stack = lm.open_stack(fields)
     stack[0]
@@ -143,9 +130,7 @@ def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
         lm.psf_to(tmp_path / "a.zarr", [LENS.pupil(2.0), blue], 7, 3e-6, center=([3.0, 3.5], 3.0))
     with pytest.raises(ValueError, match=r"pupils must all be held in the same terms, got others of pupils\[1\]"):
         lm.psf_to(tmp_path / "a.zarr", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], 7, 0.5)
-    with pytest.raises(
-        ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N of pupils\[1\]"
-    ):
+    with pytest.raises(ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N"):
         lm.psf_to(tmp_path / "a.zarr", [blue, lm.Pupil()], 7, 0.5)
 
 

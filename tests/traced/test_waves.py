@@ -1,10 +1,13 @@
-"""Cosine and sine of turns, as JAX has them here: how far off they are, and that their derivatives are their own."""
+"""Waves, phases and folded sums in frameworks."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
 
+from lommel.traced import chordal, phases
 from lommel.traced.namespaces import Namespace
 from lommel.traced.phases import waves
 
@@ -47,3 +50,61 @@ def test_of_two_parts_the_first_loses_its_whole_turns(name):
     found = np.stack(waves(Namespace.of(name), parts))
     angle = 2 * np.pi * (0.1259 + np.array([0.0, 0.5]))
     assert np.abs(found - [np.cos(angle), np.sin(angle)]).max() < 5e-7
+
+
+@pytest.mark.parametrize("pupils_last", [False, True])
+@pytest.mark.parametrize("precision", ["float32", "float64"])
+@pytest.mark.parametrize("largest", [1.0, 40.0, 900.0])
+def test_turns_are_off_by_no_more_than_is_said(largest, precision, pupils_last):
+    draw = np.random.default_rng(int(largest))
+    basis = draw.uniform(-1.0, 1.0, (6, 500))
+    rule, tables = phases.make(basis, 16, largest, precision, pupils_last=pupils_last)
+    c = draw.normal(size=(60, 6))
+    c *= (largest / (np.abs(c) @ np.abs(basis).max(axis=1)))[:, None]
+    size = np.abs(c) @ np.abs(basis).max(axis=1)
+    made = {name: np.asarray(table, dtype=precision) for name, table in tables.items()}
+    first, *rest = phases.turns(Namespace.of(None), rule, made, c)
+    total = (first - np.round(first)) + rest[0] if rest else first
+    assert total.dtype == precision
+    off = (total.T if pupils_last else total) - (c @ basis) / math.tau
+    off = math.tau * np.abs(off - np.round(off)).max(axis=1)
+    said = rule.each * size + rule.fixed
+    assert np.all(off <= said)
+    # Of 900 rad that float32 rounds as a whole, 5e-5 would be lost.
+    assert np.all(said <= (1e-11 if precision == "float64" else 2e-6))
+
+
+STEP = 0.7
+PLACES = {
+    "odd": np.arange(-3, 4) * STEP,
+    "even": np.arange(-3, 3) * STEP,
+    "samples of pixels": (np.arange(-2, 2)[:, None] + [-0.3, 0.3]).ravel(),
+    "off the middle": np.arange(-3, 4) - 0.3,
+    "on one side": np.arange(2, 5) * STEP,
+    "one": np.zeros(1),
+}
+
+
+@pytest.mark.parametrize("columns", PLACES.values(), ids=PLACES)
+@pytest.mark.parametrize("rows", PLACES.values(), ids=PLACES)
+def test_a_folded_sum_is_that_over_all_nodes(columns, rows):
+    draw = np.random.default_rng(3)
+    x, y, weights = draw.uniform(0, 1, 4), draw.uniform(0, 1, (4, 3)), draw.uniform(0, 1, (4, 3))
+    phase = draw.uniform(0, 6, (len(chordal.IMAGES), 4, 3, 2))
+    exact = 0.0
+    for (right, below), one in zip(chordal.IMAGES, phase, strict=True):
+        across = np.exp(-1j * right * np.multiply.outer(columns, x))
+        down = np.exp(-1j * below * np.multiply.outer(rows, y))
+        exact = exact + np.einsum("ck,rkl,kl,kln->ncr", across, down, weights, np.exp(1j * one))
+    (over, kept), (along, held) = chordal.axis_of(columns), chordal.axis_of(rows)
+    waves = [(np.cos(one).reshape(12, 2), np.sin(one).reshape(12, 2)) for one in phase]
+    kernels = chordal.folded_tables(x, y, weights, kept, held)
+    found = chordal.folded_intensity(Namespace.of(None), kernels, waves, (over, along))
+    assert np.abs(found - np.abs(exact).reshape(2, -1) ** 2).max() < 1e-13 * np.abs(exact).max() ** 2
+
+
+@pytest.mark.parametrize("name", ["odd", "even", "samples of pixels"])
+def test_of_a_window_about_its_middle_half_the_places_are_kept(name):
+    axis, kept = chordal.axis_of(PLACES[name])
+    assert len(kept) <= len(PLACES[name]) // 2 + 1
+    assert axis.negative > 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.sparse.linalg import lsqr
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FieldBlur, field_blur
@@ -247,17 +246,6 @@ def test_light_that_distortion_moves_is_followed():
     assert np.abs(made - exact).max() < 0.1
 
 
-def test_least_squares_find_the_light():
-    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, energy=0.9, largest=40)
-    operator, light = blur.as_linear_operator(), np.random.default_rng(0).random(960)
-    image = operator @ light
-    np.testing.assert_array_equal(image.reshape(SHAPE), blur.forward(light.reshape(SHAPE)))
-    before, after = (
-        np.linalg.norm(lsqr(operator, image, atol=0.0, btol=0.0, iter_lim=steps)[0] - light) for steps in (3, 60)
-    )
-    assert after < 0.3 * before
-
-
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_the_transpose_is_what_pylops_takes_for_one(dtype):
     pylops = pytest.importorskip("pylops", reason="pylops is not installed")
@@ -277,10 +265,6 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
     assert one == pytest.approx(other, rel=1e-12)
 
 
-def test_windows_as_large_as_the_refusal_of_smaller_ones_says_are_enough():
-    assert FieldBlur(OF_LENS, SHAPE, PIXEL, largest=22).lost <= 0.02
-
-
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
@@ -297,22 +281,14 @@ def test_windows_as_large_as_the_refusal_of_smaller_ones_says_are_enough():
         ({"energy": 0.99999}, ValueError, "energy"),
         ({"border": "wrap"}, ValueError, "border must be one of"),
         ({"method": "fft"}, TypeError, "method"),
-        (
-            {"largest": 3},
-            ValueError,
-            r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more",
-        ),
+        ({"largest": 3}, ValueError, r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more"),
         ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
         ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: they go together"),
         ({"lens": LENS}, ValueError, "depth is missing: they go together"),
         ({"depth": np.full((5, 6), 2.0), "lens": LENS}, ValueError, r"depth must have the shape of the image"),
         ({"depth": np.full(SHAPE, np.nan), "lens": LENS}, ValueError, "depth is NaN at 960 of 960 points"),
         ({"depth": np.full(SHAPE, 2.0), "lens": "a lens"}, TypeError, "lens must be a Lens, got str"),
-        (
-            {"depth": np.full(SHAPE, 2.0), "lens": LENS.focused(0.1)},
-            ValueError,
-            r"lens must have the working f-number of the map.*aperture=lens.pupil",
-        ),
+        ({"depth": np.full(SHAPE, 2.0), "lens": LENS.focused(0.1)}, ValueError, "lens must have the working"),
     ],
 )
 def test_what_makes_no_blur_is_refused_by_name(change, error, message):

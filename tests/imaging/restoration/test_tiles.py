@@ -55,13 +55,6 @@ def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
     assert found.light is None
 
 
-def test_one_tile_is_the_whole():
-    whole, tile = (restore(PHOTO, DEPTH, LENS, PIXEL, tile=side, **GIVEN) for side in (None, 128))
-    np.testing.assert_array_equal(tile.values, whole.values)
-    for name in ("discrepancy", "by_channel", "before", "steps", "stopped", "unknown", "clipped"):
-        assert getattr(tile, name) == pytest.approx(getattr(whole, name)), name
-
-
 @pytest.mark.parametrize("side", [None, 64])
 def test_what_a_mask_hides_is_unknown_as_nan_is(side):
     hidden = np.zeros(PHOTO.shape, dtype=bool)
@@ -123,15 +116,6 @@ def test_the_whole_is_written_where_it_is_asked_for(field):
     found = restore(PHOTO, depth, lens, PIXEL, out=out, **given)
     assert found.values is out
     assert np.array_equal(out, restore(PHOTO, depth, lens, PIXEL, **given).values)
-
-
-def test_memory_maps_are_done_by_tiles(tmp_path):
-    np.save(tmp_path / "photo.npy", PHOTO)
-    told = []
-    photo = np.load(tmp_path / "photo.npy", mmap_mode="r")
-    given = GIVEN | {"method": RichardsonLucy(steps=1), "progress": lambda *at: told.append(at)}
-    assert restore(photo, DEPTH, LENS, PIXEL, **given).light is None
-    assert told == [(1, 1)]
 
 
 def test_a_field_map_has_no_tiles():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from dataclasses import replace
 
@@ -12,16 +13,10 @@ import lommel as lm
 from lommel.methods import Confocal, Sted, method_from_dict
 from lommel.methods.layers.scanning import crest
 from lommel.special.legendre import gauss_legendre
+from objectives import WATER_60X
 from plane_waves import intensity
 
-WATER = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.333,
-)
+WATER = dataclasses.replace(WATER_60X, sample=1.333)
 DEPTH, PIXEL = 2e-6, 3.1e-6
 
 

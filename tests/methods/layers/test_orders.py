@@ -12,16 +12,9 @@ import lommel as lm
 from lommel.methods.layers.samples import between
 from lommel.methods.layers.scanning import Orders, Table, light, product
 from lommel.optics.layers.emitter import Absorbed
+from objectives import TIRF
 from plane_waves import intensity
 
-TIRF = lm.Objective(
-    NA=1.45,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 V = np.array([0.0, 1.3, 4.9])
 PHI = np.array([0.0, 0.4, 2.0, -2.5])
 

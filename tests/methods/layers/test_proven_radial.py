@@ -10,16 +10,9 @@ import lommel as lm
 from lommel.methods import Bead, Confocal, TwoPhoton
 from lommel.methods.layers.debye_wolf import BRIGHT_RING
 from lommel.special.legendre import gauss_legendre
+from objectives import TIRF
 from plane_waves import intensity
 
-TIRF = lm.Objective(
-    NA=1.45,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 PIXEL = 6.5e-6
 
 

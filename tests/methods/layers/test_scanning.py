@@ -13,16 +13,10 @@ import lommel as lm
 from lommel.methods import Confocal, DebyeWolf, TwoPhoton, method_from_dict
 from lommel.optics.layers.emitter import Absorbed
 from lommel.special.legendre import gauss_legendre
+from objectives import WATER_60X
 from plane_waves import intensity
 
-WATER = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+WATER = WATER_60X
 TIRF = lm.Objective(
     NA=1.49,
     magnification=100,

@@ -237,28 +237,6 @@ def test_more_segments_bring_it_to_what_it_makes_of_the_exact_phase(defocus: flo
         assert np.abs(field(segments) - exact).max() <= 1.6 * bound
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"tangent": 0.0}, "tangent must be > 0"),
-        ({"transition": 0.0}, "transition must be > 0"),
-        ({"transition": 50.0}, "transition must be > 0 and < 50"),
-        ({"terms": 0}, "terms must be from 1 to 60"),
-        ({"terms": 61}, "terms must be from 1 to 60"),
-        ({"variant": "correct"}, "variant must be one of 'corrected', 'printed'"),
-        ({"truncate": 0.0}, "truncate must be > 0"),
-    ],
-)
-def test_options_out_of_range_are_refused(options: dict[str, float], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        ClosedForm(**options)
-
-
-def test_an_error_function_must_be_one_of_the_three() -> None:
-    with pytest.raises(TypeError, match="erf must be AbramowitzErf, TableErf or FresnelErf"):
-        ClosedForm(erf="fresnel")  # type: ignore[arg-type]
-
-
 def test_no_bound_is_claimed() -> None:
     answer = lm.psf(Pupil(Wavefront(3.0)), 5, 0.5, method=ClosedForm())
     assert answer.error_bound is None

@@ -127,17 +127,3 @@ def test_averages_over_pixels_are_those_of_its_own_samples(pixel: float, padding
 
 def test_no_bound_is_claimed() -> None:
     assert lm.psf(Pupil(), 9, 0.5, method=Fraunhofer()).error_bound is None
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"samples": 7}, "samples must be from 8 to 8192"),
-        ({"samples": 8193}, "samples must be from 8 to 8192"),
-        ({"padding": 0.99}, "padding must be >= 1"),
-        ({"edge": "gray"}, "edge must be one of 'binary', 'grey'"),
-    ],
-)
-def test_options_out_of_range_are_refused(options: dict[str, float], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        Fraunhofer(**options)

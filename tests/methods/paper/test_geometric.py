@@ -227,9 +227,3 @@ def test_the_image_is_symmetric_about_the_central_pixel() -> None:
 def test_more_rays_than_fit_are_refused_with_their_number() -> None:
     with pytest.raises(ValueError, match=r"Geometric would trace \S+ rays for a blur this large .* limit of 8388608"):
         lm.psf(Pupil(Wavefront(2000.0)), 5, 1e-4, method=Geometric())
-
-
-@pytest.mark.parametrize("rings", [0, 65, -1])
-def test_rings_out_of_range_are_refused(rings: int) -> None:
-    with pytest.raises(ValueError, match="rings must be from 1 to 64"):
-        Geometric(rings=rings)

@@ -144,14 +144,6 @@ def test_too_few_nodes_are_visible() -> None:
     assert np.abs(few - HuygensFresnel().field(pupil, np.array([0.0, 20.0]))).max() > 1e-3
 
 
-def test_a_stack_of_object_distances_is_summed_one_by_one() -> None:
-    lens = _lens(8.0)
-    distances = np.array([0.018, 0.02, math.inf])
-    stack = HuygensFresnel().field(lens.pupil(distances), np.linspace(0, 9, 7))
-    alone = np.stack([HuygensFresnel().field(lens.pupil(s), np.linspace(0, 9, 7)) for s in distances])
-    assert np.abs(stack - alone).max() <= 1e-10
-
-
 @pytest.mark.parametrize("pupil", [Pupil(Wavefront(3.0)), Pupil(wavelength=WAVELENGTH, f_number=8.0)])
 def test_without_a_lens_it_is_refused(pupil: Pupil) -> None:
     with pytest.raises(ValueError, match="HuygensFresnel needs the physical distances of a lens"):
@@ -175,18 +167,3 @@ def test_the_limit_counts_the_whole_stack() -> None:
 def test_more_sources_than_memory_holds_are_refused_however_few_the_pixels() -> None:
     with pytest.raises(ValueError, match=r"1e\+05 x 1e\+05 sources in the aperture, more than the limits"):
         HuygensFresnel(nodes=(10**5, 10**5)).field(_lens(8.0).pupil(math.inf), 0.0)
-
-
-@pytest.mark.parametrize(
-    ("options", "error"),
-    [
-        ({"symmetry": 1}, TypeError),
-        ({"nodes": (10,)}, ValueError),
-        ({"nodes": 10}, ValueError),
-        ({"nodes": (10, 1)}, ValueError),
-        ({"nodes": (10.5, 20)}, TypeError),
-    ],
-)
-def test_options_that_make_no_sense_are_refused(options: dict[str, object], error: type[Exception]) -> None:
-    with pytest.raises(error, match=r"(symmetry|nodes) must"):
-        HuygensFresnel(**options)  # type: ignore[arg-type]

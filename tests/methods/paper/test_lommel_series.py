@@ -83,14 +83,6 @@ def test_the_size_of_the_blocks_does_not_matter(block: int, monkeypatch: pytest.
     assert np.abs(LommelSeries().field(pupil, v) - whole).max() <= 1e-15
 
 
-@pytest.mark.parametrize(
-    "wavefront", [Wavefront(1.0, 1e-9), Wavefront(1.0, 0.0, [0.0, 2.0]), Wavefront([1, 2], [0, 1])]
-)
-def test_anything_but_defocus_is_refused(wavefront: Wavefront) -> None:
-    with pytest.raises(ValueError, match="LommelSeries supports defocus only"):
-        lm.psf(Pupil(wavefront), 5, 0.5, method=LommelSeries())
-
-
 def test_aberrations_that_are_zero_are_no_aberrations() -> None:
     pupils = Pupil(Wavefront([3.0, -4.0], [0.0, 0.0], [[0.0, 0.0], 0.0]))
     exact = lm.psf(pupils, 9, 0.5, method=Hankel(), normalize="strehl").values

@@ -33,14 +33,6 @@ def test_the_contract_holds_for_any_pupil_and_tolerance(defocus, spherical, digi
     assert lm.peak_error(answer, exact) <= answer.error_bound <= tol * (1 + 1e-9)
 
 
-def test_a_stack_is_its_members():
-    stack = lm.Pupil(lm.Wavefront([2.0, 30.0], [0.0, 5.0]))
-    answer = lm.psf(stack, 15, 0.7, method=lm.TunedClosedForm(1e-3), dtype=np.float64)
-    for i in range(2):
-        single = lm.psf(stack[i], 15, 0.7, method=lm.TunedClosedForm(1e-3), dtype=np.float64)
-        assert lm.peak_error(answer.values[i], single) <= 2e-3
-
-
 def test_what_it_cannot_prove_it_says():
     with pytest.raises(lm.ToleranceError, match="tol=1e-06 cannot be met"):
         lm.psf(lm.Pupil(lm.Wavefront(200.0)), 65, 0.5, method=lm.TunedClosedForm(1e-6))

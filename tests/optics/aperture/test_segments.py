@@ -99,20 +99,6 @@ def test_files_keep_the_stop(suffix, stop, tmp_path):
     np.testing.assert_allclose(again.values, psf.values, atol=2e-5 * psf.values.max())  # of the 16 bits of a picture
 
 
-def test_stacks_on_disk_keep_the_stop(tmp_path):
-    pupils = lm.Pupil(lm.Wavefront(defocus=[0.0, 1.0, 2.0]), stop=PHASED, wavelength=1e-6, f_number=20.0)
-    lm.psf_to(tmp_path / "stack.zarr", pupils, 9, 5e-6)
-    assert lm.open_stack(tmp_path / "stack.zarr")[1].pupil == pupils[1]
-
-
-def test_segments_are_drawn_with_their_phases():
-    axes = lm.Pupil(stop=SIX.phased([0.5, 0, 0, 0, 0, 0], unit="waves")).plot()
-    drawn = axes.images[0].get_array()
-    levels = np.unique(np.round(drawn.compressed() if np.ma.isMaskedArray(drawn) else drawn[~np.isnan(drawn)], 9))
-    assert np.ptp(levels) == pytest.approx(0.5)
-    assert len(levels) == 2
-
-
 def test_rays_are_scanned_at_the_same_points_of_an_aperture_once():
     pupil = lm.Pupil(lm.Wavefront(1.0), stop=PHASED)
     assert lm.Pupil(lm.Wavefront(2.0), stop=PHASED).opening.raster() is pupil.opening.raster()

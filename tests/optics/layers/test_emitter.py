@@ -106,10 +106,7 @@ def test_the_wobble_is_the_share_that_turns_freely():
         (lambda: lm.Dipole("up", 0.0), "polar must be a real number, got 'up'"),
         (lambda: lm.Dipole(0.0, 0.0, wobble=2), "wobble must be from 0 to 1, got 2"),
         (lambda: lm.Dipole(0.0, 0.0, wobble=-0.1), "wobble must be >= 0, got -0.1"),
-        (
-            lambda: lm.Beam((0.0, 0.0)),
-            r"a name or two finite numbers, not both 0, got \(0.0, 0.0\)",
-        ),
+        (lambda: lm.Beam((0.0, 0.0)), r"a name or two finite numbers, not both 0, got \(0.0, 0.0\)"),
         (lambda: lm.Beam((1.0, math.nan)), "polarization must be a name or two finite numbers"),
         (lambda: lm.Beam((1.0, 2.0, 3.0)), "polarization must be a name or two finite numbers"),
         (lambda: lm.Beam(None), "polarization must be a name or two finite numbers"),

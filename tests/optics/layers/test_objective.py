@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-import pickle
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -114,10 +113,6 @@ def test_glass_that_is_thicker_than_the_design_s_blurs_the_focus():
     rim = -10e-6 / 1.5255 * (1 - cosines[0] / cosines[1])
     assert rim < blurred.brightest < -0.5e-6
     assert blurred.paraxial == 0.0
-
-
-def test_the_ratio_is_not_a_number_on_the_glass():
-    assert math.isnan(OBJECTIVE.focus(0.0, wavelength=WAVE).ratio)
 
 
 def test_light_is_collected_by_depth():
@@ -242,18 +237,6 @@ def test_dipoles_add_up_to_one_that_turns_freely():
     assert total == pytest.approx(2 * light.intensity)
 
 
-def test_an_objective_is_a_value():
-    same = lm.Objective(**GIVEN)
-    assert same == OBJECTIVE
-    assert hash(same) == hash(OBJECTIVE)
-    assert replace(same, NA=1.3) != OBJECTIVE
-    assert pickle.loads(pickle.dumps(OBJECTIVE)) == OBJECTIVE
-    assert eval(repr(OBJECTIVE), {"Objective": lm.Objective, "Layer": lm.Layer, "Design": lm.Design}) == OBJECTIVE
-    with pytest.raises(FrozenInstanceError):
-        OBJECTIVE.NA = 1.3
-    assert lm.Objective(**GIVEN, films=[lm.Layer(1.4, 1e-7)]).films == (lm.Layer(1.4, 1e-7),)
-
-
 def test_of_one_medium_aperture_and_index_say_all():
     plain = lm.Objective(NA=1.2, immersion=1.34)
     full = lm.Objective(NA=1.2, magnification=60, immersion=1.34, working_distance=1e-4, coverslip=None, sample=1.34)
@@ -273,10 +256,7 @@ def test_of_one_medium_aperture_and_index_say_all():
     [
         ({"coverslip": GLASS, "working_distance": 1e-4}, "sample must be given with a coverslip"),
         ({"coverslip": GLASS, "sample": 1.34}, "working_distance must be given, in metres, with a coverslip"),
-        (
-            {"design": lm.Design(1.33, None)},
-            "working_distance must be given, .* with a coverslip or a design",
-        ),
+        ({"design": lm.Design(1.33, None)}, "working_distance must be given, .* with a coverslip or a design"),
     ],
 )
 def test_what_the_layers_depend_on_must_be_given(given, message):
@@ -307,18 +287,12 @@ def test_what_the_layers_depend_on_must_be_given(given, message):
         ({"working_distance": 0.19}, r"working_distance is in metres .* 0.1, got 0.19; .* for 0.19 mm 0.19e-3"),
         ({"working_distance": 0.0}, r"working_distance is in metres and must be above 0"),
         ({"working_distance": -1e-4}, r"working_distance is in metres and must be above 0 .* got -0.0001"),
-        (
-            {"working_distance": 1e-5, "design": lm.Design(1.518, None)},
-            r"working_distance must leave room for the cover",
-        ),
+        ({"working_distance": 1e-5, "design": lm.Design(1.518, None)}, "working_distance must leave room for"),
         ({"coverslip": 170e-6}, r"coverslip must be of the type Layer, or None, got 0.00017"),
         ({"coverslip": (1.5, 170e-6)}, r"coverslip must be of the type Layer"),
         ({"films": lm.Layer(1.4, 1e-7)}, r"films must be a sequence of Layer"),
         ({"films": [1.4]}, r"films\[0\] must be a Layer, got 1.4"),
-        (
-            {"films": [lm.Layer(1.4, 1e-5)]},
-            r"films\[0\].thickness is in metres and must be .* at most 2e-06, got 1e-05",
-        ),
+        ({"films": [lm.Layer(1.4, 1e-5)]}, r"films\[0\].thickness is in metres and must be .* at most 2e-06, got"),
         ({"design": 1.5}, r"design must be of the type Design, or None, got 1.5"),
     ],
 )
@@ -331,11 +305,7 @@ def test_what_is_no_objective_is_refused_in_a_line(change, message):
 @pytest.mark.parametrize(
     ("index", "thickness", "message"),
     [
-        (
-            1.5,
-            170,
-            r"thickness is in metres and must be at least 0 and at most 0.01, got 170; for 170 um give 170e-6",
-        ),
+        (1.5, 170, r"thickness is in metres and must be at least 0 and at most 0.01, got 170; for 170 um give"),
         (1.5, -1e-6, r"thickness is in metres and must be at least 0"),
         (1.5, math.nan, r"thickness must be finite, got nan"),
         (0.5, 1e-4, r"index must be a refractive index from 1 to 4, got 0.5"),
@@ -360,10 +330,7 @@ PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
         ({"depth": -1e-6}, r"depth is in metres and must be at least 0"),
         ({"depth": [1e-6, math.nan]}, r"depth must be finite, got nan"),
         ({"depth": []}, r"depth must not be empty"),
-        (
-            {"depth": [1e-6, 2e-6], "focus": [0.0, 0.0, 0.0]},
-            r"depth and focus must broadcast, got shapes \(2,\) and \(3,\)",
-        ),
+        ({"depth": [1e-6, 2e-6], "focus": [0.0, 0.0, 0.0]}, r"depth and focus must broadcast, got shapes \(2,\)"),
         ({"focus": 2.0}, r"focus, or where depth and z lead, must be at most 190 um, .* got 2 m"),
         ({"focus": -1.0}, r"focus, or where depth and z lead, must be at least -10 mm, got -1 m"),
         ({"focus": math.inf}, r"focus must be finite, got inf"),
@@ -386,21 +353,12 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (
-            lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE),
-            r"focus, or where depth and z lead, must be at most 190 um",
-        ),
+        (lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE), "focus, or where depth and z lead, must be at most"),
         (lambda: OBJECTIVE.focus(math.nan, wavelength=WAVE), r"depth must be finite"),
-        (
-            lambda: OBJECTIVE.scalar(0.0, **PLANE, apodization="sine"),
-            r"apodization must be one of 'uniform', 'aplanatic'",
-        ),
+        (lambda: OBJECTIVE.scalar(0.0, **PLANE, apodization="sine"), "apodization must be one of 'uniform'"),
         (lambda: OBJECTIVE.scalar(0.0, **PLANE, supercritical=1), r"supercritical must be True or False, got 1"),
         (lambda: OBJECTIVE.phase(1.1, **PLANE), r"rho must be finite and >= 0 and <= 1, got 1.1"),
-        (
-            lambda: OBJECTIVE.phase(0.5, **{**PLANE, "depth": [1e-6, 2e-6]}),
-            r"depth and focus must be one number each, got 2",
-        ),
+        (lambda: OBJECTIVE.phase(0.5, **{**PLANE, "depth": [1e-6, 2e-6]}), "depth and focus must be one number"),
         (lambda: OBJECTIVE.transmission(-0.1, wavelength=WAVE), r"rho must be finite and >= 0"),
         (lambda: OBJECTIVE.nyquist(wavelength=520), r"for 520 nm give 520e-9"),
         (lambda: OBJECTIVE.collected(5.0, wavelength=WAVE), r"depth is in metres"),

@@ -58,9 +58,3 @@ def test_the_page_has_what_the_packages_say(name):
     for row in rows:
         # What rounding is of differs by machine.
         assert row.found == pytest.approx(float(written[row.asked]), rel=0.1, abs=1e-6)
-
-
-def test_a_package_that_is_missing_has_not_run(monkeypatch):
-    tables = microscope_peers["tables"]
-    monkeypatch.setitem(tables.__globals__, "PEERS", {"no-such-package": microscope_peers["pyotf"]})
-    assert tables() == "### no-such-package: not run\n\none medium, by the FFT of a sampled pupil.\n"

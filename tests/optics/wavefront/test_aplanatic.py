@@ -125,31 +125,6 @@ def test_an_evenly_lit_entrance_pupil_is_brighter_at_the_rim(f_number, distance,
         assert np.abs(answer.values[0] - exact).max() <= 1e-7 * exact.max()
 
 
-@pytest.mark.parametrize(
-    ("f_number", "distance", "rim", "change", "widths"),
-    [
-        (1.2, 2.0, 1.046, 0.34, (2.57, 2.65)),
-        (1.2, 1.9, 1.046, 2.8, (56.51, 56.73)),
-        (2.8, 1.9, 1.008, 0.38, (25.21, 25.26)),
-    ],
-)
-def test_what_the_amplitude_changes_is_what_the_page_says(f_number, distance, rim, change, widths):
-    """Of as much light in all: the rim, per cent of the peak, and micrometres that hold 90 %."""
-    seen = []
-    for apodization, width in zip((0.0, "aplanatic"), widths, strict=True):
-        pupil = aplanatic(f_number, apodization=apodization).pupil(distance)
-        pitch = max(1.5 * float(pupil.geometric_radius()), 6.0 * pupil.scale) / 50
-        answer = lm.psf(pupil, 101, pitch, integrate=False, normalize="energy", dtype=np.float64)
-        assert answer.energy_diameter(0.9) * 1e6 == pytest.approx(width, abs=0.006)
-        seen.append(answer.values)
-    assert 100 * np.abs(seen[1] - seen[0]).max() / seen[0].max() == pytest.approx(change, rel=0.02)
-    middle, edge = pupil.illumination.value([0.0, 1.0])
-    assert edge / middle == pytest.approx(rim, abs=6e-4)
-    page = (Path(__file__).parents[3] / "docs" / "choose.md").read_text(encoding="utf-8")
-    place = "in focus" if distance == 2.0 else f"object at {distance} m"
-    assert f"| f/{f_number}, {place} | {rim} | {change} % | {widths[0]} | {widths[1]} |" in page
-
-
 def test_the_amplitude_is_that_of_the_angle_whose_sine_the_model_states():
     rho = np.linspace(0.0, 1.0, 9)
     for corrected_for in CORRECTED:
@@ -174,9 +149,7 @@ def test_a_large_angle_leaves_more_than_the_tolerance_and_says_so():
 
 
 def test_only_an_aplanatic_lens_has_its_amplitude():
-    with pytest.raises(
-        ValueError, match="apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles"
-    ):
+    with pytest.raises(ValueError, match="apodization 'aplanatic' needs model='aplanatic': a paraxial lens has"):
         lm.Lens(f_number=2.0, **COMMON, apodization="aplanatic")
     with pytest.raises(ValueError, match="apodization must be a number, an Apodization or 'aplanatic', got 'sine'"):
         aplanatic(2.0, apodization="sine")
@@ -324,17 +297,6 @@ def test_every_map_of_a_wavefront_carries_its_error():
     assert "error" not in lm.Wavefront(1.0).to_dict()
 
 
-@pytest.mark.parametrize("apodization", [0.0, "aplanatic", 2.0])
-def test_an_aplanatic_lens_blurs_photographs_too(apodization):
-    lens = aplanatic(1.8, apodization=apodization)
-    blur = lm.imaging.DepthBlur(np.full((9, 9), 1.8), lens, 20e-6, dtype=np.float64, largest=20, tol=1e-6)
-    bank = blur.banks[0]
-    exact = lm.psf(lens.pupil(1.8), 2 * bank.half + 1, 20e-6, integrate=True, dtype=np.float64).values
-    used = bank.used(float(lens.defocus(1.8))) * exact
-    window = bank.window(float(lens.defocus(1.8)))
-    assert np.abs(window - used / used.sum()).max() <= 3e-6 * window.max()
-
-
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
@@ -351,9 +313,3 @@ def test_what_is_no_aplanatic_lens_is_refused(changes, message):
 def test_an_object_on_the_lens_is_refused():
     with pytest.raises(ValueError, match="the object is so close that the phase has no expansion"):
         aplanatic(1.2, "focus").pupil(5e-3)
-
-
-def test_a_photographer_s_lens_takes_a_few_terms():
-    """Not as many as there may be, which every PSF would pay for: what roundings leave of a series is no reason."""
-    for f_number, most in ((1.2, 10), (1.8, 8), (8.0, 6)):
-        assert aplanatic(f_number, "object").pupil(1.5).wavefront.symmetric <= most

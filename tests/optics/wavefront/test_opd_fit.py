@@ -209,10 +209,7 @@ def holed(*places: tuple[int, int], value: float = math.nan) -> np.ndarray:
         ({"opd": GOOD * math.nan}, "opd must leave samples inside the pupil of every map, got none"),
         ({"opd": np.stack([GOOD, GOOD * math.nan])}, "of every map, got none"),
         ({"opd": holed((8, 8), value=math.inf)}, r"infinity at 1 pixels: \(8, 8\)"),
-        (
-            {"opd": holed((8, 8), (3, 9), (5, 5), (6, 6)), "mask": np.ones((16, 16), bool)},
-            r"at 4 pixels: \(3, 9\), \(5, 5\), \(6, 6\), \.\.\.",
-        ),
+        ({"opd": holed((8, 8), (3, 9), (5, 5), (6, 6)), "mask": np.ones((16, 16), bool)}, r"at 4 pixels: \(3"),
         ({"mask": np.zeros((16, 16), bool)}, "mask must leave samples"),
         ({"mask": np.zeros((16, 16))}, "mask must hold booleans, got an array of float64"),
         ({"mask": np.ones((16, 15), bool)}, r"mask must have the shape \(16, 16\) or that of opd, got \(16, 15\)"),

@@ -27,6 +27,7 @@ wavefronts = st.builds(
 )
 angles = st.floats(-7.0, 7.0)
 RHO = np.linspace(0.0, 1.0, 11)
+FACTORS = (np.array([1.0, 2.0]), [1.0, 2.0], "2", None, 1j, math.nan, math.inf)
 
 
 def annulus_rule(eps: float) -> tuple[np.ndarray, np.ndarray]:
@@ -115,22 +116,31 @@ def test_rotation_and_scaling_broadcast_with_stacks():
             call(np.array([0.5, 0.6]))
 
 
-@pytest.mark.parametrize("radius", [0.0, -0.5, 1.5, [0.5, 2.0], math.nan])
-def test_a_pupil_is_scaled_by_a_ratio_up_to_one(radius):
-    with pytest.raises(ValueError, match="radius must be"):
-        Wavefront(1.0).scaled(radius)
-
-
-@pytest.mark.parametrize("axis", ["z", "", None, 0])
-def test_a_mirror_has_the_axis_x_or_y(axis):
-    with pytest.raises(ValueError, match="axis must be one of 'x', 'y'"):
-        Wavefront(1.0).flipped(axis)
-
-
-@pytest.mark.parametrize("angle", ["1", None, math.nan, math.inf])
-def test_an_angle_is_a_finite_number(angle):
-    with pytest.raises((TypeError, ValueError), match="angle must"):
-        Wavefront(1.0).rotated(angle)
+@pytest.mark.parametrize(
+    ("refused", "message"),
+    [
+        *((lambda x=x: Wavefront(1.0).scaled(x), "radius must be") for x in (0.0, -0.5, 1.5, [0.5, 2.0], math.nan)),
+        *((lambda x=x: Wavefront(1.0).flipped(x), "axis must be one of 'x', 'y'") for x in ("z", "", None, 0)),
+        *((lambda x=x: Wavefront(1.0).rotated(x), "angle must") for x in ("1", None, math.nan, math.inf)),
+        (lambda: Wavefront(nonradial={(2, 0): 1.0}), r"m != 0, got \(2, 0\)"),
+        (lambda: Wavefront(nonradial={(3, 2): 1.0}), r"no Zernike term \(n, m\) = \(3, 2\)"),
+        (lambda: Wavefront(nonradial={(3, 1): math.nan}), r"nonradial\[3, 1\] must be finite, got nan"),
+        (lambda: Wavefront(nonradial={3: 1.0}), "must be a pair"),
+        (lambda: Wavefront(nonradial=[(3, 1)]), "must map"),
+        (lambda: Wavefront(defocus=[]), "must not be empty"),
+        (lambda: Wavefront(spherical=np.zeros((2, 0))), "must not be empty"),
+        (lambda: Wavefront(nonradial={(3, 1): []}), "must not be empty"),
+        (lambda: Wavefront(1.0)[0], "single wavefront"),
+        *((lambda x=x: x * Wavefront(1.0), ".") for x in FACTORS),
+        *((lambda x=x: Wavefront(1.0) * x, ".") for x in FACTORS),
+        *((lambda x=x: Wavefront(1.0) + x, ".") for x in (1, 1.0, np.ones(2), None, "W")),
+        *((lambda x=x: Wavefront(1.0) - x, ".") for x in (1, 1.0, np.ones(2), None, "W")),
+        *((lambda x=x: x + Wavefront(1.0), ".") for x in (1, 1.0, np.ones(2), None, "W")),
+    ],
+)
+def test_what_makes_no_wavefront_is_refused(refused, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        refused()
 
 
 def test_a_wavefront_is_radial_where_no_other_term_is_left():
@@ -145,21 +155,6 @@ def test_a_description_with_a_term_twice_is_refused():
     description["nonradial"] *= 2
     with pytest.raises(ValueError, match=r"once, got \[\(3, 1\), \(3, 1\)\]"):
         Wavefront.from_dict(description)
-
-
-@pytest.mark.parametrize(
-    ("terms", "message"),
-    [
-        ({(2, 0): 1.0}, r"m != 0, got \(2, 0\)"),
-        ({(3, 2): 1.0}, r"no Zernike term \(n, m\) = \(3, 2\)"),
-        ({(3, 1): math.nan}, r"nonradial\[3, 1\] must be finite, got nan"),
-        ({3: 1.0}, "must be a pair"),
-        ([(3, 1)], "must map"),
-    ],
-)
-def test_bad_terms_that_depend_on_the_direction_are_named(terms, message):
-    with pytest.raises((ValueError, TypeError), match=message):
-        Wavefront(nonradial=terms)
 
 
 @given(wavefronts, wavefronts)
@@ -210,15 +205,6 @@ def test_a_stack_is_indexed_as_numpy_indexes_its_phases(index):
     np.testing.assert_array_equal(stack[index].phase(0.7), stack.phase(0.7)[index])
 
 
-def test_iterating_a_stack_gives_its_wavefronts():
-    assert list(Wavefront([1.0, 2.0])) == [Wavefront(1.0), Wavefront(2.0)]
-
-
-def test_a_single_wavefront_cannot_be_indexed():
-    with pytest.raises(TypeError, match="single wavefront"):
-        Wavefront(1.0)[0]
-
-
 def test_wavefronts_share_no_memory_with_the_arrays_they_were_made_from():
     defocus = np.array([1.0, 2.0])
     stack = Wavefront(defocus)
@@ -232,30 +218,11 @@ def test_wavefronts_share_no_memory_with_the_arrays_they_were_made_from():
         stack.nonradial[3, 1] = defocus
 
 
-@pytest.mark.parametrize("other", [Wavefront(1.0, 0.1), Wavefront([1.0]), Wavefront(1.0, 0.0, [1e-300]), 1.0, "W"])
-def test_wavefronts_differ_where_any_coefficient_or_the_shape_does(other):
-    assert Wavefront(1.0) != other
-
-
 def test_wavefronts_are_equal_where_their_coefficients_are():
     assert Wavefront(1.0) == Wavefront(1, 0.0, [0.0])
     assert Wavefront([1.0, 1.0]) == Wavefront([1.0, 1.0], [0.0, 0.0])
-
-
-@given(wavefronts)
-def test_the_repr_of_a_wavefront_is_an_expression_for_it(wavefront):
-    assert eval(repr(wavefront)) == wavefront
-
-
-def test_the_repr_of_a_stack_says_its_shape_and_range():
-    assert repr(Wavefront([1.0, 2.0, 4.0], 0.5)) == "Wavefront(defocus=<array (3,) from 1 to 4>, spherical=0.5)"
-
-
-@given(wavefronts)
-def test_a_wavefront_survives_json_pickling_and_copying(wavefront):
-    assert Wavefront.from_dict(json.loads(json.dumps(wavefront.to_dict()))) == wavefront
-    assert pickle.loads(pickle.dumps(wavefront)) == wavefront
-    assert copy.deepcopy(wavefront) == wavefront
+    for other in (Wavefront(1.0, 0.1), Wavefront([1.0]), Wavefront(1.0, 0.0, [1e-300]), 1.0, "W"):
+        assert Wavefront(1.0) != other
 
 
 @given(radians, radians, st.lists(radians, max_size=8), st.dictionaries(st.sampled_from(NONRADIAL), radians))
@@ -354,23 +321,6 @@ def test_numbers_of_numpy_scale_a_wavefront_too():
     assert Wavefront(1.0) * np.int64(2) == Wavefront(2.0)
 
 
-@pytest.mark.parametrize("factor", [np.array([1.0, 2.0]), [1.0, 2.0], "2", None, 1j, math.nan, math.inf], ids=repr)
-@pytest.mark.parametrize("left", [True, False], ids=["factor times wavefront", "wavefront times factor"])
-def test_only_a_finite_number_scales_a_wavefront(factor, left):
-    with pytest.raises((TypeError, ValueError)):
-        factor * Wavefront(1.0) if left else Wavefront(1.0) * factor
-
-
-@pytest.mark.parametrize("other", [1, 1.0, np.ones(2), None, "W"], ids=repr)
-def test_only_wavefronts_are_added_to_wavefronts(other):
-    with pytest.raises(TypeError):
-        Wavefront(1.0) + other
-    with pytest.raises(TypeError):
-        Wavefront(1.0) - other
-    with pytest.raises(TypeError):
-        other + Wavefront(1.0)
-
-
 def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
     plain = lm.Wavefront(1.0, 0.5)
     for same in (
@@ -391,23 +341,6 @@ def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
     assert len({lens, lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, aberrations=plain)}) == 1
     assert len({lens.pupil(2.0), lens.pupil(2.0), lens.pupil(3.0)}) == 2
     assert len({lm.load_instrument(lenses["phone"]), lm.load_instrument(lenses["phone"])}) == 1
-
-
-def test_an_aberration_by_name_is_told_how_it_is_made():
-    with pytest.raises(TypeError, match=r"has no argument 'coma'; .*Wavefront\.zernike\(.*Wavefront\.from_seidel\("):
-        lm.Wavefront(1.0, coma=1.0)
-
-
-def test_the_radius_that_is_out_of_range_is_named_and_no_other():
-    with pytest.raises(ValueError, match=r"radius must be > 0 and <= 1, got 1\.5$"):
-        Wavefront(1.0).scaled([1.0, 1.5])
-    assert Wavefront(1.0).scaled([0.5, 1.0]).defocus == pytest.approx([0.25, 1.0])
-
-
-@pytest.mark.parametrize("given", [{"defocus": []}, {"spherical": np.zeros((2, 0))}, {"nonradial": {(3, 1): []}}])
-def test_wavefronts_of_no_pupil_are_refused(given):
-    with pytest.raises(ValueError, match=r"the coefficients of a wavefront \(.*\) must not be empty"):
-        Wavefront(**given)
 
 
 def mahajan(n: int, m: int, rho: np.ndarray, eps: float) -> np.ndarray:

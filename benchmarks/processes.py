@@ -1,4 +1,4 @@
-"""Measured in fresh processes: peak memory, and the cold start."""
+"""Fresh processes (peak memory, the first call, the cold start), and builds limited to narrower vectors."""
 
 from __future__ import annotations
 
@@ -9,12 +9,24 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+
+import lommel as lm
+from benchmarks.contenders import engine, stack, through_focus
+from benchmarks.depth import photograph
+from benchmarks.microscopes import planes
 from benchmarks.report import Table
-from benchmarks.settings import Settings
-from benchmarks.timing import Contender, race
+from benchmarks.timing import Contender, Measured, Settings, Spread, race
+from benchmarks.truth import RANDOM, Mixed, Question
+from benchmarks.wavefronts import SIDE, random_zernikes
+from lommel import _core
 
 # Peak resident memory, in KiB, as the kernel counts it (VmHWM), hence with all that compiled code allocates.
 # Writing 5 to clear_refs sets the peak back to what is resident now; where that is refused, the peak of the
@@ -143,3 +155,86 @@ def once(settings: Settings) -> list[float]:
     settings.tick("first call")
     found: list[float] = json.loads(_run(_ONCE))
     return found
+
+
+def importing(settings: Settings) -> Measured:
+    """Measure a process that imports the package over one that imports NumPy."""
+    both = [Contender(name, partial(process, f"import {name}"), "") for name in ("lommel", "numpy")]
+    result = race(both, settings.rounds, budget=10.0, keep=False)
+    return Measured(result.ratio("lommel", "numpy"), None, "whole processes, their modules compiled beforehand")
+
+
+@cache
+def _once(settings: Settings) -> list[list[float]]:
+    return [once(settings) for _ in range(3 if settings.quick else 11)]
+
+
+def first(settings: Settings) -> Measured:
+    """Measure the first call of processes that have imported the package, over the first copy."""
+    note = "memory that is new for both; modules that are loaded late, tables"
+    return Measured(Spread.of(np.array(_once(settings))[:, 0]), None, note)
+
+
+def between(settings: Settings) -> Measured:
+    """Measure calls between others that empty the caches, over copies of such arrays there."""
+    return Measured(Spread.of(np.array(_once(settings))[:, 1]), None, "into `out`; the others add 1 to 128 MiB")
+
+
+_LEVELS = ("avx512", "avx2", "portable")
+
+
+@contextmanager
+def _limited(level: str) -> Iterator[None]:
+    _core.limit_instructions(level)
+    try:
+        yield
+    finally:
+        _core.limit_instructions(_LEVELS[0])
+
+
+def _works() -> list[tuple[str, Contender]]:
+    radial, general = Question(10.0, 3.0), Mixed(directions=RANDOM[0])
+    chords = stack(random_zernikes(each=True), SIDE, 0.5, method=lm.ChordalGauss(1e-4), dtype=np.float32, out=True)
+    spider = lm.Pupil(lm.Wavefront(3.0), obscuration=0.3, spider=lm.Spider.equal(4, 0.02))
+    vanes = Contender("vanes", lambda _: lm.psf(spider, 128, 0.5, threads=1))
+    frequencies = np.linspace(0.0, 1.0, 100)
+    transfer = Contender("otf", lambda _: lm.otf(general.pupil(), frequencies))
+    return [
+        ("512², radially symmetric", engine(radial, out=True)),
+        ("512², its pixels averaged", engine(radial, out=True, integrate=True)),
+        ("1000 of 33², through focus, float64", stack(through_focus(10.0, 1000), 33, 0.5, out=True)),
+        ("512², coma, astigmatism, trefoil and defocus of 10 rad each", engine(general, out=True)),
+        ("1000 of 33², 15 Zernike terms of 1 rad rms each, tol 1e-4", chords),
+        ("128², four vanes", vanes),
+        ("transfer function of 10 rad each at 100 frequencies", transfer),
+        ("64 planes of 64² of an immersion objective", planes()),
+        ("500 × 741 RGB blurred by depth, 2 threads", photograph()),
+    ]
+
+
+def limited(settings: Settings) -> Table:
+    """How many times as long each work takes with narrower vectors as with the widest."""
+    table = Table(
+        "instructions",
+        "Instruction sets",
+        "How many times as long the same build takes when it is limited to AVX2 with FMA, or to what every x86-64 "
+        "processor has (SSE2), as with the widest vectors of this one. Pixels of 0.5 λN, tol 1e-6 and float32 unless "
+        "the row says otherwise, one thread, into an array that is there already.",
+        {"work": "text", "AVX2": "spread", "SSE2": "spread"},
+    )
+    table.notes.append(f"the widest here: {_core.instructions()}")
+    for work, one in _works():
+        settings.tick(work)
+
+        def at(level: str, call: Callable[[Any], Any] = one.call) -> Callable[[Any], Any]:
+            def limited_call(argument: Any) -> Any:
+                with _limited(level):
+                    return call(argument)
+
+            return limited_call
+
+        result = race(
+            [replace(one, name=level, call=at(level)) for level in _LEVELS], settings.rounds, budget=3.0, keep=False
+        )
+        table.add(work, *(result.ratio(level, _LEVELS[0]) for level in _LEVELS[1:]))
+    return table

@@ -1,21 +1,23 @@
-"""Stacks of small windows of any wavefront: the chordal rule against an FFT, and derivatives against images."""
+"""Any wavefront: stacks of small windows, their derivatives, and one large window, each beside an FFT."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
+from dataclasses import replace
+from functools import lru_cache, partial
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
-from benchmarks.engine import stack
-from benchmarks.settings import Settings
-from benchmarks.targets import Measured
-from benchmarks.timing import Contender, no_values, race
-from benchmarks.truth import stack_error
+from benchmarks.contenders import by_plan as plan_of
+from benchmarks.contenders import engine, fft, over_abs, stack
+from benchmarks.peers import ducc0_single
+from benchmarks.timing import Contender, Measured, Settings, no_values, race, worst
+from benchmarks.truth import ALIGNED, RANDOM, Mixed, aperture_error, stack_error
 from lommel.core.answers import Images, Wanted
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -72,7 +74,7 @@ def ffts() -> Contender:
     )
 
 
-def against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:
+def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:
     """Measure 1000 of 33², of any wavefront, against the FFTs."""
     fresh = random_zernikes(each)
     mine = stack(fresh, SIDE, PIXEL, method=lm.ChordalGauss(TOL), threads=threads, dtype=np.float32, out=True)
@@ -124,3 +126,67 @@ def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
     mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, ())
     result = race([mine, images], settings.rounds)
     return Measured(result.ratio(mine.name, images.name), None, f"{config}; {images.config}")
+
+
+PIXELS = (0.25, 0.5, 1.0)
+
+
+def _cases(settings: Settings, *pixels: float) -> list[Mixed]:
+    directions = (RANDOM[0],) if settings.quick else (ALIGNED, *RANDOM)
+    return [Mixed(pixel=p, directions=d) for d in directions for p in pixels]
+
+
+def window_against_fft(
+    settings: Settings, *, pixels: tuple[float, ...], threads: int, reaches: tuple[float, ...] = (10.0, 3.0)
+) -> Measured:
+    """Measure 512², against the FFT."""
+    other, found = fft(), []
+    for q in (replace(q, reach=r) for r in reaches for q in _cases(settings, *pixels)):
+        mine = engine(q, threads=threads, out=True)
+        result = race([mine, other], settings.rounds)
+        note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms; {other.config}"
+        found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
+    return worst(found, more=True)
+
+
+def by_plan(settings: Settings) -> Measured:
+    """Measure one 33² by a plan."""
+    q = Mixed(n=33, reach=1.0)
+    note = f"{q}: plan(pupil, out=frame), a new pupil each time"
+    return over_abs(settings, plan_of(q), partial(aperture_error, q), note)
+
+
+def against_ducc0(settings: Settings, *, pixel: float) -> Measured:
+    """Measure 512², against the non-uniform FFT of DUCC in single precision."""
+    for name in ("ducc0", "numba"):
+        if find_spec(name) is None:
+            raise NotImplementedError(f"{name} is not installed")
+    found = []
+    for q in _cases(settings, pixel):
+        mine, theirs = engine(q, out=True), ducc0_single(q)
+        other = Contender("ducc0", lambda _, call=theirs.call: call())  # type: ignore[misc]
+        result = race([mine, other], settings.rounds)
+        off = min(aperture_error(way, result.values[other.name], fit=True) for way in (q, q.turned()))
+        note = f"{q}: {mine.config}; ducc0, {theirs.config}, whose error is {off:.1e}"
+        found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
+    return worst(found, more=True)
+
+
+def _method(name: str, pixel: float) -> lm.Method:
+    if name == "NonuniformFFT":
+        return lm.NonuniformFFT()
+    if name == "MatrixFourier":
+        return lm.MatrixFourier(samples=512)
+    # Its FFT is one of 1024 squared, whatever the pitch.
+    return lm.Fraunhofer(samples=round(1024 * pixel), padding=1.0 / pixel, edge="grey")
+
+
+def method_against_fft(settings: Settings, *, name: str) -> Measured:
+    """Measure 512² by another method, against the FFT."""
+    other, found = fft(), []
+    for q in _cases(settings, *PIXELS)[:6]:
+        mine = engine(q, method=_method(name, q.pixel))
+        result = race([mine, other], settings.rounds, budget=1.0)
+        note = f"{q}: {mine.config}; {other.config}"
+        found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
+    return worst(found, more=True)

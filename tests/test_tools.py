@@ -1,22 +1,23 @@
-"""The list of deliberate faults is true: each pattern is in its file, once (the faults themselves: make mutants).
-
-And those that chance draws are faults: of code, that compiles, the same ones for the same seed.
-"""
+"""Tools of the tests: deliberate faults, tiers, and many cases in one test."""
 
 from __future__ import annotations
 
 import ast
 import importlib.util
+import inspect
 import io
 import itertools
-import re
 import shutil
 import subprocess
 import sys
 import tokenize
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
+
+import tiers
+from cases import each
 
 ROOT = Path(__file__).resolve().parent.parent
 SCRIPT = Path(__file__).with_name("mutants") / "run.py"
@@ -48,21 +49,6 @@ def test_a_pattern_that_does_not_fit_is_told(mutants):
     assert len(mutants.misfits([gone])) == 2
 
 
-@pytest.mark.parametrize(
-    ("old", "new"),
-    [
-        ("+ sine * 2.0 * x * y", "0.0"),
-        (" + sine * 2.0 * x * y", "0.0"),
-        ("sine * 2.0 * x * y", ""),
-        ("f(x,", "f(y,"),
-        ("const bool b = x;", "const bool b = y;"),
-    ],
-)
-def test_a_pattern_that_is_no_expression_is_told(mutants, old, new):
-    found = mutants.misfits([mutants.Fault(1, "x:1", "cpp/include/lommel/stratified/windows.hpp", old, new, (), "")])
-    assert "no expression" in found[-1]
-
-
 def test_every_fault_of_one_place_has_its_own_switch(mutants):
     faults = [mutants.Fault(k, f"x:{k}", "cpp/x", old, new, (), "") for k, old, new in
               [(1, "a + b", "a"), (2, "a + b", "b"), (3, "return c;", "return d;")]]  # fmt: skip
@@ -72,25 +58,6 @@ def test_every_fault_of_one_place_has_its_own_switch(mutants):
     )
 
 
-# What no fault may touch says 777.
-PYTHON = '''"""A docstring with 777."""
-from __future__ import annotations
-from typing import TYPE_CHECKING, Literal
-if TYPE_CHECKING:
-    N = 777
-__all__ = ["x777"]
-def f(a: Literal[777], b: int | 777 = 3) -> list[777]:
-    """Another with 777."""
-    # A comment with 777 < 778.
-    if not a or b <= 0x10:
-        raise ValueError(f"777 and {a + 777}")
-    check(a)
-    total = -min(a, 2.5) ** 2  # 777
-    return "ö777" + "", [total for each in a if each is not None and total in each]
-class C:
-    def __repr__(self):
-        return self.x + 777
-'''
 CPP = """// 777 + 777
 #include <algorithm>
 #define N (777 + 777)
@@ -109,43 +76,6 @@ inline double f(const double* x, int n = 3) {
     return n % 2 != 0 ? sum / 2.0 : twice(sum);
 }
 """
-
-
-BRANCH = "n <= 1 && !(x[0] == 0.5)"
-BRANCH_CHANGES = [("<=", "<"), ("<=", ">"), ("1", "2"), ("1", "0"), ("&&", "||"), ("!", "")]
-
-
-def altered(text, changes):
-    return {(text[start:end], new) for start, end, new in changes}
-
-
-def test_faults_of_python_are_of_operators_constants_conditions_and_checks(mutants):
-    changes = mutants.draw.in_python(PYTHON)
-    assert altered(PYTHON, changes) == {
-        ("3", "4"), ("3", "2"), ("not a", "(a)"), ("or", "and"), ("<=", "<"), ("<=", ">"), ("0x10", "17"),
-        ("0x10", "15"), ("not a or b <= 0x10", "(not (not a or b <= 0x10))"), ("check(a)", "pass"),
-        ('raise ValueError(f"777 and {a + 777}")', "pass"), ("-min(a, 2.5) ** 2", "(min(a, 2.5) ** 2)"),
-        ("min", "max"), ("2.5", "5.0"), ("2.5", "1.25"), ("**", "*"), ("2", "3"), ("2", "1"), ("is not", "is"),
-        ("and", "or"), ("in", "not in"),
-    }  # fmt: skip
-    assert all(mutants.draw.differs(PYTHON, change) for change in changes)
-
-
-def test_faults_of_cpp_are_of_expressions_that_a_switch_can_stand_for(mutants):
-    changes = mutants.draw.in_cpp(CPP)
-    assert altered(CPP, changes) == {
-        *((BRANCH, BRANCH.replace(*change)) for change in BRANCH_CHANGES),
-        ("3", "4"), ("3", "2"), ("0", "1"), ("1", "2"), ("1", "0"), ('throw "777 * 777";', ";"), ("0.0", "1.0"),
-        ("x[0] == 0.5", "x[0] != 0.5"), ("x[0] == 0.5", "x[0] == 1.0"), ("x[0] == 0.5", "x[0] == 0.25"),
-        ("std::max(x[0], 2e-3f + x[1])", "std::min(x[0], 2e-3f + x[1])"), ("2e-3f + x[1]", "2e-3f - x[1]"),
-        ("2e-3f + x[1]", "0.004f + x[1]"), ("2e-3f + x[1]", "0.001f + x[1]"), ("i < n", "i <= n"),
-        ("i < n", "i >= n"), ("sum -= x[i] * (most - 1.5);", "sum += x[i] * (most - 1.5);"),
-        ("x[i] * (most - 1.5)", "x[i] / (most - 1.5)"), ("most - 1.5", "most + 1.5"), ("most - 1.5", "most - 3.0"),
-        ("most - 1.5", "most - 0.75"), ("y + y", "y - y"),
-        ("n % 2 != 0", "n * 2 != 0"), ("n % 2 != 0", "n % 3 != 0"), ("n % 2 != 0", "n % 1 != 0"),
-        ("n % 2 != 0", "n % 2 == 0"), ("n % 2 != 0", "n % 2 != 1"), ("sum / 2.0", "sum * 2.0"),
-        ("sum / 2.0", "sum / 4.0"), ("sum / 2.0", "sum / 1.0"),
-    }  # fmt: skip
 
 
 @pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler named c++")
@@ -185,20 +115,6 @@ def test_no_fault_touches_a_comment_or_a_text(mutants):
             assert codes[0] != codes[1], (path, text[start:end], new)
 
 
-def test_a_seed_draws_the_same_faults_each_on_its_own_line(mutants):
-    texts = {"a.py": PYTHON, "b.hpp": CPP}
-    drawn = {seed: list(mutants.draw.draw(texts, seed)) for seed in (1, 2)}
-    assert drawn[1] == list(mutants.draw.draw(dict(reversed(texts.items())), 1))
-    assert drawn[1] != drawn[2]
-    for faults in drawn.values():
-        lines = [(file, texts[file].count("\n", 0, start)) for file, (start, _, _) in faults]
-        assert (
-            len(set(lines))
-            == len(lines)
-            == len({*lines} | {(f, texts[f].count("\n", 0, s)) for f, (s, _, _) in drawn[1]})
-        )
-
-
 def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):
     own = "tests/optics/test_grid.py"
     assert mutants.subject("src/lommel/optics/grid.py", {})[0] == own
@@ -224,26 +140,75 @@ def test_a_run_goes_on_where_it_ended_and_judges_survivors_again(mutants, tmp_pa
     assert [again.noticed(fault) for fault in faults] == ["tests/test_x.py::test_a", "", ""]
 
 
-def test_a_survivor_is_shown_with_its_line(mutants):
-    file = "cpp/include/lommel/base/simd.hpp"
-    text = (ROOT / file).read_text(encoding="utf-8")
-    match = re.search(r"widest_step = (32)", text)
-    shown = mutants.shown(mutants.Fault(1, "x", file, "32", "33", (), "", match.start(1)))
-    line = text.count("\n", 0, match.start()) + 1
-    assert shown.startswith(f"{file}:{line}: NOT ARGUED\n  - constexpr std::size_t widest_step = 32;")
-    assert "\n  + constexpr std::size_t widest_step = 33;" in shown
+class Item(NamedTuple):
+    """What the choice of tests asks of one."""
+
+    nodeid: str
+    marker: str = ""
+
+    def get_closest_marker(self, name: str) -> bool:
+        return name == self.marker
 
 
-def test_faults_of_cpp_are_of_headers_that_are_compiled(mutants):
-    bound = mutants._bound()
-    assert "cpp/include/lommel/radial/field.hpp" in bound
-    # What the page alone has.
-    assert "cpp/include/lommel/imaging/convolution.hpp" not in bound
-    assert all((ROOT / header).exists() for header in bound)
+@pytest.fixture
+def listed(monkeypatch):
+    """A list of three lines, and a commit."""
+    rows = {"tests/a.py::test_one": 0.3, "tests/a.py::test_two[x-1]": 2.0, "tests/b.py::test_three": 0.5}
+    monkeypatch.setattr(tiers, "slow_tests", lambda: rows)
+    monkeypatch.setattr(tiers, "commit", lambda: "0123456789ab")
 
 
-def test_what_is_listed_for_its_argument_has_one_and_need_be_no_expression(mutants):
-    file = "cpp/include/lommel/base/simd.hpp"
-    entry = mutants.Fault(1, "x:1", file, "constexpr std::size_t widest_step = 32", "+ 1", (), "because", drawn=True)
-    assert mutants.misfits([entry]) == []
-    assert "has none" in mutants.misfits([mutants.replace(entry, argued="")])[0]
+def test_every_line_of_the_list_names_a_test_that_is_there():
+    assert len(tiers.slow_tests()) > 100
+    assert [name for name in tiers.slow_tests() if not tiers.is_there(name)] == []
+    assert not tiers.is_there("tests/test_tools.py::test_that_is_not_there")
+    assert not tiers.is_there("tests/no_file.py::test_every_line_of_the_list_names_a_test_that_is_there")
+
+
+def test_the_list_is_as_it_would_be_written():
+    rows = tiers.slow_tests()
+    assert tiers.LIST.read_text(encoding="utf-8") == tiers.HEADER + "".join(tiers.lines({}, rows))
+    assert min(rows.values()) >= tiers.SLOW
+
+
+def test_listed_tests_are_left_out_and_a_function_stands_for_its_cases(listed):
+    names = [
+        "a.py::test_one",
+        "a.py::test_one[1]",
+        "a.py::test_two[x-1]",
+        "a.py::test_two[x-2]",
+        "a.py::test_on",
+        "live/a.py::t",
+    ]
+    assert [name for name in names if tiers.is_quick(Item(f"tests/{name}"), 0.0)] == [
+        "a.py::test_two[x-2]",
+        "a.py::test_on",
+    ]
+
+
+def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs():
+    here = "tests/test_tools.py::test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs"
+    before = {
+        "tests/test_tools.py::test_gone": 1.0,
+        here: 2.0,
+        "tests/test_tools.py::listed": 0.3,
+        "tests/x.py::test_y": 1.0,
+    }
+    assert tiers.lines({}, before) == [f"  2.0 {here}\n", "  0.3 tests/test_tools.py::listed\n"][::-1]
+    assert tiers.lines({here: 0.1}, before) == ["  0.3 tests/test_tools.py::listed\n"]
+    assert tiers.lines({here: 0.26}, {}) == [f"  0.3 {here}\n"]
+
+
+def test_every_case_that_fails_is_listed():
+    @each("number, text", [(1, "a"), (2, "b"), (3, "c"), (4, "d")])
+    def test(number, text, limit):
+        if number == 3:
+            with pytest.raises(ValueError, match=text):
+                int("3")
+        assert number <= limit
+
+    assert list(inspect.signature(test).parameters) == ["limit"]
+    with pytest.raises(AssertionError, match="2 cases fail") as caught:
+        test(limit=3)
+    assert "\n3, 'c': Failed: DID NOT RAISE" in str(caught.value)
+    assert "\n4, 'd': AssertionError" in str(caught.value)

@@ -1,4 +1,4 @@
-"""What lommel is measured against: the FFT, copying memory, and the strongest answers in plain NumPy and SciPy."""
+"""The contenders: lommel's public calls, the FFT, copying memory, the strongest answers in plain NumPy and SciPy."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
-from benchmarks.timing import Contender, no_values
-from benchmarks.truth import stack_error
+from benchmarks.timing import Contender, Measured, Settings, no_values, race
+from benchmarks.truth import Window, intensity, stack_error
 
 Array = NDArray[np.float64]
 Fresh = Callable[[int], list[lm.Pupil]]
@@ -273,3 +273,93 @@ def plain(name: str, way: Plain, fresh: Fresh, *, threads: int = 1) -> Contender
         return way.out
 
     return Contender(name, call, f"{way}, {threads} threads", fresh)
+
+
+def engine(
+    question: Window,
+    *,
+    name: str = "lommel",
+    method: lm.Method | None = None,
+    threads: int = 1,
+    out: bool = False,
+    dtype: Any = None,
+    **options: Any,
+) -> Contender:
+    """Make one PSF by ``lm.psf``, each time of a new pupil; with `out`, into an array that is there already."""
+    q = question
+    if method is not None:
+        options["method"] = method
+    if q.center is not None:
+        options["center"] = q.center
+    if dtype is not None:
+        options["dtype"] = dtype
+    if out:
+        options["out"] = np.zeros((q.n, q.n), dtype or np.float32)
+        options.pop("dtype", None)
+
+    def call(pupil: lm.Pupil) -> lm.PSF:
+        return lm.psf(pupil, q.n, q.pixel, threads=threads, **options)
+
+    return Contender(name, call, describe(method, threads, out, dtype), q.fresh, intensity)
+
+
+def stack(
+    fresh: Callable[[int], list[lm.Pupil]],
+    n: int,
+    pixel: float,
+    *,
+    name: str = "lommel",
+    method: lm.Method | None = None,
+    threads: int = 1,
+    out: bool = False,
+    dtype: Any = np.float64,
+) -> Contender:
+    """Make a stack of PSFs by one ``lm.psf``, each time of a new stack of pupils."""
+    options: dict[str, Any] = {"dtype": dtype} if method is None else {"dtype": dtype, "method": method}
+    if out:
+        options["out"] = np.zeros((*fresh(1)[0].shape, n, n), dtype)
+
+    def call(pupils: lm.Pupil) -> lm.PSF:
+        return lm.psf(pupils, n, pixel, threads=threads, **options)
+
+    return Contender(name, call, describe(method, threads, out, dtype), fresh, intensity)
+
+
+def describe(method: lm.Method | None, threads: int, out: bool, dtype: Any) -> str:
+    """Say in words what was asked for."""
+    parts = ["lm.psf(...)", "default method, tol 1e-6" if method is None else repr(method)]
+    parts += [] if dtype is None else [str(np.dtype(dtype))]
+    parts += ["out= given"] if out else []
+    return ", ".join([*parts, f"threads={threads}"])
+
+
+def through_focus(reach: float, count: int, spherical: float = 0.0) -> Callable[[int], list[lm.Pupil]]:
+    """Return a maker of stacks of pupils from ``C_d = -reach`` to ``reach``."""
+    defocus = np.linspace(-reach, reach, count)
+
+    def fresh(times: int) -> list[lm.Pupil]:
+        return [lm.Pupil(lm.Wavefront(defocus * (1.0 - 1e-7 * k), spherical)) for k in range(times)]
+
+    return fresh
+
+
+def over_abs(
+    settings: Settings, mine: Contender, error: Callable[[NDArray[Any]], float] | None, note: str
+) -> Measured:
+    """Measure a call against the modulus of 33² complex numbers, which takes a few microseconds."""
+    field = np.exp(1j * np.arange(33.0**2)).reshape(33, 33)
+    other = Contender("abs", lambda _: np.abs(field))
+    result = race([mine, other], settings.rounds)
+    found = None if error is None else error(result.values[mine.name])
+    note = f"{note}, {1e6 * result.median(mine.name):.2g} µs; np.abs, {1e6 * result.median(other.name):.2g} µs"
+    return Measured(result.ratio(mine.name, other.name), found, note)
+
+
+def by_plan(q: Window, *, pupils: bool = False) -> Contender:
+    """One window of a new pupil by a plan; `pupils`: and making that, of 5 rad of defocus."""
+    live, frame = lm.Plan(q.n, q.pixel, threads=1), np.zeros((q.n, q.n), np.float32)
+    if pupils:
+        return Contender(
+            "plan", lambda _: live(lm.Pupil(lm.Wavefront(5.0)), out=frame), values=lambda a: a.values / a.scale
+        )
+    return Contender("plan", lambda pupil: live(pupil, out=frame), fresh=q.fresh, values=lambda a: a.values / a.scale)

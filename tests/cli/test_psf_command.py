@@ -1,0 +1,287 @@
+"""`lommel psf` in colour, over the field, with contrast, seeing and figures, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+
+OPTIONS = ["--field", "3x4", "--shape", "21x17", "--normalize", "strehl"]
+
+
+@pytest.fixture(scope="module")
+def expected(lenses) -> lm.PSFGrid:
+    instrument = lm.load_instrument(lenses["camera-field"])
+    return instrument.field().grid(
+        3,
+        4,
+        sensor=(24e-3, 36e-3),
+        shape=(21, 17),
+        pixel=0.5e-6,
+        normalize="strehl",
+    )
+
+
+@pytest.fixture(scope="module")
+def written(run_lommel, lenses, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("field")
+    pytest.importorskip("zarr")
+    outputs = [part for suffix in (".tif", ".zarr", ".npz") for part in ("-o", f"a{suffix}")]
+    result = run_lommel("psf", lenses["camera-field"], *OPTIONS, *outputs, "--plot", "a.png", folder=folder)
+    assert (result.returncode, result.stderr) == (0, "")
+    return folder, result.stdout
+
+
+def test_every_file_holds_what_python_computes(written, expected):
+    folder, text = written
+    assert {path.name for path in folder.iterdir()} == {"a.tif", "a.zarr", "a.npz", "a.png"}
+    for suffix in (".tif", ".zarr", ".npz"):
+        loaded = lm.PSFGrid.load(folder / f"a{suffix}")
+        np.testing.assert_allclose(loaded.values, expected.values, atol=1e-6)
+        np.testing.assert_allclose(loaded.x, expected.x)
+    with Image.open(folder / "a.png") as figure:
+        assert figure.size[0] > figure.size[1] > 600
+    figure = "a.png: square root of the values, each PSF normalized to its maximum"
+    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", figure]
+
+
+def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
+    result = call_lommel("psf", lenses["camera-field"], *OPTIONS, "--json", folder=tmp_path)
+    data = json.loads(result.stdout)
+    assert data["sensor"] == pytest.approx([0.024, 0.036])
+    np.testing.assert_allclose(data["x"], expected.x)
+    np.testing.assert_allclose(data["y"], expected.y)
+    np.testing.assert_allclose(data["peak"], expected.values.max(axis=(2, 3)))
+    assert data["shape"] == [3, 4, 21, 17]
+    assert data["files"] == []
+
+
+def test_a_lens_file_may_narrow_the_aperture_of_its_field(call_lommel, lenses, tmp_path):
+    text = lenses["camera-field"].read_text(encoding="utf-8").replace("shape = 49", "shape = 9")
+    vanes = '[aperture.spider]\nvanes = 4\nwidth = "2 mm"\n'
+    (tmp_path / "vanes.toml").write_text(
+        text.replace("[lens]", "[lens]\napodization = 0.5") + vanes, encoding="utf-8"
+    )
+    result = call_lommel("psf", "vanes.toml", "--field", "2x3", "-o", "a.tif", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    loaded = lm.PSFGrid.load(tmp_path / "a.tif")
+    assert loaded.psf.pupil.spider == lm.Spider.equal(4, 2e-3 / (35e-3 / 4))
+    assert loaded.psf.pupil.apodization == 0.5
+    assert call_lommel("info", "vanes.toml", folder=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (["--field", "5"], "--field must be ROWSxCOLUMNS such as 5x7, got 5"),
+        (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
+        (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npy, .npz, .fits,"),
+        (["--field", "2x2", "--plot", "a.tif"], "a figure must end in .png, .pdf or .svg"),
+    ],
+)  # fmt: skip
+def test_what_makes_no_sense_is_one_line(call_lommel, lenses, tmp_path, arguments, what):
+    result = call_lommel("psf", lenses["camera-field"], *arguments, folder=tmp_path)
+    assert result.returncode == 2
+    assert what in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):
+    lens = lenses["camera-field"]
+    options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]
+    result = call_lommel("psf", lens, *options, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "15 mm right of and 10 mm above the middle of the sensor" in result.stdout
+    instrument = lm.load_instrument(lens)
+    blur = lm.Jitter(2.0 * np.pi / 648000.0 * 35e-3)
+    corner = lm.psf(
+        instrument.field().pupil(15e-3, -10e-3), 33, instrument.pixel, blur=blur, **instrument.sensor_options
+    )
+    np.testing.assert_allclose(
+        lm.PSF.load(tmp_path / "corner.npz").values, corner.values, atol=1e-6 * corner.values.max()
+    )
+    axis = lm.psf(instrument.pupil(), 33, instrument.pixel, blur=blur, **instrument.sensor_options)
+    assert np.abs(axis.values - corner.values).max() > 0.1 * corner.values.max()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--at", "15mm", "-10mm", "--colour"], "--at is for one PSF"),
+        (["--at", "15mm", "-10"], "is a length without a unit"),
+        (["--at", "30mm", "0mm"], "lies outside of the map"),
+    ],
+)
+def test_a_place_that_has_no_psf_is_told(call_lommel, lenses, tmp_path, options, message):
+    result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+    assert result.returncode == 2
+    assert re.search(message, result.stderr)
+    assert result.stderr.count("\n") < 8
+
+
+def test_files_and_tables_hold_what_python_computes(call_lommel, lenses, tmp_path):
+    path = lenses["fast-portrait"]
+    outputs = [part for name in ("a.npz", "a.tif", "a.png") for part in ("-o", name)]
+    result = call_lommel("psf", path, "--colour", "--shape", "33", *outputs, "--plot", "p.png", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    instrument = lm.load_instrument(path)
+    expected = lm.colour_psf(instrument.pupil(), 33, instrument.pixel, instrument.channels)
+    for name in ("a.npz", "a.tif"):
+        found = lm.ColourPSF.load(tmp_path / name)
+        assert found.channels == instrument.channels
+        assert np.abs(found.values - expected.values).max() <= 1e-7 * expected.values.max()
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.mode == "RGB"
+    assert "red" in result.stdout
+    assert "8 from 440 nm to 630 nm" in result.stdout
+    assert result.stdout.split("wrote ")[1:] == ["a.npz\n", "a.tif\n", "a.png\n", "p.png\n"]
+
+
+def test_a_field_is_in_colour(call_lommel, lenses, tmp_path):
+    pytest.importorskip("zarr")
+    options = ["--colour", "--field", "2x3", "--shape", "15", "-o", "f.zarr", "-o", "f.mat", "--plot", "f.png"]
+    result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    for name in ("f.zarr", "f.mat"):
+        assert lm.PSFGrid.load(tmp_path / name).values.shape == (2, 3, 3, 15, 15)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["-o", "a.jpg"], ".raw, .tif, .tiff, .png for a PSF in channels, got"),
+        (["--field", "2x3"], "must have a section [field]"),
+        (["--normalize", "emitted"], "for the pupils of an Objective"),
+    ],
+)
+def test_faults_are_one_line(call_lommel, lenses, tmp_path, options, message):
+    result = call_lommel("psf", lenses["phone"], "--colour", *options, folder=tmp_path)
+    assert result.returncode == 2
+    assert message in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_field_in_colour_in_a_file_that_holds_none_is_refused_before_it_is_computed(call_lommel, lenses, tmp_path):
+    for name in ("f.tif", "f.png"):
+        options = ["--colour", "--field", "64x64", "--shape", "1025", "-o", name]
+        result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+        assert result.returncode == 2
+        assert ".hdf5, .mat, .raw for a grid of PSFs at several distances or in channels, got" in result.stderr
+        assert result.stderr.count("\n") == 1
+
+
+LENS = """\
+[lens]
+focal_length = "4.3 mm"
+f_number = 1.8
+wavelength = "550 nm"
+
+[sensor]
+pixel = ["1.22 um", "2.44 um"]
+shape = 9
+"""
+
+
+@pytest.fixture
+def told(call_lommel, tmp_path):
+    """Return what --mtf says as JSON, of a file or of a text."""
+
+    def ask(lens: str | Path, *options: object) -> dict:
+        if isinstance(lens, str):
+            (tmp_path / "lens.toml").write_text(lens, encoding="utf-8")
+        file = "lens.toml" if isinstance(lens, str) else lens
+        result = call_lommel("psf", file, "--mtf", "--json", *options, folder=tmp_path)
+        assert result.returncode == 0, result.stderr
+        return json.loads(result.stdout)["mtf"]
+
+    return ask
+
+
+def perfect(frequency: float, cutoff: float) -> float:
+    f = frequency / cutoff
+    return 2.0 / math.pi * (math.acos(f) - f * math.sqrt(1.0 - f * f))
+
+
+def test_a_perfect_lens_has_the_contrast_of_overlapping_discs_and_of_its_pixels(told):
+    found, cutoff = told(LENS), 1.0 / (550e-9 * 1.8)
+    down, across = 0.5 / 1.22e-6, 0.5 / 2.44e-6
+    assert found["frequency"] == pytest.approx([across, down])
+    (row,) = found["rows"]
+    assert (row["x"], row["y"], row["channel"]) == (None, None, None)
+    for name, share in (("nyquist", 1.0), ("half_nyquist", 0.5)):
+        pixel = math.sin(0.5 * math.pi * share) / (0.5 * math.pi * share)
+        expected = [pixel * perfect(share * frequency, cutoff) for frequency in (across, down)]
+        assert row[name] == pytest.approx(expected, abs=1e-6)
+
+
+def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lommel, tmp_path):
+    file = lenses["camera-field"]
+    found = told(file, "--field", "2x3", "--colour", "--shape", "5")
+    instrument, channels = lm.load_instrument(file), lm.Channels.rgb()
+    field, pixel = instrument.field(), instrument.pixel
+    assert [row["channel"] for row in found["rows"]] == list(channels.names) * 6
+    for row in found["rows"][3:9]:
+        pairs = dict(channels)[row["channel"]]
+        light = lm.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
+        expected = lm.mtf(field.pupil(row["x"], row["y"]), 0.0, 0.25 / pixel, pixel=pixel, spectrum=light)
+        assert row["half_nyquist"][1] == pytest.approx(float(expected), abs=2e-6)
+    shown = call_lommel("psf", file, "--mtf", "--field", "2x3", "--shape", "5", folder=tmp_path).stdout
+    assert sum(" mm, " in line for line in shown[shown.index("MTF, pixel") :].splitlines()) == 6
+
+
+ARCSEC = math.pi / 648000.0
+TELESCOPE = """\
+[lens]
+focal_length = "8 m"
+aperture_diameter = "1 m"
+wavelength = "600 nm"
+obscuration = 0.3
+
+[sensor]
+pixel = "9 um"
+"""
+
+
+@pytest.fixture
+def asked(call_lommel, tmp_path):
+    (tmp_path / "telescope.toml").write_text(TELESCOPE, encoding="utf-8")
+    return lambda *options: call_lommel("psf", "telescope.toml", *options, folder=tmp_path)
+
+
+def test_the_image_behind_seeing_and_jitter_is_that_of_python(asked, tmp_path):
+    options = "--seeing", 1.2, "--outer-scale", "25m", "--jitter", 0.3, "--shape", 25, "--tol", 1e-4, "-o", "seen.npz"
+    result = asked(*options)
+    assert result.returncode == 0, result.stderr
+    assert "seeing of 1.2 arcsec at 500 nm, outer scale 25 m and jitter of 0.3 arcsec rms" in result.stdout
+    pupil = lm.load_instrument(tmp_path / "telescope.toml").pupil()
+    air = lm.Seeing.from_fwhm(1.2 * ARCSEC, focal_length=8.0, outer_scale=25.0)
+    blur = air, lm.Jitter(0.3 * ARCSEC * 8.0)
+    expected = lm.psf(pupil, 25, 9e-6, blur=blur, tol=1e-4, integrate=True)
+    np.testing.assert_array_equal(lm.PSF.load(tmp_path / "seen.npz").values, expected.values)
+
+
+def test_the_window_holds_the_light_that_seeing_spreads(asked, tmp_path):
+    assert asked("--seeing", 2.0, "--tol", 1e-4, "-o", "seen.npz").returncode == 0
+    assert lm.PSF.load(tmp_path / "seen.npz").energy > 0.95
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--outer-scale", "25m"), "--outer-scale needs --seeing"),
+        (("--seeing", 1.0, "--mtf"), "leave out --field, --colour and --mtf"),
+        (("--jitter", 1.0, "--field", "3x3"), "leave out --field, --colour and --mtf"),
+        (("--seeing", 0), "is not in the range"),
+    ],
+)
+def test_what_has_no_such_blur_is_refused(asked, options, message):
+    result = asked(*options)
+    assert result.returncode != 0
+    assert message in " ".join(result.stderr.split())

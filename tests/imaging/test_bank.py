@@ -366,7 +366,7 @@ def test_phases_of_complex_defocus_differ_by_no_more_than_is_said(vergence, sphe
 
 
 def test_what_no_lens_does_is_refused():
-    assert aplanatic.growth(18e-3, 20.0, 200.0) == np.inf
+    assert of_wavefront.growth(18e-3, 20.0, 200.0) == np.inf
     with pytest.raises(
         ValueError, match=r"depth spans C_d from 0 to 1e.05 rad, which takes .* PSFs, more than 20000"
     ):

@@ -87,6 +87,7 @@ class ZernikeSum {
     }
 
    private:
+    // Term: coefficients of its cosine and sine, and of the recurrence of its radial polynomial.
     struct Term {
         double cosine = 0.0, sine = 0.0, slope = 0.0, shift = 0.0, back = 0.0;
     };

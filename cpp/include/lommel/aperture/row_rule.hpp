@@ -38,6 +38,7 @@ struct GaussRule {
 // polynomials P of the given degree with |P| <= 1 on the unit disc. Weights are positive.
 class RowRule {
    public:
+    // Row at y with `count` nodes, starting at node `first`.
     struct Row {
         double y;
         std::size_t first, count;
@@ -109,6 +110,7 @@ std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
+    // End of an interval: the left or right side of a part at y.
     struct End {
         double x;
         std::size_t part;

@@ -16,6 +16,7 @@
 
 namespace lommel {
 
+// Tables of one disk.
 template <class Real>
 struct ChordalTables {
     std::shared_ptr<const TermTable> terms;

@@ -38,6 +38,7 @@ struct ChordDisk {
     ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
 };
 
+// Chooses curves and bounds for the pupils of a stack.
 class ChordLines {
    public:
     // For a window whose rows (columns) at +v and -v are one entry of the axis.

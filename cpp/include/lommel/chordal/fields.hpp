@@ -290,6 +290,7 @@ struct FieldParts {
     const Parities& waves;
     std::size_t first, planes;
     std::vector<FieldPart> list;
+    // Parts list[first], ..., list[first + count - 1], in the lanes of a vector.
     struct Batch {
         std::size_t first, count;
     };
@@ -397,7 +398,8 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]
     double *values, *largest;  // [set][plane][row][column] and [set][plane][field], from this plane on
 
-    // Return whether the light is symmetric about an axis: it is if no field has both even and odd parts.
+    // Return whether the light is symmetric about an axis: it is if no field has both even and odd parts. `odd`: bit of the
+    // axis in a parity.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};

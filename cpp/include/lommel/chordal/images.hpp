@@ -92,6 +92,7 @@ class ChordalRenderer {
     }
 
    private:
+    // State of a pupil: requested error, error and peak found.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // no smaller error can be requested
@@ -237,6 +238,7 @@ class ChordalRenderer {
                KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
+    // Pupils first .. first + here - 1 of the pending ones, with the tables of both disks.
     template <class Real>
     struct Batch {
         std::size_t first, here;

@@ -32,7 +32,7 @@ void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weig
     }
 }
 
-// Copy the averages of one pupil (lane). Their sign is arbitrary.
+// Copy the averages of one pupil (lane), positive or negative.
 template <class Real>
 void copy_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t lane, double* to) {
     const std::size_t lanes = batch.lanes();

@@ -21,7 +21,7 @@ struct SeriesSizes {
     double *on_curves, *moduli;  // [series][part][curve], [series][part]: bounds on the curve, and at real angles
 
     // Compute the bounds from `powers`, the bound of each term on each curve. Returns the least over the curves of half the
-    // number of chords (0) or nodes (1) needed: chosen + log(largest part) rate.
+    // number of chords (0) or nodes (1) needed: log(largest part) x rate + chosen.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 

@@ -14,8 +14,8 @@ namespace lommel {
 
 // Depth candidates, at equal steps of vergence. forms[candidate][product]: coefficients of the energy as a quadratic form in
 // the residual images. statistics[row][candidate]: energy of white noise; variance of half the derivative of the energy due
-// to texture, and due to noise; ratio of curvature to valley depth for the texture that the filters are designed for;
-// variance of the curvature due to noise.
+// to texture, per unit of curvature, and due to noise; ratio of curvature to valley depth for the texture that the filters
+// are designed for; variance of the curvature due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
@@ -33,6 +33,7 @@ struct FocalPlace {
     float position, error, misfit;  // candidates; NaN and infinite if unknown
 };
 
+// Searches for the depth of blocks: a coarse search over every fourth candidate, then the exact minimum around the best.
 class FocalSearch {
    public:
     FocalSearch(const FocalCandidates& given, std::size_t products)
@@ -113,6 +114,7 @@ class FocalSearch {
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    // Minimum trusted fraction of a window.
     static constexpr float least_trust = 0.5f;
     static constexpr float wide = 1.0f;  // candidates squared
     static constexpr float unlike = 0.4f;  // relative scatter of the curvature over textures

@@ -12,6 +12,7 @@
 
 namespace lommel {
 
+// A frame of a camera: raw values, their calibration, and a mask of known pixels.
 struct FocalFrame {
     enum class Kind { bytes, words, floats };
 

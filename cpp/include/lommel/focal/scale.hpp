@@ -65,6 +65,7 @@ class FocalAxis {
     Floats weights_;
 };
 
+// Resamples frames about their centre, in parallel strips.
 class FocalScale {
    public:
     // Output pixel x samples the frame at `scale` times its distance from the centre.

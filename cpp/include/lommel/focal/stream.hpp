@@ -40,6 +40,7 @@ struct FocalPlan {
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
+// Filters a focal stack in parallel strips of rows; then estimates depth (search) and mixes sharp images (mix).
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -128,6 +129,7 @@ class FocalStream {
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
+    // Level of the image pyramid of fill(): positions, and weights (0 where unknown).
     struct Level {
         std::size_t height, width;
         std::vector<float> values, weights;

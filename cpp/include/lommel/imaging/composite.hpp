@@ -106,6 +106,7 @@ struct GivingLight {
     }
 };
 
+// Composes the layers of a scene front to back: computes how much of each layer a pixel sees, and adds the blurred light.
 template <class T>
 class Compositor {
    public:
@@ -520,10 +521,10 @@ class Compositor {
     std::size_t margin_;
     Mixer<T> mixture_;
     std::size_t tall_, broad_, rows_, columns_, parts_;
-    std::vector<std::uint64_t> masks_;  // [tile][part]
+    std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points there
     std::vector<Extent> extents_;  // [tile][part][layer]
-    std::vector<T> most_;  // [tile]
-    std::vector<std::size_t> open_;  // [tile]
+    std::vector<T> most_;  // [tile]: largest `seen` of its pixels
+    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not closed yet
     std::vector<unsigned char> chosen_;
     std::vector<Box> reached_;  // boxes reached by the current layer from each chosen tile
 };

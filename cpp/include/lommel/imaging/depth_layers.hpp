@@ -69,7 +69,7 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 // A point p occludes a farther point q if their distance is less than radius(p) - radius(q): rays through the rim of the
 // aperture then pass the edge between them. Candidates q are visited by distance. Those in the layer of p or nearer are
 // skipped; once a candidate is too far away for its radius, so are all that do not lie in a farther layer than it. The light
-// behind p is that of p mirrored at q if that point lies in a farther layer than the skipped ones, else that of q.
+// behind p is taken from the mirror image of p at q if that is as far away as q, else from q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
@@ -81,6 +81,7 @@ class HiddenPoints {
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
 
+    // Offset to another point: its length, rows and columns in pixels, and the difference of indices.
     struct Step {
         float distance;
         std::int32_t down, right, along;

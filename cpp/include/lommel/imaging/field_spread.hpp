@@ -37,6 +37,7 @@ struct FieldScene {
     std::size_t across, intervals, order;
 };
 
+// Spreads each source pixel over its interpolated window (forward), or returns the inner product with it (adjoint).
 template <class T>
 class FieldSpreader {
    public:

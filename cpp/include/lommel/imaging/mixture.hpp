@@ -88,6 +88,7 @@ class Mixer {
 
    private:
     using V = std::conditional_t<sizeof(T) == 4, typename Vector<2>::floats, typename Vector<4>::pack>;
+    // Cubic Lagrange polynomials with the nodes 0, 1, 2, 3: [power][node].
     static constexpr T powers[4][4] = {{T(1), T(0), T(0), T(0)},
                                        {T(-11.0 / 6.0), T(3), T(-1.5), T(1.0 / 3.0)},
                                        {T(1), T(-2.5), T(2), T(-0.5)},

@@ -24,8 +24,8 @@ struct StackPlanes {
 };
 
 // Axial transform of a kernel over `length` planes, divided by `length`: [row][group of eight columns][frequency][re or
-// im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only the first half of the rows and one more are stored,
-// opposite rows have equal values; if only so many frequencies are stored, opposite frequencies have conjugate values.
+// im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite
+// rows are equal; if only half of the frequencies and one more are stored, opposite ones are complex conjugates.
 struct PlaneTransfer {
     const float* values;
     std::size_t rows, frequencies;
@@ -106,6 +106,8 @@ class PlaneFilter {
         }
     }
 
+    // Specimen to recording for one row and eight columns: weights, padding by repeated outermost planes, convolution,
+    // cropping.
     template <class I>
     LOMMEL_INLINE void seen(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n;
@@ -130,6 +132,7 @@ class PlaneFilter {
         std::memcpy(held, back + planes_.first * fft_element, planes_.recording * fft_element * sizeof(float));
     }
 
+    // Recording to specimen: the transpose of seen().
     template <class I>
     LOMMEL_INLINE void returned(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n, from = planes_.first * fft_element;

@@ -57,6 +57,7 @@ struct Screen {
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 
+// Spreads each source pixel over its mixed window (forward), or returns the inner product with it (adjoint).
 template <class T>
 class Spreader {
    public:
@@ -114,7 +115,7 @@ class Spreader {
         std::size_t top, left, height, width;
         std::vector<BankPlace<T>> places;
         std::vector<T> values, layers;
-        std::vector<unsigned char> hidden;  // partly occluded
+        std::vector<unsigned char> hidden;  // seen only in part by some pixel
     };
 
     // Runs one direction (`side`: Giving or Taking) for all source pixels of a part of the image.

@@ -91,6 +91,7 @@ class Bank {
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
    private:
+    // Templates of one channel: values[template][pixel], mean and norm of each image.
     struct Templates {
         std::size_t pixels;
         Floats values;
@@ -111,6 +112,7 @@ struct BoxStack {
     std::size_t read_step;
 };
 
+// Fits molecules, each from its best templates.
 class Localizer {
    public:
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)

@@ -113,8 +113,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // For counts d = 0 the term d log(d / mean) vanishes. For d < 0, possible with read noise, |d| (at least 1) only
-            // adds a constant.
+            // The reference max(|d|, 1) only adds a constant, d log(reference); counts d may be 0 or negative.
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -281,6 +280,7 @@ class MoleculeFit {
     std::size_t unknown() const { return unknown_; }
 
    private:
+    // Fisher information, score and deviance at given values of the unknowns.
     struct System {
         double information[most_unknown][most_unknown], score[most_unknown], deviance;
     };

@@ -50,6 +50,7 @@ struct MoleculeTable {
 enum class Molecule : std::size_t { value, row, column, z };
 constexpr std::size_t molecule_images = 4;
 
+// Interpolates the image of a molecule and its derivatives, reusing its memory.
 class MoleculeImages {
    public:
     explicit MoleculeImages(const MoleculeTable& table)

@@ -12,6 +12,7 @@
 
 namespace lommel {
 
+// Error bounds of the intensity of a plane.
 struct Judged {
     double given;  // error of I at the radii
     double most;   // bound on |I| at any radius
@@ -64,6 +65,7 @@ struct Judged {
    private:
     static constexpr double rounding = 4e-13;
 
+    // Moduli of the parts of a field at the radii and at any radius, and their error.
     struct Parts {
         double off;
         std::array<double, most_parts> found{}, most{};

@@ -24,6 +24,7 @@
 
 namespace lommel {
 
+// Renders windows of planes by interpolation from few radii.
 template <class T>
 class LayeredImages {
    public:

@@ -65,7 +65,7 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in v
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
     // out[plane * out_stride + radius] from values[plane * stride + node], for `Together` planes. Writes whole tiles in
-    // order, so a tile may overwrite the end of its predecessor.
+    // order; the next piece overwrites the excess of the last tile.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I, const double* values, std::size_t stride, double* out, std::size_t out_stride) const {
         using V = typename I::pack;

@@ -46,6 +46,7 @@ struct Derivative {
     double error;  // proven error of each part of the differentiated field
 };
 
+// Planes: depth of the emitter, stage focus and collected power, each [plane]; the harmonics of their intensity.
 struct Planes {
     Angles angles;
     const double *depth, *focus, *power;
@@ -60,7 +61,7 @@ struct Planes {
     bool radial() const { return harmonics.size() == 1; }
 
     // Multiply the parts by exp(i psi): re, im[part * stride + angle]. Writes the sum of magnitudes of each part to `sizes`.
-    // Evanescent waves are treated one by one, as they are few.
+    // exp() of the decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {

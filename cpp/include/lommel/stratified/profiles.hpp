@@ -24,6 +24,7 @@ struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
 
+// Computes fields at the radii as products of waves and tabulated Bessel functions, and from them intensities.
 class Profiles {
    public:
     static constexpr std::size_t together = 3;  // planes: twelve chains of multiply-adds, as many as sixteen registers hold
@@ -63,7 +64,7 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // Same waves; |dJ_m/dv| <= 1 as |J_m| <= 1, so the bounds are the same.
+                // Same waves and same bounds, as |J_m'| <= 1.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }

@@ -62,6 +62,7 @@ struct RingSizes {
     double numbers[ring_planes] = {};   // over circles: largest sum of the moduli of its orders
 };
 
+// Intensities of eight planes on circles, filtered and interpolated to twice as many angles.
 class Rings {
    public:
     Rings(const RingLight& light, const RingSteps& steps)

@@ -45,6 +45,7 @@ struct PlaneProfiles {
     const Judged& judged;
 };
 
+// Computes the requested derivatives of the windows of planes.
 template <class T>
 class WindowSlopes {
    public:

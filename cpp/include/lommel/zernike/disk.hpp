@@ -148,6 +148,7 @@ struct ZernikeSeries {
     }
 };
 
+// Computes the coefficients of a pupil: azimuthal FFTs on rings, then projections onto radial polynomials.
 class ZernikeAnalysis {
    public:
     // Fill `series` with the coefficients times (-1)^(n/2) (-i)^n, factors that zernike_transforms() omits.

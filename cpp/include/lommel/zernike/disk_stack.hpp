@@ -39,6 +39,7 @@ inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double
     return sum;
 }
 
+// Stack of wavefronts in Zernike terms, and conversions between tilts and shifts of their axes.
 struct DiskStack {
     std::vector<ZernikeTerm> terms;  // terms that are not zero for all pupils, and those that the inner disk adds
     std::vector<double> outer, inner;  // [pupil][term], radians at the edge; `inner` is empty without an obscuration

@@ -71,6 +71,7 @@ class FarLight {
     // Number of points at which polynomials are bounded (docs/certificate.md, section 10).
     static constexpr std::size_t points = 3 * kept;
 
+    // Wave exp(i frequency v) with a factor that depends on the azimuth and on 1 / v.
     struct Wave {
         double frequency;
         std::vector<double> re, im;        // factors of v^(-3/2 - k), [k][angle]
@@ -83,6 +84,7 @@ class FarLight {
         std::vector<double> size;  // [degree]: size at the edge
         std::array<double, terms> rounding;  // [k]: of the sums over degrees
     };
+    // Bounds of a trigonometric polynomial in the azimuth.
     struct Harmonics {
         double value = 0.0, slope = 0.0, bend = 0.0;  // largest modulus; of the first and the second derivative
     };

@@ -37,6 +37,7 @@ struct Directions {
 };
 inline const Directions directions;
 
+// Field U of one pupil: polynomials in v, on radial pieces, for each azimuthal order of both disks.
 class ZernikeField {
    public:
     // Expand the pupil with error `error` in U for v up to `reach`. `inner`: phase within the obscuration, as a function of

@@ -31,6 +31,7 @@ class ZernikeRenderer {
     }
 
    private:
+    // Destination of an image: values, scale and number of threads.
     struct Painting {
         T* values;
         double scale;

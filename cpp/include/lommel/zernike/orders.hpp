@@ -43,6 +43,7 @@ inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk,
     }
 }
 
+// Bounds of the azimuthal orders of a pupil, and the orders kept.
 class PupilOrders {
    public:
     // Bounds of all orders of a pupil, both disks together.

@@ -25,6 +25,7 @@ struct PolarBudget {
     static constexpr double again = 0.7;
 };
 
+// A zone: range of radii, style of interpolation, and circles.
 struct PolarZone {
     const PolarStyle* style;
     std::int64_t low, high;   // range of squared distances of its pixels, in pixels
@@ -42,6 +43,7 @@ struct PolarZone {
     const PolarRows<float>& rows(float) const { return floats; }
 };
 
+// Plan of zones for an image, and their circles.
 class PolarZones {
    public:
     // Plan zones for pixels `step` apart in v whose squared distances, in pixels, are `nearest` to `farthest`, so that I is

@@ -21,7 +21,7 @@
 
 namespace lommel {
 
-// What to compute from frames of height x width pixels after binning by `binning`.
+// Plan of a FocalStream, for frames of height x width pixels after binning by `binning`.
 struct FocalPlan {
     std::size_t height, width, binning;
     std::size_t channels, frames;  // order of frames: all of the first channel, then of the second, ...

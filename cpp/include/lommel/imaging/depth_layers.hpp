@@ -67,9 +67,9 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 // For each occluding point p, finds a point whose light stands for what p hides.
 //
 // A point p occludes a farther point q if their distance is less than radius(p) - radius(q): rays through the rim of the
-// aperture then pass the edge between them. Candidates q are visited by distance. Those in the layer of p or nearer are
-// skipped; once a candidate is too far away for its radius, so are all that do not lie in a farther layer than it. The light
-// behind p is taken from the mirror image of p at q if that is as far away as q, else from q.
+// aperture then pass the edge between them. Candidates q are visited by distance. Candidates in the layer of p or nearer are
+// skipped. A candidate too far away for its radius is skipped too, with all later ones that lie in no farther layer. The
+// light behind p is taken from the mirror image of p at q if that is as far away as q, else from q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)

@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Lookup table over the leading bits (exponent and part of the fraction) of a positive float. These are so many that each
+// Lookup table over the leading bits (exponent and part of the fraction) of a positive float. So many bits are used that each
 // interval holds at most one edge; the number of edges below each interval is tabulated.
 class Levels {
    public:

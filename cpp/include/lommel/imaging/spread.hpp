@@ -49,8 +49,8 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 }
 #endif
 
-// Occlusion. Of a point in layer l a pixel sees the fraction clamp(seen - l, 0, 1): all of the layers in front of `seen`,
-// part of the layer in which `seen` lies, nothing behind it.
+// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l, that is, all of the layers in front of
+// `seen`, part of the layer in which `seen` lies, nothing behind it.
 template <class T>
 struct Screen {
     const T* layers = nullptr;  // indexed like `positions`; null: no occlusion

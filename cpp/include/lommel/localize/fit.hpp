@@ -138,7 +138,8 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
 }
 
 // Pearson's chi2 of a channel, its expectation and variance. With x = Poisson(mu) + N(0, read) - mu, x^2 has the mean v = mu
-// + read and the variance mu + 2 v^2. Of this mu^2 / v is correlated with x, whose sum the fit makes zero, and is subtracted.
+// + read and the variance mu + 2 v^2. The part mu^2 / v of this variance is correlated with x and is subtracted, as the fit
+// makes the sum of x zero.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };

@@ -8,7 +8,7 @@
 //
 // D(u, y) = Phi(u - f, y) - Phi(u + f, y) is the phase of the integrand. For exp(i D), on an interval where D runs through s
 // radians, a rule of n nodes is off by about J_2n(s / 2), which falls faster than any power once n exceeds s / 4 by a few
-// cube roots of s. How far D runs is estimated from the first and second derivatives of Phi; long runs are cut into pieces to
+// cube roots of s. The run of D is estimated from the first and second derivatives of Phi; long runs are cut into pieces to
 // keep the rules short.
 #pragma once
 

@@ -37,8 +37,8 @@ class LayeredImages {
         threads_ = worthwhile_threads(threads, static_cast<double>(planes.count) * each);
     }
 
-    // Whether this engine supports the windows. Intensities that depend on the azimuth are sampled only; derivatives need
-    // windows around arbitrary axes or pixel averages around the middle.
+    // Return whether this engine supports the windows. Intensities that depend on the azimuth are sampled only; derivatives
+    // need windows around arbitrary axes or pixel averages around the middle.
     static bool fits(const Planes& planes, const PixelWindows& windows, bool derivatives) {
         const bool averages = windows.first.integrate;
         if (windows.centers == nullptr) {

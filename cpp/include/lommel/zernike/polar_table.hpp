@@ -88,7 +88,7 @@ struct PolarTable {
     // product. 170 covers the transform of the kernel, the sines of arguments, and the rest.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
-    // What the rounding of `count` degrees adds to U: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
+    // Error of U from the rounding of `count` degrees: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {

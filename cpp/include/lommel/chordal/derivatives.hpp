@@ -40,7 +40,7 @@ struct ChordalDerivatives {
     T* images;
     double* bounds;
     double* averages = nullptr;  // or null; if set, pixel averages replace images, and bounds are absolute ones at the nodes
-    double* sizes = nullptr;     // with averages: largest moduli at the nodes
+    double* sizes = nullptr;     // with averages: bounds on the moduli of derivatives at the nodes
 
     // Compute the derivatives of a batch whose U at each pixel, and whose nodes, are kept. scales[lane]: scale of the image.
     // With `weights`, pixel averages are computed.

@@ -60,7 +60,7 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. Writes the sum of magnitudes of each part to `sizes`.
+    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. Writes the sum of |re| + |im| of each part to `sizes`.
     // exp() of the decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,

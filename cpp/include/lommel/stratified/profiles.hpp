@@ -18,8 +18,8 @@
 
 namespace lommel {
 
-// Moduli of the parts of the field of a plane, or of its derivative: the largest found at the radii, and a bound at any
-// radius.
+// Sizes of the parts F of the field of a plane, or of its derivative: found, the largest |F|^2 at the radii; most, a bound of
+// |F| at any radius.
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };

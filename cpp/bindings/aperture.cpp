@@ -56,7 +56,7 @@ lommel::RowRule row_samples(In<double, 1> y, In<std::int64_t, 1> counts, In<doub
     return {y.data(), counts.data(), y.shape(0), x.data(), weights.data(), phase.shape(0) == 0 ? nullptr : phase.data()};
 }
 
-// x, y and weight of each node.
+// Nodes as an array [x, y, weight][node].
 Out<double, 2> nodes(const lommel::RowRule& rule) {
     const std::size_t count = rule.rows().empty() ? 0 : rule.rows().back().first + rule.rows().back().count;
     const Out<double, 2> found = new_array<double, 2>({3, count});

@@ -1,4 +1,4 @@
-// Averages over pixels: of circular pupils, and of any aperture by a rule that the caller makes.
+// Pixel averages: for circular pupils, and for any aperture by a rule that the caller provides.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -48,8 +48,8 @@ bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
     });
 }
 
-// Weights of the nodes of the disk, with which they have the moments of an aperture, what fields are off by with them, and whether
-// sums in single precision are counted there.
+// Rule of an aperture: complex weights of the nodes of the disk that reproduce the moments of the aperture; error of the
+// fields with them; whether that error includes sums in single precision.
 using Weights = std::optional<std::tuple<In<double, 3>, double, bool>>;
 
 template <class T>
@@ -71,7 +71,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
             lommel::nodes_about_axis(stack, pupils.window, {question.rows.places, question.columns.places},
                                      {question.rows.weights.data(), question.columns.weights.data()}, to.values,
                                      of_pupils.largest.data(), of_pupils.together.data());
-        // Distances from the axis, of which the rule is to be exact.
+        // Largest distance of nodes from the axis along one direction, for which the rule must be exact.
         const auto reach = [](const std::vector<double>& places, std::size_t side, double center, double apart) {
             const double middle = apart * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));

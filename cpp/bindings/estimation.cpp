@@ -1,4 +1,4 @@
-// What images of stars say about the parameters of a pupil.
+// Likelihood of star images, and its derivatives with respect to the parameters of the pupil.
 #include <deque>
 #include <utility>
 #include <vector>

@@ -1,4 +1,4 @@
-// Depth and sharp images of frames that differ in focus.
+// Depth maps and sharp images from focal stacks of frames.
 #include <array>
 #include <cstring>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 using Frame = nb::ndarray<nb::ro, nb::ndim<2>, nb::device::cpu>;
 using Known = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::device::cpu>;
 
-// A frame of uint8, uint16 or float32 as the core takes it, of a size in pixels.
+// Convert a frame of uint8, uint16 or float32, of at least height x width pixels, for the core.
 lommel::FocalFrame frame_of(const Frame& one, float full, const std::optional<Known>& known, std::size_t height,
                             std::size_t width) {
     const auto fits = [&](const auto& array) {
@@ -61,10 +61,13 @@ class Scale {
 
 class Stream {
    public:
-    // Residuals are those of each channel; forms and statistics of all together. Sizes: height and width in squares, pixels a side of these, squares a side of a block, depths a block along an axis,
-    // squares that light is spread over, strips. Statistics: rows of each candidate, of the energy of noise and the parts of the variance of half of its derivative.
-    // Numbers: variance of a square without light, pixels of a window, vergence of the first candidate and from one to the next,
-    // least and largest position and largest standard error of what is known.
+    // residuals[channel][count][frame][term]; forms and statistics as of FocalCandidates, for all channels together.
+    //
+    // sizes: height and width after binning, binning, pixels along a block (after binning), depths per block along an axis,
+    // blur radius in pixels, strips.
+    //
+    // numbers: variance of a dark pixel, pixels in a window, vergence of the first candidate and the step between candidates,
+    // smallest and largest valid position, largest standard error of a known depth.
     Stream(const std::array<std::size_t, 7>& sizes, In<float, 1> taps, In<float, 4> residuals, In<float, 3> images,
            In<float, 1> weights, In<float, 2> forms, In<float, 2> statistics, const std::array<float, 7>& numbers) {
         const auto [height, width, binning, side, fine, blur, strips] = sizes;
@@ -108,7 +111,8 @@ class Stream {
         frames_.resize(channels * frames);
     }
 
-    // Sums of pixels known in all frames, as stored, in 8 x 8 parts of the frames, and last how many these are.
+    // Sums of raw values over pixels known in all frames, in 8 x 8 parts of the frames; the last entry is the number of these
+    // pixels.
     void sums(const nb::typed<nb::sequence, nb::object>& frames, float full, const std::optional<Known>& known,
               Out<double, 3> out) {
         constexpr std::size_t cells = lommel::FocalSums::cells;
@@ -117,7 +121,7 @@ class Stream {
         released([&] { stream_->sum(frames_.data(), out.data()); });
     }
 
-    // Frames of uint8, uint16 or float32, with six gains each and the value of no light, and values from which on pixels are full.
+    // Frames of uint8, uint16 or float32; gains: six per frame, see FocalFrame; offset: dark level; full: saturation level.
     void take(const nb::typed<nb::sequence, nb::object>& frames, const In<float, 2>& gains, float offset, float full,
               const std::optional<Known>& known) {
         require(gains.shape(0) == frames_.size() && gains.shape(1) == 6, "as many gains as planned");
@@ -129,7 +133,7 @@ class Stream {
         released([&] { stream_->take(frames_.data()); });
     }
 
-    // Depth, standard error and misfit of blocks: NaN and infinity where it is not known.
+    // Depth, standard error and misfit of blocks; NaN and infinity where unknown.
     void depths(Out<float, 2> depth, Out<float, 2> errors, Out<float, 2> misfit) {
         require(stream_->has_depth(), "there are no residuals");
         for (const auto& one : {depth, errors, misfit}) {
@@ -167,14 +171,14 @@ class Stream {
         });
     }
 
-    // Positions of blocks in candidates, known or between those that are.
+    // Positions of blocks in candidates; unknown ones are filled from their surroundings.
     void positions(Out<float, 2> out) const {
         require(stream_->has_depth() && out.shape(0) == stream_->down() && out.shape(1) == stream_->across(),
                 "one value a block");
         std::memcpy(out.data(), stream_->filled(), out.size() * sizeof(float));
     }
 
-    // The sum of images at positions, of blocks of `side` squares, with factors of each candidate.
+    // Mix the kept images at positions of blocks of `side` pixels (after binning), with factors[candidate][image].
     void mix(const In<float, 2>& positions, std::size_t side, const In<float, 2>& factors, Out<float, 2> out) {
         const lommel::FocalPlan& plan = stream_->plan();
         require(out.shape(0) == plan.height && out.shape(1) == plan.width, "the image has the planned size");

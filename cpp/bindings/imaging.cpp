@@ -49,7 +49,7 @@ std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high
 template <class T>
 lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int64_t, 1>& halves, const In<double, 1>& energies) {
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
-    // The last window is there to be loaded only.
+    // The last window is a spare that vectors may read.
     require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
     require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1, "one half width and one energy a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
@@ -69,7 +69,7 @@ lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>
     return {positions.data(), positions.shape(1), rows.data(), columns.data(), rows.size(), columns.size()};
 }
 
-// What hides what, of as many points as there are positions and as many pixels as windows reach.
+// Check and convert the data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
 template <class T>
 lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::optional<In<T, 2>>& seen,
                             const In<double, 2>& positions, std::size_t height, std::size_t width) {
@@ -83,14 +83,14 @@ lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::op
     return {layers->data(), seen->data()};
 }
 
-// Whether an image is as much larger than a scene as windows reach.
+// Return whether an image is larger than the scene by the margins that windows need.
 template <class T>
 bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::size_t height, std::size_t width) {
     return height == scene.height + 2 * bank.widest && width == scene.width + 2 * lommel::Spreader<T>::margin(bank.widest);
 }
 
-// Adds each pixel, spread over its window, to an image larger by half a window above and below, and by the next multiple of
-// 16 on either side.
+// out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
+// multiple of 16 on either side.
 template <class T>
 void spread(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
             In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out,
@@ -107,7 +107,7 @@ void spread(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies
     });
 }
 
-// The transpose of spread(), but that what is beyond the edges stays there.
+// Transpose of spread(). Light beyond the edges is not folded back.
 template <class T>
 void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
              In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out,
@@ -121,8 +121,8 @@ void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energie
     released([&] { lommel::Spreader<T>(bank, scene, threads, screen, slopes).adjoint(image.data(), out.data()); });
 }
 
-// The layer of each point, 0 the nearest that there is, and the point that stands for what it hides, or -1; returns how many
-// layers there are, and how many points hide something.
+// Write the layer of each point (0: nearest) and the point that stands for the light behind it (-1: none). Returns the number
+// of layers and of occluding points.
 std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double low, double high, In<double, 1> radii,
                                                  double thickness, int most, int threads, Out<std::uint8_t, 2> layers,
                                                  Out<std::int32_t, 2> behind) {
@@ -144,7 +144,7 @@ std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double l
     return found;
 }
 
-// Adds some layers, from the nearest on, to what pixels see.
+// Add the layers from .. to - 1, front to back, to the composite image.
 template <class T>
 void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
                In<std::uint8_t, 2> layers, std::optional<In<std::int32_t, 2>> behind, int count, In<std::int64_t, 1> rows,
@@ -180,7 +180,7 @@ void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energ
     });
 }
 
-// Writes the factors of the products of a remainder at each position in a bank.
+// Write the factors of the remainder at each position in a bank.
 template <class T>
 void remainder_factors(In<T, 3> cubics, In<double, 1> positions, int threads, Out<T, 2> out) {
     const std::size_t stride = cubics.shape(2);
@@ -194,7 +194,7 @@ void remainder_factors(In<T, 3> cubics, In<double, 1> positions, int threads, Ou
     });
 }
 
-// Splines, and the pixels that spread windows mixed of them: see field_spread.hpp.
+// Check the arrays of splines and source pixels, see field_spread.hpp.
 template <class T>
 lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t side, const In<T, 2>& down, const In<T, 2>& places,
                                         const In<T, 2>& shares, const In<std::int64_t, 1>& tiles, const In<double, 2>& defocus,
@@ -227,7 +227,7 @@ lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t sid
             threads};
 }
 
-// Adds each pixel, spread over its window, to an image that is larger by these; or the transpose.
+// Add each pixel spread over its window to an image larger by the size of a window; or the transpose.
 template <class T>
 void field_spread(In<T, 4> windows, std::size_t side, In<T, 2> down, In<T, 2> places, In<T, 2> shares,
                   In<std::int64_t, 1> tiles, In<double, 2> defocus, In<double, 1> breaks, In<T, 3> powers,
@@ -250,7 +250,7 @@ void field_spread(In<T, 4> windows, std::size_t side, In<T, 2> down, In<T, 2> pl
     });
 }
 
-// Blurs the first planes of a room along all planes, or applies the transpose of that, in place.
+// Convolve the first planes of `room` axially, or apply the transpose, in place; see plane_filter.hpp.
 void filter_planes(Out<std::complex<float>, 3> room, const nb::typed<nb::list, nb::object>& transfers, In<float, 2> weights,
                    std::size_t recording, std::size_t first, std::size_t before, std::size_t after, std::size_t length,
                    bool transposed, int threads) {

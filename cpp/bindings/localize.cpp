@@ -1,4 +1,4 @@
-// Tables of the images of molecules, and fits by them.
+// Tables of molecule images, and fits with them.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -15,11 +15,11 @@ using namespace bindings;
 
 namespace {
 
-// A table and what it holds.
+// A molecule table and the arrays that it refers to.
 class Table {
    public:
-    // Coefficients as of lommel::MoleculeTable, flat; sizes are pieces, rows, samples a pixel, columns, height and width; numbers
-    // the first row and column, the least and the largest z, row and column.
+    // coefficients: as of lommel::MoleculeTable, flat. sizes: pieces, rows, samples per pixel, columns, height, width.
+    // numbers: first row and column, smallest and largest z, row and column (smallest, largest for each).
     Table(In<float, 1> coefficients, In<double, 2> polynomials, const std::array<std::size_t, 6>& sizes,
           const std::array<double, 8>& numbers)
         : coefficients_(std::move(coefficients)), polynomials_(std::move(polynomials)) {
@@ -65,7 +65,7 @@ class Table {
         require(covers(first_column, least_column, largest_column, per * columns, width), "columns must cover all places");
     }
 
-    // Values and slopes by row, column and z at places (n, 3), shape (n, 4, height, width).
+    // Values and derivatives with respect to row, column and z at places (n, 3), shape (n, 4, height, width).
     Out<float, 4> images(const In<double, 2>& places, int threads) const {
         require(places.shape(1) == 3 && threads >= 0, "places are row, column and z");
         const std::size_t n = places.shape(0);
@@ -88,8 +88,8 @@ class Table {
     lommel::MoleculeTable table_;
 };
 
-// Tables of one or more channels, what takes places of the first to each, (channels, 4), the limits (2, 3), the largest step along
-// z, and places to start from, (z, places, 3).
+// Tables of one or more channels; matrices (channels, 4) from positions in the first channel to those in each; limits (2, 3)
+// of row, column and z; largest step in z; positions of templates (z, places, 3).
 class Fitter {
    public:
     Fitter(const nb::typed<nb::list, Table>& tables, const In<double, 2>& matrices, const In<double, 2>& limits, double stride,
@@ -117,9 +117,9 @@ class Fitter {
         localizer_.emplace(std::move(channels), all, starts, places.shape(1));
     }
 
-    // Images in electrons of each channel, (n, height, width), NaN where a pixel does not count, and the variance of reading, (n or
-    // 1, height, width); offsets (n, channels, 2). Returns the unknowns and their errors, (n, k) each; twice the logarithm of the
-    // likelihood and the discrepancy, (n, 2); state and steps, (n, 2).
+    // images: electrons per channel, (n, height, width), NaN for invalid pixels; reads: read variance, (n or 1, height,
+    // width); offsets (n, channels, 2). Returns unknowns and their standard errors, (n, k) each; deviance and discrepancy,
+    // (n, 2); state and number of steps, (n, 2). See lommel::Fitted.
     std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(
         const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
         const In<double, 3>& offsets, int starts, bool tilted, int threads) const {
@@ -158,7 +158,7 @@ class Fitter {
     }
 
    private:
-    nb::list tables_;  // which hold what is used here
+    nb::list tables_;  // keep the tables alive
     std::optional<lommel::Localizer> localizer_;
 };
 

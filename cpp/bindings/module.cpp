@@ -1,4 +1,4 @@
-// The Python module. The bindings check shapes and release the GIL; all arithmetic is in the headers.
+// The Python module of the core. Bindings check shapes and release the GIL; all arithmetic is in the headers.
 #include "python.hpp"
 
 using namespace bindings;

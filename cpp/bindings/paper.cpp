@@ -1,4 +1,4 @@
-// The paper's closed form, and Huygens' superposition.
+// The closed form of the paper, and Huygens' superposition.
 #include <algorithm>
 
 #include "lommel/paper/closed_form.hpp"

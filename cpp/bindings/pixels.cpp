@@ -1,4 +1,4 @@
-// Radii of a window, images from radial profiles, and averages over pixels.
+// Radii of a window, images from radial profiles, and pixel averages.
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -18,7 +18,7 @@ using namespace bindings;
 namespace {
 
 std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t rows, std::size_t cols) {
-    // Ranks are 32-bit and the work is linear in the largest squared radius.
+    // Ranks are 32-bit integers, and the work is linear in the largest squared radius.
     require(rows <= 20000 && cols <= 20000, "rows and cols must be at most 20000");
     auto index = new_array<std::int32_t, 2>({rows + 1, cols + 1});
     const std::vector<std::int64_t> squares = released([&] { return lommel::distinct_radii(rows, cols, index.data()); });
@@ -34,7 +34,7 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, int threads, Out<T, 3
     released([&] {
         const auto layout = lommel::Layout::get(height, width);
         require(radii == layout->count, "a profile must have a value at each radius");
-        // Some 0.3 microseconds for a thousand pixels.
+        // About 0.3 microseconds per thousand pixels.
         const double work = 0.3e-3 * static_cast<double>(count * height * width);
         lommel::for_pupils(count, lommel::worthwhile_threads(threads, work), [&](std::size_t i, int own) {
             std::vector<T> profile(radii);
@@ -52,7 +52,7 @@ int level_of(int level, int threads) {
     return level;
 }
 
-// The radii where I is wanted, and what becomes of its errors.
+// Radii at which I is needed, and how its errors propagate to pixels.
 std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
                                                                        double center_x, double step, bool integrate, int level,
                                                                        int threads) {
@@ -82,7 +82,7 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
     return penalties;
 }
 
-// Rows of pixels follow each other, images need not.
+// Rows of pixels are contiguous, images need not be.
 using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 
 template <class T>

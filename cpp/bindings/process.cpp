@@ -1,4 +1,4 @@
-// What each module of the core has of its own: errors, signals, the instructions in use and the tables that calls share.
+// Process-wide state of each core module: exceptions, signals, instruction set, and the caches shared by all calls.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -19,7 +19,7 @@ using namespace bindings;
 
 namespace {
 
-// The one thread that Python runs the handlers of signals in; in a child it is the one that called fork().
+// Identifier of the thread in which Python runs signal handlers; after fork(), in the child, the thread that called fork().
 struct MainThread final : lommel::ForkAware {
     unsigned long id = 0;
 
@@ -32,7 +32,8 @@ struct MainThread final : lommel::ForkAware {
 };
 MainThread& main_thread = *new MainThread;
 
-// Who imports this where nobody imported `threading`, which takes as long as loading this module, is the only thread.
+// If `threading` has not been imported, the importing thread is the only one; importing it here would take as long as loading
+// this module.
 unsigned long this_or_main_thread() {
     const nb::object threads = nb::steal(PyImport_GetModule(nb::str("threading").ptr()));
     return threads.is_valid() ? nb::cast<unsigned long>(threads.attr("main_thread")().attr("ident"))
@@ -58,7 +59,7 @@ void clear_caches() {
     released([] {
         lommel::Shared::clear_all();
 #if defined(__GLIBC__)
-        malloc_trim(0);  // which otherwise keeps what was freed
+        malloc_trim(0);  // return freed memory to the system, which glibc otherwise keeps
 #endif
     });
 }
@@ -68,11 +69,11 @@ void clear_caches() {
 lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() == main_thread.id ? &signalled : nullptr; }
 
 void bindings::define_process(nb::module_& m) {
-    // Python keeps what its users hold to the end of the process, plans among it, and that is no fault here.
+    // Python keeps objects alive until the process ends, plans among them; nanobind would report these as leaks.
     nb::set_leak_warnings(false);
     main_thread.id = this_or_main_thread();
-    // Of a call that was stopped the exception is set, by the handler that raised it. A phase or a window too large is a
-    // ValueError of its own: the next method is tried after it, but not after a fault of the code.
+    // Stopped: the signal handler that stopped the call has already set the exception. LimitExceeded becomes Declined, a
+    // ValueError: callers then try the next method, but not after a programming error.
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         try {
             std::rethrow_exception(thrown);

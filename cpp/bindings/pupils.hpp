@@ -1,4 +1,4 @@
-// Conversion of pupils from arrays, and images written into arrays of the caller.
+// Conversion of pupils from arrays, and of output arrays for images.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace bindings {
 
-// Any powers: for those who look at its bounds.
+// Amplitude without checking that it is at most 1, for tests of its bounds.
 inline lommel::Amplitude powers_of_amplitude(const In<double, 1>& powers) {
     require(powers.shape(0) <= 1 + lommel::Amplitude::most, "amplitude must have at most 11 powers");
     return {powers.data(), powers.shape(0)};
@@ -21,7 +21,7 @@ inline lommel::Amplitude powers_of_amplitude(const In<double, 1>& powers) {
 
 inline lommel::Amplitude amplitude_of(const In<double, 1>& powers) {
     const lommel::Amplitude amplitude = powers_of_amplitude(powers);
-    // 100 and what rounding may make of it.
+    // 100, with a margin for rounding.
     require(amplitude.size() <= 100.0 * (1.0 + 1e-9), "amplitude must have an exponent of 100 at most");
     require(amplitude.passive(), "amplitude must be at most 1");
     return amplitude;
@@ -54,8 +54,8 @@ std::vector<lommel::ZernikeTerm> terms_of(const In<Integer, 2>& given, std::size
     return terms;
 }
 
-// Of each pupil an image and the numbers that go with it, one array for calls that take a microsecond: what the intensity is
-// multiplied by, the bound on the error, the peak. A scale of 0 divides by the largest value.
+// Output arrays: an image for each pupil, and numbers[scale, error bound, peak][pupil] in one array, as calls may take only a
+// microsecond. scale: factor of the intensity; 0 divides by the largest value.
 template <class T>
 lommel::Answer<T> answer_of(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
     require(images.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils,
@@ -66,7 +66,7 @@ lommel::Answer<T> answer_of(std::size_t pupils, double scale, const Out<T, 3>& i
     return {images.data(), scales, scales + pupils, scales + 2 * pupils, nullptr, 0, nullptr, nullptr};
 }
 
-// Of images by the coefficients of t^power, if there are any.
+// Powers k for images of derivatives with respect to the coefficients of t^k; may be empty.
 inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
     std::vector<std::size_t> which;
     for (std::size_t i = 0; powers.is_valid() && i < powers.shape(0); ++i) {
@@ -90,7 +90,7 @@ inline void require_request(double step, double tol, int threads) {
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
 }
 
-// Lets an engine work. Returns 0, or the bound on the error where the tolerance cannot be met.
+// Run an engine. Returns 0, or the error bound that was reached if the tolerance cannot be met.
 template <class Work>
 double judged(const Work& work) {
     try {
@@ -114,7 +114,7 @@ inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
     }
 }
 
-// Terms by whose coefficients derivatives are wanted.
+// Terms with respect to whose coefficients derivatives are requested.
 inline std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& given) {
     const std::vector<lommel::ZernikeTerm> terms = terms_of(given, given.shape(0));
     require_terms(terms);
@@ -124,7 +124,7 @@ inline std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& gi
     return terms;
 }
 
-// Pupils that are not radially symmetric around one axis, (row, column), or each around its own.
+// Pupils without radial symmetry, around one axis (row, column) or an axis for each.
 template <class... Center>
 lommel::DiskPupils disks_of(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
                             const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step,
@@ -145,7 +145,8 @@ lommel::DiskPupils disks_of(const In<std::int32_t, 2>& terms, const In<double, 2
             amplitude_of(amplitude), window,      centers};
 }
 
-// Asks about such pupils: work(stack, window), axes moved to pixels or not. 0, or the bound that is left.
+// Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the error bound
+// that was reached.
 template <bool Moves, class Work, class... Center>
 double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
                  const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step, double tol, int threads,

@@ -1,4 +1,4 @@
-// Shared by all bindings: arrays in and out, the GIL, Ctrl-C.
+// Shared by all bindings: array types, release of the GIL, interrupts.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -25,7 +25,7 @@ namespace bindings {
 namespace nb = nanobind;
 using namespace nb::literals;
 
-// One file each.
+// Each defined in the source file of this name.
 void define_special(nb::module_& m);
 void define_pixels(nb::module_& m);
 void define_radial(nb::module_& m);
@@ -40,7 +40,7 @@ void define_localize(nb::module_& m);
 void define_stratified(nb::module_& m);
 void define_focal(nb::module_& m);
 
-// Errors, signals, instructions and caches, as every module of the core needs them.
+// Exceptions, signals, instruction set and caches, needed by every module of the core.
 void define_process(nb::module_& m);
 
 template <class T, std::size_t N>
@@ -49,11 +49,11 @@ template <class T, std::size_t N>
 using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
 using complex = std::complex<double>;
 
-// Runs what handlers of signals there are to run; whether one raised an exception, KeyboardInterrupt for one. Null where
-// Python runs none, in all threads but its main one.
+// Function that runs pending Python signal handlers and returns whether one raised an exception, such as KeyboardInterrupt.
+// Null in all threads but the main one, where Python runs no handlers.
 lommel::Watch::Ask ask_python();
 
-// Other threads of Python run meanwhile, and Ctrl-C ends the call.
+// Run `work` without the GIL; Ctrl-C interrupts it.
 template <class Work>
 auto released(const Work& work) {
     const lommel::Watch watch{ask_python()};
@@ -67,7 +67,7 @@ inline void require(bool condition, const char* message) {
     }
 }
 
-// The product of sizes, of which files and callers may give any.
+// Product of sizes, checked for overflow: sizes may come from files or callers.
 template <std::size_t N>
 std::size_t checked_product(const std::size_t (&sizes)[N]) {
     std::size_t product = 1;
@@ -85,8 +85,8 @@ Out<T, N> new_array(const std::size_t (&shape)[N]) {
     return Out<T, N>(data, N, shape, owner);
 }
 
-// What an array holds, for calls that take a microsecond: to take it as one of the types above is a quarter of that. Empty
-// unless it is of this type, in the order of C, and writable where T is.
+// Contents of an array through the buffer protocol, for calls of a microsecond: this takes a quarter of the time that the
+// types above need. Empty unless the array has the type T, is C-contiguous and, if T is not const, writable.
 template <class T>
 class Buffer {
    public:
@@ -112,7 +112,7 @@ class Buffer {
     Py_buffer view_{};
 };
 
-// Defines a function of float and of double.
+// Define a function for float and for double.
 template <class Define>
 void for_both(const Define& define) {
     define(0.0F);
@@ -135,7 +135,7 @@ inline lommel::PixelWindow window_of(std::size_t height, std::size_t width, doub
     return {height, width, center_y, center_x, step, integrate};
 }
 
-// One axis a pupil, each (row, column).
+// Check centers[pupil][row, column].
 inline void require_centers(const In<double, 2>& centers, std::size_t pupils) {
     require(centers.shape(0) == pupils && centers.shape(1) == 2, "one centre a pupil, of a row and a column");
     for (std::size_t i = 0; i < pupils; ++i) {

@@ -33,7 +33,7 @@ double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows
     return judged([&] { lommel::render_radial<T>(stack, windows, tol, threads, answer); });
 }
 
-// Around one axis, (row, column), or each around its own.
+// Images around one axis (row, column), or around an axis for each pupil.
 template <class T, class... Center>
 double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, Center... center, double step,
               bool integrate, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
@@ -53,7 +53,7 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
     return images_of(stack, windows, tol, threads, answer);
 }
 
-// Whether averages of a stack, or their derivatives alone, had best be those of finer samples.
+// Return whether averages of a stack, or their derivatives alone, are best computed from finer samples.
 bool filters_pay(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width,
                  double row, double column, double step, double tol, bool derivatives) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
@@ -63,7 +63,7 @@ bool filters_pay(In<double, 2> coefficients, double obscuration, In<double, 1> a
     return derivatives ? renderer.filters_pay_for_derivatives() : renderer.filters_pay();
 }
 
-// What is asked of pupils, one stack after the other, whose phases alone tell them apart: all else is checked once.
+// Plan for repeated calls with stacks of pupils that differ in their phases only; everything else is checked once.
 class RadialPlan {
    public:
     RadialPlan(double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width, double row, double column,
@@ -75,8 +75,8 @@ class RadialPlan {
         require(kind == 'f' || kind == 'd', "kind must be f or d");
     }
 
-    // The largest bound on errors, below 0 where the tolerance cannot be met; nothing where the arrays are none of these or finer samples
-    // do better.
+    // Return the largest error bound, negative if the tolerance cannot be met; nothing if the arrays have other types or
+    // shapes, or if finer samples are preferable.
     std::optional<double> render(nb::handle coefficients, nb::handle images, nb::handle scales) const {
         return kind_ == 'f' ? rendered<float>(coefficients, images, scales) : rendered<double>(coefficients, images, scales);
     }
@@ -89,7 +89,7 @@ class RadialPlan {
         if (!phases || !values || phases.ndim() == 0) {
             return {};
         }
-        // A stack of any shape, each with its coefficients, an image and a scale.
+        // A stack of any shape: coefficients, an image and a scale for each pupil.
         const std::size_t axes = phases.ndim() - 1;
         const auto matches = [&](const auto& array, std::size_t more) {
             return array.ndim() == axes + more && std::equal(array.shape(), array.shape() + axes, phases.shape());
@@ -138,7 +138,7 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, dou
     return {out, bounds};
 }
 
-// Bounds are negative where the tolerance cannot be met.
+// Error bounds are negative if the tolerance cannot be met.
 std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2> coefficients, double obscuration,
                                                                    In<double, 1> amplitude, In<double, 1> v, double tol,
                                                                    int threads) {

@@ -12,7 +12,7 @@ using namespace bindings;
 
 namespace {
 
-// A row for each v, written by write(v, row).
+// Array with a row for each v, filled by write(v, row).
 template <class Write>
 Out<double, 2> rows_of(const In<double, 1>& v, std::size_t count, const Write& write) {
     require_radii(v);
@@ -37,7 +37,7 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
 
 std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
     require(n > 0, "n must be at least 1");
-    require(n <= 20000, "n must be at most 20000");  // they take time in proportion to the square, then a second
+    require(n <= 20000, "n must be at most 20000");  // the time grows with the square, to one second at this size
     auto nodes = new_array<double, 1>({n});
     auto weights = new_array<double, 1>({n});
     released([&] { lommel::gauss_legendre(n, nodes.data(), weights.data()); });

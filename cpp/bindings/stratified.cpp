@@ -1,4 +1,4 @@
-// Planes of a microscope through plane layers: images and profiles.
+// Planes of a microscope in plane-layered media: images and profiles.
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -12,8 +12,8 @@ using namespace bindings;
 
 namespace {
 
-// Angles and planes as arrays: rho (q,), parts (m, q), rates (3, q), depth, focus and power (n,), forms (k, m, m), and of each of
-// these the order, and the factors of its cosine and its sine, (k, 3).
+// Arrays: rho (q,), parts (m, q), rates (3, q); planes (3, n) with depth, focus and power; forms (k, m, m); turns (k, 3) with
+// the azimuthal order of each form and the factors of its cosine and sine.
 lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, const In<complex, 2>& rates, double error,
                          const In<double, 2>& planes, const In<complex, 3>& forms, const In<double, 2>& turns) {
     const std::size_t angles = rho.shape(0), count = parts.shape(0), orders = forms.shape(0), n = planes.shape(1);
@@ -43,14 +43,15 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
     return made;
 }
 
-// Derivatives as arrays: by (k, 2), each a LayeredSlope and its factor; own (k, n), what I counts in it; of_fields (4,), what fields
-// by the depth, the stage, v and the wavenumber are proven to err by; turning (3, q) and change (m, q), as of lommel::Angles.
+// Derivatives as arrays: by (k, 2) with the LayeredSlope and its factor; own (k, n), factor of I itself; of_fields (4,),
+// proven errors of the fields differentiated with respect to depth, focus, v and wavenumber; turning (3, q) and change (m, q)
+// as of lommel::Angles.
 template <class T>
 struct AskedSlopes {
     In<double, 2> by, own;
     In<double, 1> of_fields;
     In<complex, 2> turning;
-    In<complex, 2> change;  // or none
+    In<complex, 2> change;  // or empty
     Out<T, 4> images;
     Out<double, 2> errors;
 };
@@ -104,7 +105,7 @@ lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& 
     return made;
 }
 
-// Windows around the axis that all planes share, or around one each: centers (1, 2) or (n, 2).
+// Windows around one axis, centers (1, 2), or an axis for each plane, (n, 2).
 template <class T>
 bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
                     In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
@@ -122,8 +123,8 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
-    // One axis off the middle is one of each plane: the same table serves windows around any. Samples are differentiated around
-    // such, and what moves averages is known around such.
+    // A single axis off the middle is treated as an axis for each plane, as one table serves windows around any axis.
+    // Derivatives of samples, and shifts of averages, are only available around such axes.
     const bool moved = std::any_of(derivatives.asked.begin(), derivatives.asked.end(), [](const lommel::LayeredSlope& slope) {
         return slope.what == lommel::LayeredSlope::What::axis;
     });
@@ -146,7 +147,7 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     return true;
 }
 
-// The orders of the azimuth at rising v, shape (n, k, radii), and what their sum is off by, shape (n,).
+// Azimuthal orders of the intensity at increasing v, shape (n, k, radii), and the error bound of their sum, shape (n,).
 std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates,
                                                            double error, In<double, 2> planes, In<complex, 3> forms,
                                                            In<double, 2> turns, In<double, 1> v, int threads) {
@@ -182,8 +183,8 @@ lommel::RingTaps taps_of(const In<double, 2>& polynomials, std::size_t count) {
     return {polynomials.data(), polynomials.shape(0), count};
 }
 
-// Images of planes with any wavefront: Bessel functions (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes),
-// waves (n, nodes) and power (n,); how circles are filtered, taps of both ways and how many these are, gains and aliases (2, m).
+// Images of planes with any wavefront. bessel (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes), waves
+// (n, nodes), power (n,); filter over circles; tap polynomials along and around, and their numbers; gains and aliases (2, m).
 template <class T>
 Out<double, 2> ringed_images(In<double, 3> bessel, In<complex, 4> parts, In<complex, 2> waves, In<double, 1> power,
                              std::size_t angles, In<double, 1> filter, In<double, 2> along, In<double, 2> around,

@@ -1,5 +1,5 @@
-// Functions that only tests call: each term of the error bounds, so that tests can compare them with the formulas of
-// docs/certificate.md. No image is computed from them, and users do not compile them.
+// Functions for tests only: each term of the error bounds, to be compared with the formulas of docs/certificate.md. No image
+// is computed from them, and users do not compile them.
 #pragma once
 
 #include <nanobind/stl/vector.h>
@@ -13,7 +13,7 @@
 
 namespace bindings {
 
-// One file each.
+// Each defined in the source file of this name.
 void define_radial_tests(nb::module_& m);
 void define_disk_tests(nb::module_& m);
 void define_average_tests(nb::module_& m);

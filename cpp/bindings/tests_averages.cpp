@@ -1,4 +1,4 @@
-// Nodes of windows, rims of pupils and the choice between these, as tests see them.
+// Nodes of windows, rims of pupils and the choice between them, for tests.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +33,8 @@ std::optional<Named> window_nodes(double step, std::size_t pixels, double error)
                  "spread"_a = made->spread);
 }
 
-// Of one pupil whose averages, their numbers and those of a derivative are given: what is asked for, and the bounds.
+// For one pupil with given averages, their numbers and those of a derivative: the error requested of the fields, and the
+// bounds.
 Named bounds_at_nodes(double step, std::size_t side, double tol, double storing, In<double, 3> values, In<double, 1> numbers,
                       double field, double slope) {
     require(values.shape(0) == 1 && values.shape(1) == side && values.shape(2) == side && numbers.size() == 4,
@@ -65,12 +66,12 @@ Named bounds_at_nodes(double step, std::size_t side, double tol, double storing,
                  "nodes"_a = places.size(), "node_error"_a = node_error, "gain"_a = gain, "spread"_a = spread);
 }
 
-// Averages whose rims fail for every so many of a stack, if not 0.
+// Averages by rims that fail for every `failing`-th pupil of a stack (0: none), to test the fallback.
 class Watched : public lommel::DiskAverages {
    public:
     Watched(const lommel::DiskPupils& pupils, const lommel::AverageRequest& asked, bool if_cheaper, std::size_t failing)
         : DiskAverages(pupils, asked, if_cheaper), failing_(failing) {}
-    mutable std::vector<std::pair<std::size_t, std::size_t>> boxes;  // sides and pupils
+    mutable std::vector<std::pair<std::size_t, std::size_t>> boxes;  // side of the box, number of pupils
 
    protected:
     void outside(const Pupils& which, std::size_t box, double error, const lommel::RimAnswer& answer) const override {

@@ -23,7 +23,7 @@ Named disk_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, std::s
                  "distance"_a = bounds.distance(count));
 }
 
-// The transforms of eight rows of which the middle half is 0, but for the last pass: [element][re, im][row].
+// Transform of eight rows whose middle half is 0, without the last pass: [element][re, im][row].
 template <class Real>
 std::pair<Out<Real, 3>, double> row_fft(In<Real, 3> rows) {
     const std::size_t n = rows.shape(0);
@@ -37,12 +37,13 @@ std::pair<Out<Real, 3>, double> row_fft(In<Real, 3> rows) {
     return {out, fft.rounding() * lommel::roundoff<Real>};
 }
 
-// Of a kernel for so many taps: values at x, transforms and bounds on aliases at omega, and those of taps.
+// For the kernel with `taps` taps: its values at x; its transform and the bound on aliases at omega; and the errors of its
+// taps.
 Named gridding_bounds(std::size_t taps, double oversampling, double step, Doubles1 x, Doubles1 omega) {
     const lommel::GriddingKernel kernel = lommel::GriddingKernel::of(taps, oversampling);
     const auto doubles = std::make_unique<lommel::DoubleTaps>(kernel);
     const lommel::CoarseTaps coarse(kernel);
-    // From the highest power down, a row each.
+    // Polynomials, highest power first, one row per power.
     const auto polynomials = [&](const auto& of) {
         nb::list rows;
         for (const auto& row : of.at) {
@@ -77,7 +78,7 @@ Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {
     return named("mean"_a = found.mean, "margin"_a = found.margin);
 }
 
-// Of one piece, for `wanted` in U, as an image asks for it.
+// Bounds of one piece, for the error `wanted` of U, as an image requests them.
 Named zernike_field_bounds(Terms terms, Doubles1 outer, Doubles1 inner, double obscuration, Doubles1 amplitude, double reach,
                            double error, double wanted, std::size_t piece, std::size_t groups) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
@@ -114,7 +115,7 @@ double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 co
     return lommel::single_rounding(plan, {coefficients.data(), coefficients.data() + coefficients.shape(0)});
 }
 
-// One pupil as the engines of the whole disk take it: its terms, what they are on both disks, and what that loses.
+// One pupil as the disk engines receive it: its terms, their coefficients on both disks, and the error of this conversion.
 Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, obscuration, {});
     if (moved) {
@@ -130,7 +131,7 @@ Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, dou
                  "column"_a = moved ? static_cast<double>(stack.columns[0]) : column);
 }
 
-// Over a window of v from `low` to `high` in x and on the axis in y: exponents on all curves.
+// Bounds for a window with v from `low` to `high` along x, on the axis along y: exponents on all curves.
 Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high) {
     require(low <= high, "low must be below high");
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
@@ -147,7 +148,7 @@ Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
                  "rounding"_a = bound.rounding(), "variance"_a = bound.variance());
 }
 
-// One line: its bound for a size, and the size for an error; the line that is best for that error; what sums round.
+// One line: its bound for a number of nodes, the number for an error, the best line for that error, and rounding.
 Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error, std::size_t degree) {
     require(curve < lommel::ChordCurves::count && error > 0.0, "no such curve, or no error");
     const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
@@ -163,7 +164,7 @@ Named chordal_rounding(std::size_t chords, std::size_t nodes, std::size_t terms,
         "single_factor"_a = lommel::ChordBound::factor_rounding(degree, true));
 }
 
-// Cosines and sines of multiples of 2^-32 turns, in turn.
+// Cosine and sine of multiples of 2^-32 turns, alternating.
 std::vector<double> turned_waves(In<std::uint32_t, 1> turns) {
     std::vector<double> found;
     lommel::dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -208,7 +209,7 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
                  "margin"_a = table.margin(bound.bend(sum, curve), coefficients.data()));
 }
 
-// The tilts of one pupil, (along rows, along columns), whose axis is at `center`, where that of the window is elsewhere.
+// Tilts (along rows, along columns) of one pupil whose axis is at `center`, other than that of the window.
 Named tilted_stack(Terms terms, Doubles1 edge, In<double, 1> center, double row, double column, double step) {
     require(center.shape(0) == 2, "center must be a row and a column");
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, 0.0, {});

@@ -1,4 +1,4 @@
-// The Python module of functions that only tests call.
+// The Python module of functions for tests only.
 #include "tests.hpp"
 
 using namespace bindings;

@@ -15,8 +15,8 @@ using namespace bindings;
 
 namespace {
 
-// The growth of the exponent on the ellipses of some cosh, roundings, the integral over an annulus, and values at t, of an
-// amplitude raised to a power on an inner disk of that area.
+// For an amplitude raised to a power, on an inner disk of relative area `area`: growth of its exponent on ellipses with the
+// given cosh, rounding, values at t, and the integral over an annulus.
 Named amplitude_bounds(Doubles1 powers, Doubles1 cosh, Doubles1 t, double obscuration, double raised, double area) {
     const lommel::Amplitude amplitude = powers_of_amplitude(powers).raised(raised).scaled(area);
     return named("growth"_a = each(cosh, [&](double c) { return amplitude.growth(c); }),
@@ -25,7 +25,7 @@ Named amplitude_bounds(Doubles1 powers, Doubles1 cosh, Doubles1 t, double obscur
                  "area"_a = lommel::Aperture(obscuration, amplitude).area);
 }
 
-// One radial pupil; its phase points to its amplitude.
+// One radial pupil; `phase` points to the `light` of the same object.
 struct RadialPupil {
     const lommel::Amplitude light;
     const lommel::Phase phase;
@@ -44,7 +44,7 @@ Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power
                  "quadrature"_a = plan.quadrature, "error"_a = plan.error(pupil.phase));
 }
 
-// Of one pupil, or of all between two.
+// Bounds for one pupil, or for all pupils between two.
 Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power, std::size_t terms, std::size_t nodes) {
     require(pupils.shape(0) >= 1 && pupils.shape(0) <= 2 && pupils.shape(1) > 0, "pupils must have one row or two");
     const double *low = pupils.data(), *high = low + pupils.shape(1);
@@ -54,7 +54,7 @@ Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power
     return named("tail"_a = ellipses.tail(terms), "quadrature"_a = ellipses.quadrature(nodes, terms));
 }
 
-// With the spacing at 1 of the numbers that tables are made with.
+// Includes the spacing at 1 of the type that tables are computed in.
 Named window_bounds(std::size_t count, double reach) {
     return named("legendre"_a = lommel::window_tail(count, reach), "disk"_a = lommel::disk_window_tail(count, reach),
                  "spacing"_a = static_cast<double>(std::numeric_limits<lommel::wide>::epsilon()));
@@ -77,7 +77,8 @@ double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power,
     return lommel::Field().prepare(pupil.phase, power, obscuration, reach, error);
 }
 
-// At these radii, rising, of which few leave pieces out; with U itself, whose largest values enter the bounds on I.
+// Values of U at increasing radii, few enough that some pieces are skipped; and its largest values, which enter the bounds on
+// I.
 Named field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii,
                    double error) {
     const std::size_t count = radii.shape(0);
@@ -103,7 +104,7 @@ Named intensity_bounds(double peak, double error) {
     return named("relative"_a = relative, "normalized"_a = lommel::normalized_error(relative));
 }
 
-// Of values that are stored in single precision or not, and divided by their own largest one before or after.
+// Error bound of values stored in single or double precision, and divided by their maximum before or after storing.
 double stored_bound(double relative, bool single, bool twice) {
     return lommel::stored(relative, single ? lommel::storing<float>(twice) : lommel::storing<double>(twice));
 }
@@ -115,7 +116,7 @@ Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, doubl
                  "scanned"_a = lommel::scanned_peak(pupil.phase, obscuration, first));
 }
 
-// What is left out of averages without rings: mean / r^3 is I then.
+// Bounds on what averages without rings leave out, where I is approximated by mean / r^3.
 Named tail_bounds(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double r) {
     const RadialPupil pupil(coefficients, amplitude);
     const lommel::EnergyTail tail(pupil.phase, obscuration);

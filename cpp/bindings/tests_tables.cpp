@@ -1,4 +1,4 @@
-// Error bounds of tables of pixels that average.
+// Error bounds of tables for pixel averages.
 #include <algorithm>
 #include <memory>
 #include <tuple>
@@ -17,9 +17,9 @@ using namespace bindings;
 
 namespace {
 
-// Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
-// and the largest distance of its pixels, the same of its nodes, their count, whether they are of an even function, whether
-// pixels have their own weights).
+// Rings of a table for the pixel averages of a window with its axis at (center_y, center_x): for each ring the smallest and
+// largest distance of its pixels, the same of its nodes, their number, whether they interpolate an even function, and whether
+// pixels have their own weights.
 Named rings_of(const lommel::PixelRings& table) {
     nb::list rings;
     for (const auto& ring : table.rings) {
@@ -60,7 +60,7 @@ Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
                  "radii"_a = std::vector<double>(table->radii.data(), table->radii.data() + table->count));
 }
 
-// Pixels around an axis from I at these radii, and what evaluating the polynomials may be off by.
+// Pixels around an axis from I at the radii of the table; returns the rounding error of evaluating the polynomials.
 double anywhere_values(In<double, 1> profile, double center_y, double center_x, double pitch, bool averages, double farthest,
                        int level, Out<double, 2> out) {
     lommel::PixelWindow window = anywhere_window(pitch, averages, farthest, level);
@@ -73,7 +73,7 @@ double anywhere_values(In<double, 1> profile, double center_y, double center_x, 
     return made.penalty;
 }
 
-// What moves averages as the axis moves: orders, degree, and the terms of its error.
+// Table for the shift of averages when the axis moves: orders, degree, and the terms of its error.
 using Shift = std::tuple<std::size_t, std::size_t, double, double, double, double, std::vector<double>>;
 
 std::shared_ptr<const lommel::ShiftTable> shift_table(double pitch, double farthest, int level) {

@@ -1,4 +1,5 @@
-// Compiles the geometry, the quadrature and the fields of apertures of parts. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles the geometry, quadrature and fields of apertures made of ellipses and polygons. Functions of headers included
+// above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/cache.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/limits.hpp"

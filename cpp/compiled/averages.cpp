@@ -1,4 +1,5 @@
-// Compiles averages over pixels at nodes of a window. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles pixel averages at the nodes of a window. Functions of headers included above LOMMEL_DEFINES are compiled in other
+// units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/chordal/images.hpp"

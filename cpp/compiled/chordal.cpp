@@ -1,4 +1,5 @@
-// Compiles the chordal rule except for its kernels. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles the chordal rule, except its kernels. Functions of headers included above LOMMEL_DEFINES are compiled in other
+// units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

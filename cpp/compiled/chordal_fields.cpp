@@ -1,4 +1,5 @@
-// Compiles light of series by the chordal rule, and its derivatives. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles intensities of fields with amplitude series by the chordal rule, and their derivatives. Functions of headers
+// included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/chordal/batch.hpp"
 #include "lommel/chordal/kernels.hpp"

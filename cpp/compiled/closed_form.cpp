@@ -1,4 +1,4 @@
-// Compiles the closed form of the paper. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles the paper's closed form. Functions of headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/cache.hpp"
 #include "lommel/base/parallel.hpp"
 

@@ -1,4 +1,5 @@
-// Compiles layers of depth, and what points hide. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles the division of scenes into depth layers, and the search for the light behind occluding points. Functions of
+// headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 
 #define LOMMEL_DEFINES

@@ -1,4 +1,4 @@
-// Compiles the likelihood of images of stars.
+// Compiles the likelihood of star images.
 #include "lommel/estimation/likelihood.hpp"
 
 template lommel::StarLikelihood lommel::star_likelihood<float>(const lommel::StarCounts&, std::size_t,

@@ -1,4 +1,4 @@
-// Compiles blur over the field and by depth.
+// Compiles blur that varies over the field and with depth.
 #include "lommel/imaging/field_spread.hpp"
 
 template class lommel::FieldSpreader<float>;

@@ -1,4 +1,5 @@
-// Compiles depth and sharp images of frames that differ in focus. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles depth maps and sharp images from focal stacks. Functions of headers included above LOMMEL_DEFINES are compiled in
+// other units.
 #include "lommel/base/parallel.hpp"
 
 #define LOMMEL_DEFINES

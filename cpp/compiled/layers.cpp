@@ -1,4 +1,4 @@
-// Compiles images of planes through layers.
+// Compiles images of planes in layered media.
 #include "lommel/stratified/images.hpp"
 #include "lommel/stratified/rings_image.hpp"
 

@@ -1,4 +1,4 @@
-// Compiles images and fits of molecules. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles images and fits of molecules. Functions of headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 
 #define LOMMEL_DEFINES

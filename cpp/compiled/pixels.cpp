@@ -1,4 +1,5 @@
-// Compiles the tables of windows and their values. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles tables of pixel windows and their evaluation. Functions of headers included above LOMMEL_DEFINES are compiled in
+// other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

@@ -1,4 +1,4 @@
-// Compiles blur along the planes of a stack. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles axial convolution of image stacks. Functions of headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 
 #define LOMMEL_DEFINES

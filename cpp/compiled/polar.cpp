@@ -1,4 +1,5 @@
-// Compiles images by the polar non-uniform FFT. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles images by the polar non-uniform FFT. Functions of headers included above LOMMEL_DEFINES are compiled in other
+// units.
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 #include "lommel/zernike/field.hpp"

@@ -1,4 +1,5 @@
-// Compiles fields and intensities of radial pupils. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles fields and intensities of radially symmetric pupils. Functions of headers included above LOMMEL_DEFINES are
+// compiled in other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

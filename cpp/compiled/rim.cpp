@@ -1,4 +1,5 @@
-// Compiles averages far from the axis from the rims of apertures. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles pixel averages far from the axis from the rims of apertures. Functions of headers included above LOMMEL_DEFINES
+// are compiled in other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/chordal/kernels.hpp"

@@ -1,4 +1,4 @@
-// Compiles threads, matrix products, bounds and the Bessel tables, which all engines share.
+// Compiles threads, matrix products, bounds and Bessel tables, shared by all engines.
 #define LOMMEL_DEFINES
 
 #include "lommel/base/parallel.hpp"

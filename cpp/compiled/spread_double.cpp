@@ -1,4 +1,4 @@
-// Compiles blur by depth in double precision. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles blur by depth in double precision. Functions of headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/imaging/column.hpp"
 #include "lommel/imaging/mixture.hpp"

@@ -1,4 +1,5 @@
-// Compiles profiles and circles of planes through layers. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles profiles and circles of planes in layered media. Functions of headers included above LOMMEL_DEFINES are compiled
+// in other units.
 #include "lommel/base/product.hpp"
 #include "lommel/pixels/shift.hpp"
 #include "lommel/radial/average_values.hpp"

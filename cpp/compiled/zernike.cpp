@@ -1,4 +1,4 @@
-// Compiles the Zernike series. Headers before LOMMEL_DEFINES are compiled by other units.
+// Compiles the Zernike series. Functions of headers included above LOMMEL_DEFINES are compiled in other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

@@ -1,4 +1,5 @@
-// Limits of the arguments, the exceptions beyond them, and the effect of an error of the field on stored values.
+// Limits of arguments, exceptions for arguments beyond them, and the error of stored values that follows from that of the
+// field.
 #pragma once
 
 #include <cmath>
@@ -11,8 +12,8 @@
 namespace lommel {
 
 constexpr double unit_roundoff = 1.1102230246251565e-16;
-constexpr double max_phase = 1e6;        // radians; beyond, the reduction of arguments loses digits
-constexpr double max_reach = 1e6;        // v; beyond, light is less than 1e-17 of that in focus, and roundings of v show
+constexpr double max_phase = 1e6;        // radians; beyond, argument reduction loses digits
+constexpr double max_reach = 1e6;        // v; beyond, I is below 1e-17 of its value in focus, and rounding of v matters
 constexpr std::size_t max_terms = 6000;  // of a Legendre series; its rule takes about 4 n^2 bytes
 constexpr std::size_t max_degree = 200;  // of a Zernike term
 
@@ -43,39 +44,38 @@ inline void check_phase(double radians) {
     }
 }
 
-// R_n^|m|(rho) times cos(m theta), or sin(|m| theta) for m < 0; 1 at the edge.
+// Zernike term R_n^|m|(rho) times cos(m theta), or sin(|m| theta) for m < 0; it is 1 at the edge.
 struct ZernikeTerm {
     std::int32_t n, m;
     bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
 };
 
-// |I - I_exact| where U has the modulus `size` and is off by `error`.
+// Bound of |I - I_exact| where |U| = `size` is off by `error` (docs/certificate.md, section 6).
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// An error of I over the exact peak, of which the computed one, M^2, tells that its root is M - e at least.
+// Error of I relative to the exact peak, whose root is at least the computed root minus `field_error`.
 inline double over_peak(double wrong, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
     return exact > 1e-150 ? wrong / (exact * exact) : 1e300;
 }
 
-// (2 M e + e^2) / (M - e)^2: the error of I over its exact peak, from the error e of U and the computed peak M^2.
+// (2 M e + e^2) / (M - e)^2: relative error of I at its peak M^2, for an error e of U (docs/certificate.md, section 6).
 inline double relative_error(double peak, double field_error) {
     return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
 }
 
-// The error of values divided by their own largest one, itself in error by `relative`.
+// Error of values divided by their own maximum, where both are off by `relative`: 2 r / (1 - r).
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
 
-// What storing values of type T adds to their error over the peak. The sum of two squares, the scale and the product with it
-// are six roundings to double at most; to float, if it is that, values are rounded once, or twice if they are divided by their
-// largest one after they have been stored.
+// Error of storing values of type T, relative to the peak: at most six roundings to double for the sum of two squares, the
+// scale and the product; and one rounding to float, or two if stored values are then divided by their maximum.
 template <class T>
 constexpr double storing(bool twice) {
     return 6.0 * unit_roundoff + (sizeof(T) == 4 ? (twice ? 2.0 : 1.0) * 5.9604644775390625e-08 : 0.0);
 }
 inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
-// The bound on finished values over their peak: divided by their largest one or not, and if so before or after they are stored.
+// Error bound of finished values relative to their peak: divided by their maximum or not, and if so after or before storing.
 template <class T>
 double finished_error(double relative, bool divided, bool after) {
     return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));

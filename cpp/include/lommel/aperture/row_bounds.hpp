@@ -1,4 +1,4 @@
-// How many nodes Gauss-Legendre rules take over the rows of an aperture, with a proven error for polynomials.
+// Number of Gauss-Legendre nodes over the rows of an aperture for a proven error (docs/certificate.md, section 18).
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace lommel {
 
-// The modulus, of numbers far from overflow.
+// Modulus of a number far from overflow; faster than std::abs.
 inline double modulus(std::complex<double> z) { return std::sqrt(z.real() * z.real() + z.imag() * z.imag()); }
 
-// A disc of the complex plane that holds a number.
+// Disc of the complex plane that contains a number (circular arithmetic).
 struct ComplexDisc {
     std::complex<double> centre;
     double radius = 0.0;
@@ -31,7 +31,7 @@ struct ComplexDisc {
     }
     friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
     friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
-    // The principal root, which in discs that hold 0 is not continuous.
+    // Principal root; not continuous on discs that contain 0.
     ComplexDisc root() const {
         if (modulus(centre) <= radius) {
             return {0.0, std::sqrt(largest())};
@@ -42,16 +42,16 @@ struct ComplexDisc {
     }
 };
 
-// The rate at which polynomials that are at most 1 on the unit disc of the plane grow off it: at complex (x, y) those of degree n
-// are at most e^{n b}, cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (the extremal function of Siciak, found by Lundin). Points with b
-// below a limit are a convex set. This bounds cosh 2b on discs.
+// Growth of polynomials that are at most 1 on the real unit disc: at complex (x, y) those of degree n are at most e^{n b},
+// cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (Siciak's extremal function, found by Lundin). The points with b below a limit
+// form a convex set. Returns a bound of cosh 2b on discs.
 inline double growth_argument(ComplexDisc x, ComplexDisc y) {
     const double across = x.largest(), down = y.largest();
     const ComplexDisc rest = x * x + y * y - ComplexDisc{1.0, 0.0};
     return across * across + down * down + rest.largest();
 }
 
-// The corners, of the upper half, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
+// Calls at() for the corners, in the upper half plane, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
 template <class At>
 void each_corner(double eta, const At& at) {
     constexpr std::size_t corners = 40;
@@ -62,10 +62,11 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// The fewest nodes of a rule on [-1, 1] for an error, and whether singularities stood in the way of fewer. largest(eta, limit) bounds
-// the logarithm of a function on the ellipse around it with semi-axes cosh eta and sinh eta: from 1e300 on where there is no bound,
-// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3; of one node
-// too). What is needed has one minimum over ln eta but for the slack of the bounds; it is sought downhill.
+// Fewest nodes of a Gauss rule on [-1, 1] for an error (Trefethen, Approximation Theory and Approximation Practice, Theorem
+// 19.3; valid for one node too). largest(eta, limit) bounds the logarithm of the integrand on the ellipse with semi-axes cosh
+// eta and sinh eta; it returns 1e300 or more if there is no bound, or if the bound is certainly above the limit. `blocked`: a
+// singularity prevented larger ellipses. The number of nodes has one minimum over ln eta, but for the slack of the bounds,
+// and is minimized by descent.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -97,8 +98,9 @@ struct GaussNodes {
     static constexpr double none = 1e9;
 };
 
-// A bound on a function over the upper half of an ellipse around [-1, 1]: at(disc) bounds it over a disc, which holds a part of
-// the curve. The part of the largest bound is halved until that is close to what the function is there, or that above the limit.
+// Bound of a function over the upper half of an ellipse around [-1, 1]; at(disc) bounds it over a disc that contains an arc.
+// The arc with the largest bound is halved until this bound is close to a value of the function, or that value exceeds the
+// limit.
 template <class At>
 double largest_on_ellipse(double eta, double limit, const At& at) {
     constexpr std::size_t first = 8, most = 96;
@@ -109,7 +111,7 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     };
     const auto disc = [&](double from, double to) {
         const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-        // The speed along the curve is largest nearest to its flat sides.
+        // The speed along the curve is largest near its flat sides.
         const double sine = std::min(1.0, std::abs(std::sin(middle)) + half);
         return ComplexDisc{{a * std::cos(middle), b * std::sin(middle)}, half * std::sqrt(b * b + sine * sine)};
     };
@@ -136,8 +138,8 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     return arcs[0].bound;
 }
 
-// y over a panel of rows, s from -1 to 1: middle + half s, or, where an arc begins at one end, that end and the square of the
-// distance from it, by which the root there goes away.
+// Map from s = -1 .. 1 to y over a panel: middle + half s or, if an arc begins at one end (root = -1 low, 1 high), the
+// distance from that end is the square of (1 + s) / 2 times the length, which removes the square root.
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)
@@ -160,12 +162,12 @@ class PanelMap {
         return 0.5 * length_ * (root_ == 0 ? 1.0 : (ComplexDisc{1.0, 0.0} + s).largest());
     }
 
-    // sqrt((y - low) (high - y)) as a product of roots of linear functions of s, none of which is 0 on the ellipse or within; false
-    // where there is one.
+    // Evaluate sqrt((y - low) (high - y)) as a product of square roots of linear functions of s. Returns false if one of
+    // these vanishes on or inside the ellipse.
     bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
         const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
         const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
-        // (near + t) (far - t), t the distance from the anchor.
+        // (near + t) (far - t), where t is the distance from the anchor.
         if (root_ == 0) {
             const double half = 0.5 * length_;
             return linear(-near / half, eta, s, std::sqrt(std::max(near, 0.0)), value = {1.0, 0.0}) &&
@@ -182,7 +184,7 @@ class PanelMap {
                 return false;
             }
         }
-        // far - t = (far - length u^2), whose roots are +-sqrt(far / length).
+        // far - t = far - length u^2, with the roots u = +-sqrt(far / length).
         const double end = 2.0 * std::sqrt(std::max(far, 0.0) / length_);
         return linear(end - 1.0, eta, s, std::sqrt(0.25 * length_ * (end - 1.0) * (end + 1.0)), value) &&
                linear(-end - 1.0, eta, s, 1.0, value);
@@ -204,8 +206,8 @@ class PanelMap {
         const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
         return length_ * (u * u);
     }
-    // Multiplies by scale sqrt(1 - s / at), analytic on the ellipse if `at` lies outside: what is inside is convex, so 1 - s / at
-    // stays in a half plane without 0, and off the negative axis.
+    // Multiply by scale sqrt(1 - s / at). This is analytic on the ellipse if `at` lies outside: the inside is convex, so 1 -
+    // s / at stays in a half plane without 0 and does not meet the negative axis.
     static bool linear(std::complex<double> at, double eta, ComplexDisc s, double scale, ComplexDisc& value) {
         if (!(std::abs(at - 1.0) + std::abs(at + 1.0) > 2.0 * std::cosh(eta) * (1.0 + 1e-9))) {
             return false;
@@ -218,13 +220,14 @@ class PanelMap {
     double length_, anchor_, sign_;
 };
 
-// What is clear of the rows of a panel: the same sides bound the same number of intervals throughout.
+// Panel of rows throughout which the same sides bound the same number of intervals.
 struct Panel {
     double low, high;
-    int root;  // whether an arc begins at the low end, -1, or at the high one, 1
+    int root;  // end at which an arc begins: low (-1), high (1), none (0)
     std::vector<std::array<Side, 2>> spans;
 
-    // A bound on the logarithm of what is integrated over s, on an ellipse: of a polynomial of that degree, at most 1 on the disc.
+    // Bound on the logarithm of the integrand over s on an ellipse, for polynomials of this degree that are at most 1 on the
+    // disc.
     double largest(double eta, double degree, double limit) const {
         const PanelMap map(low, high, root);
         if (straight()) {
@@ -249,7 +252,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // Between the sides a polynomial is at most as large as at the worse of them: where b is below a limit is convex.
+            // Between the sides the polynomial is bounded by the larger b of the two, as the points with b below a limit are
+            // convex.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -259,7 +263,7 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Sides are linear functions of s, so that their growth and their distance are largest at a corner.
+    // Sides are linear in s, so their growth and their distance are largest at a corner of the polygon.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {
@@ -279,20 +283,21 @@ struct Panel {
     }
 };
 
-// The number of nodes on a span of a row, from what part of the row's chord of the disc it is.
+// Number of nodes on a span of a row, from its position within the row's chord of the disc.
 class SpanNodes {
    public:
     SpanNodes(std::size_t degree, double error)
         : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
 
-    // So many that a polynomial's mean over the span is off by at most the error. [low, high] within [-half, half].
+    // Number of nodes for which the mean of a polynomial over the span is off by at most the error; [low, high] within
+    // [-half, half].
     std::size_t operator()(double low, double high, double half) {
-        // The ellipses of longer spans hold those of shorter ones.
+        // Round the span outwards to a cell: the ellipses of longer spans contain those of shorter ones.
         const std::size_t i = cell(low / half, false), j = cell(high / half, true);
         std::size_t& known = known_[i * cells + j];
         if (known == 0) {
             const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
-            // |x - 1| + |x + 1| = 2 cosh b, b the growth off the chord, is convex: it is largest at a corner.
+            // |x - 1| + |x + 1| = 2 cosh b, with b the growth off the chord, is convex and hence largest at a corner.
             const GaussNodes most(error_, [&](double eta, double) {
                 double sum = 2.0;
                 each_corner(eta, [&](std::complex<double> s) {
@@ -302,7 +307,7 @@ class SpanNodes {
                 return degree_ * std::acosh(0.5 * sum) + 1e-8;
             });
             known = std::min(static_cast<std::size_t>(most.count),
-                             static_cast<std::size_t>(0.5 * degree_) + 1);  // exact from there on
+                             static_cast<std::size_t>(0.5 * degree_) + 1);  // from there on the rule is exact
         }
         return known;
     }

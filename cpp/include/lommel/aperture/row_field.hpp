@@ -1,4 +1,5 @@
-// Fields of an aperture from the nodes along its rows: two stages of non-uniform FFTs.
+// Fields of an aperture of shapes from nodes along its rows, by two stages of non-uniform FFTs (docs/certificate.md, section
+// 18).
 #pragma once
 
 #include <algorithm>
@@ -56,10 +57,10 @@ class ZernikeSum {
         }
     }
 
-    double size() const { return size_; }  // of the sum, at most
-    // Bound on the error of the sum, in units of roundoff: a term changes by at most n^2 times the distance between two points
-    // (Markov's inequality on discs), x being off by three roundings and y by two; x^2 + y^2 and recurrences lose 0.34 n^2, which
-    // was measured.
+    double size() const { return size_; }  // bound on |sum|
+    // Rounding of the sum in units of roundoff. A term changes by at most n^2 times the distance between two points (Markov's
+    // inequality on discs); x is off by three roundings and y by two. x^2 + y^2 and the recurrences lose 0.34 n^2, which is
+    // measured.
     double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>
@@ -86,6 +87,7 @@ class ZernikeSum {
     }
 
    private:
+    // Term: coefficients of its cosine and sine, and of the recurrence of its radial polynomial.
     struct Term {
         double cosine = 0.0, sine = 0.0, slope = 0.0, shift = 0.0, back = 0.0;
     };
@@ -97,16 +99,16 @@ class ZernikeSum {
     std::size_t count_ = 0;
 };
 
-// A region with the phase that it adds: constant, and by x and y.
+// Rule of a region, and the phase that is added on it: constant, slope along x, slope along y (radians).
 struct PhasedRule {
     const RowRule* rule;
     double phase[3];
 };
 
-// The field of one or several regions, each with a phase of its own, on the pixels of a window.
+// Field of one or several regions, each with a phase of its own, on the pixels of a window.
 class RowField {
    public:
-    // Errors of what is summed, over the sum of the weights, will be about `precision`.
+    // The error of the wave sums, relative to the sum of the weights, will be about `precision`.
     RowField(const std::vector<PhasedRule>& regions, const DiskWindow& window, double precision) : window_(window) {
         const std::size_t longest = std::max(window.height, window.width);
         std::size_t taps = 4;
@@ -140,14 +142,14 @@ class RowField {
         across_rows_ = down_->most_waves(rows_.size(), reached, [&](std::size_t i) { return window.step * rows_[i].row->y; });
     }
 
-    // Writes the field of pupils with a phase and a light, multiplied by a term if there is one. Returns a bound on what summing
-    // loses.
+    // Write the field of a pupil with a phase and an amplitude, times a Zernike term if `factor` is not null. Returns an
+    // error bound of the sums.
     double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const;
 
    private:
     static constexpr std::size_t wide = fft_rows;
 
-    // A rule, and the phase added to that of its pupils: constant, by x, by y.
+    // Rule, and the phase added on it, including the shift to the middle of the window: constant, along x, along y.
     struct Turn {
         const RowRule* rule;
         double phase[3];
@@ -164,7 +166,7 @@ class RowField {
         const RowRule& rule = *turn.rule;
         const V y = splat<V>(row.y), still = splat<V>(turn.phase[0] + turn.phase[2] * row.y);
         for (std::size_t k = 0; k < row.count; k += I::lanes) {
-            // Nodes beyond the end belong to the next row, or are 0.
+            // Lanes beyond the end hold nodes of the next row or zeros; their results are not used.
             const V x = load<V>(&rule.x()[row.first + k]);
             V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
             V angle = phase.at(x, y) + splat<V>(turn.phase[1]) * x + still;
@@ -199,7 +201,7 @@ class RowField {
 LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads,
                                  Doubles& out) const {
     const std::size_t count = rows_.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
-    // Of each row along the columns: [eight columns][row][eight real parts, eight imaginary parts].
+    // Sums along each row for each column: [group of eight columns][row][re of eight columns, im of eight columns].
     Doubles sums(2 * wide * count * blocks);
     const double step = window_.step;
     parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
@@ -243,8 +245,8 @@ LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light
         });
     });
     const double first = across_->error(static_cast<double>(along_)), second = down_->error(static_cast<double>(across_rows_));
-    // Phases are sums of terms, of tilts and of those of samples, and off by what these are; places are off by two roundings,
-    // which turn the waves at the corners; a weight by eight, light by its exponent's.
+    // Phases are off by the errors of terms, tilts and samples of a mask. Positions are off by two roundings, which change
+    // the phase of the waves, most at the corners; weights by eight; the amplitude by the error of its exponent.
     const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
                                            static_cast<double>(window_.width) + std::abs(half_x_));
     const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +

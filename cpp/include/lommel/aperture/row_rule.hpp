@@ -1,4 +1,5 @@
-// Quadrature along the rows of an aperture: nodes and weights with a proven error for polynomials.
+// Quadrature along the rows of an aperture: nodes and weights with a proven error for polynomials (docs/certificate.md,
+// section 18).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 
 namespace lommel {
 
-// Nodes and weights on [-1, 1].
+// Gauss-Legendre nodes and weights on [-1, 1].
 struct GaussRule {
     std::vector<double> x, w;
 
@@ -33,17 +34,18 @@ struct GaussRule {
     static constexpr std::size_t most_bytes = std::size_t{2} << 20;
 };
 
-// Rows of nodes: (1/pi) int P dx dy over a region is the sum of w P(x, y), with an error of at most `error` for polynomials of the
-// degree that are at most 1 on the unit disc, which holds the region. Weights are positive.
+// Quadrature over a region in the unit disc: (1/pi) int P dx dy is the sum of w P(x, y), off by at most `error` for
+// polynomials P of the given degree with |P| <= 1 on the unit disc. Weights are positive.
 class RowRule {
    public:
+    // Row at y with `count` nodes, starting at node `first`.
     struct Row {
         double y;
         std::size_t first, count;
     };
 
     RowRule(const Region& region, std::size_t degree, double error);
-    // Of samples: y of each row and how many it has, x, weight and, if any, phase of each sample.
+    // From samples of a mask: y and number of samples of each row; x, weight and phase (or null) of each sample.
     RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights,
             const double* phase)
         : spans_(0, 1.0) {
@@ -59,10 +61,10 @@ class RowRule {
     const std::vector<Row>& rows() const { return rows_; }
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
-    double weight() const { return weight_; }  // their sum
-    // Bound on what edges do that are not where they should be, by rounding, to integrals of what is at most 1.
+    double weight() const { return weight_; }  // sum of the weights
+    // Bound on the effect of edges misplaced by rounding, for integrands of at most 1.
     double lost() const { return lost_; }
-    const Doubles& phase() const { return phase_; }  // of samples, or nothing
+    const Doubles& phase() const { return phase_; }  // of samples; empty if they have none
     double largest_phase() const { return largest_phase_; }
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
@@ -76,8 +78,8 @@ class RowRule {
         }
         return *rule;
     }
-    static constexpr double few = 24.0;  // nodes of a panel that is not to be halved
-    // Nodes of a panel, by the best change of variable.
+    static constexpr double few = 24.0;  // panels with fewer nodes than this are not halved
+    // Number of nodes of a panel, with the best change of variable.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
@@ -89,7 +91,7 @@ class RowRule {
         for (const double w : weights_) {
             weight_ += w;
         }
-        // Vectors may begin at the last node.
+        // Padding, as vectors may start at the last node.
         for (Doubles* numbers : {&x_, &weights_, &phase_}) {
             numbers->resize(numbers->empty() ? 0 : numbers->size() + row_lanes, 0.0);
         }
@@ -103,11 +105,12 @@ class RowRule {
     SpanNodes spans_;
 };
 
-// What is clear of the row at y, from the sides of the parts there.
+// Clear intervals of the row at y, given by the sides of the parts there.
 std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
+    // End of an interval: the left or right side of a part at y.
     struct End {
         double x;
         std::size_t part;
@@ -143,7 +146,7 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 }
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    // What is the same but for rounding becomes one height: between them rows of 2 at most are gained or lost.
+    // Heights that differ only by rounding are merged: this adds or drops rows at most 2 wide in between.
     constexpr double same = 4e-15;
     std::vector<double> heights;
     for (const double y : region.heights()) {
@@ -163,7 +166,7 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
         bool roots[2] = {false, false};
         for (auto& span : panel.spans) {
             for (Side& side : span) {
-                // An arc that begins at the end of a panel is moved to begin there exactly.
+                // An arc that begins at the end of a panel but for rounding is moved to begin there exactly.
                 const double below = side.low - low, above = side.high - high;
                 if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
                     side.low = low;
@@ -198,7 +201,7 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
         return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
     };
     GaussNodes best = nodes(panel.root);
-    // Where an arc begins near an end, not at it, the same change of variable takes the root further away.
+    // If an arc begins near, not at, an end, the same change of variable moves its branch point farther away.
     if (panel.root == 0 && best.blocked) {
         for (const int root : {-1, 1}) {
             const GaussNodes other = nodes(root);
@@ -232,14 +235,14 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
     fill(panel, static_cast<std::size_t>(whole.count));
 }
 
-// How far a side may be from where it should be at y, by roundings of itself, of y, and of where it begins and ends.
+// Bound on the displacement of a side at y, by rounding of the side itself, of y, and of the ends of the arc.
 LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
     const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
     const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
-    // Of a turned arc sine, cosine and products with axes count, four roundings each.
+    // For a turned ellipse, the rounding of sine, cosine and their products with the axes adds four roundings.
     const double turned = side.terms > 0.0 ? 5.0 : 1.0;
     const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
-    // sqrt(d + off) - sqrt(d) is at most off / sqrt(d), and sqrt(off).
+    // |sqrt(d + off) - sqrt(d)| is at most off / sqrt(d), and at most sqrt(off).
     const auto moved = [&](double d, double other) {
         return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
     };
@@ -262,7 +265,7 @@ LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
             lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
             if (!(reach > 0.0)) {
                 lost_ -= weight * 2.0 * reach;
-                continue;  // by rounding, at an end of the panel
+                continue;  // empty by rounding, at an end of the panel
             }
             const GaussRule& inner = gauss(spans_(low, high, half));
             for (std::size_t k = 0; k < inner.x.size(); ++k) {

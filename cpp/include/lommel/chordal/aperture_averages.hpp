@@ -1,5 +1,5 @@
-// Averages over pixels of apertures of any shape, by the nodes of the disk with weights that give the moments of the aperture; the
-// caller bounds the error.
+// Pixel averages for apertures of any shape, by nodes of the disk with weights that reproduce the moments of the aperture
+// (docs/certificate.md, section 18, "Moments"). The caller bounds the error.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,13 @@
 
 namespace lommel {
 
-// A rule of as many chords as nodes on each, its weights as those of TermTable::own.
+// Rule with `size` chords of `size` nodes; weights in the layout of TermTable::own.
 struct ApertureRule {
     std::size_t size;
     const double* weights;
 };
 
-// Terms at its nodes, kept for further images of the aperture.
+// Terms at the nodes of the rule, cached for further images of the aperture.
 struct ApertureTable : TermTable {
     std::vector<double> given;
 
@@ -47,8 +47,8 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // Writes the brightest sample of each pupil, and the averages of `nodes`; then derivatives, where `more` has terms, of fields that
-    // are off by no more than `off`.
+    // Writes the brightest sample of each pupil and the averages of `nodes`; if `more` has terms, also derivatives, whose
+    // fields are off by at most `off`.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),

@@ -1,4 +1,4 @@
-// Averages over pixels from samples at nodes of a window, pupils side by side in vector lanes.
+// Pixel averages from samples at the nodes of a window, with pupils in vector lanes (docs/certificate.md, section 10).
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,18 @@
 
 namespace lommel {
 
-// Samples of a window at nodes along rows and columns, and what each weighs in the averages of pixels: down[pixel][node], and
+// Sampling nodes of a window along rows and columns, and their weights in the average of each pixel: down[pixel][node],
 // across[pixel][node].
 struct PixelNodes {
     WindowAxis rows, columns;
-    std::size_t height, width;  // pixels
+    std::size_t height, width;  // in pixels
     const double *down, *across;
-    double* averages;  // [pupil][row of pixels][column]
-    double *largest, *together;  // of each pupil, the largest of these and their sum
+    double* averages;  // [pupil][row][column]
+    double *largest, *together;  // [pupil]: largest average, and sum of all averages
 };
 
-// Nodes in v about the middle of a window, as about the axis. One that is near the middle is moved there by a tilt of the pupils,
-// so that nodes on either side share work.
+// Convert nodes in v about the middle of a window to nodes about the axis. If the axis is near the middle, it is moved there
+// by a tilt of the pupils: the symmetric nodes then share work.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {
@@ -62,19 +62,19 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
             together};
 }
 
-// Sums over so many nodes are in the precision of samples, all others in double precision.
+// Samples are summed over blocks of this many nodes in their own precision; the block sums are added in double precision.
 constexpr std::size_t node_block = 8;
 
-// The weights in the precision of sums, as kernels take them.
+// Weights in the precision of the samples, in the layouts that the kernels need.
 template <class Real>
 struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
-    std::size_t height, width, rows, columns;  // of pixels, and of nodes
-    std::size_t side;                          // pupils a vector, or 1 where its lanes are columns of one
-    std::size_t vectors;                       // of a row of pixels
-    Values across;  // [tile of pixels][node][pixel of the tile]; of one pupil [node][vector of pixels]
-    Values down;    // [block of nodes][tile of pixels][node of the block][pixel of the tile]
+    std::size_t height, width, rows, columns;  // in pixels, and in nodes
+    std::size_t side;                          // pupils per vector; 1 if lanes are columns of one pupil
+    std::size_t vectors;                       // per row of pixels
+    Values across;  // [pixel tile][node][pixel of the tile]; for one pupil [node][vector of pixels]
+    Values down;    // [block of nodes][pixel tile][node of the block][pixel of the tile]
 
     NodeWeights(const PixelNodes& nodes, const ChordLanes& in)
         : height(nodes.height), width(nodes.width), rows(nodes.rows.count), columns(nodes.columns.count), side(in.side),
@@ -107,7 +107,7 @@ struct NodeWeights {
     }
 };
 
-// Adds a vector of sums, in the precision of these, to others in double precision.
+// Add a vector in the precision of the samples to sums in double precision.
 template <class I, class Real, class V>
 LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -118,8 +118,8 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// What a row of samples makes of each pixel, added to sums[vector of pixels][lane]: of pupils side by side [node][lane], of one
-// pupil [node], and as many pixels side by side.
+// Add the contribution of a row of samples to the average along rows, sums[vector of pixels][lane]. Samples: [node][lane] for
+// pupils side by side, [node] for one pupil, whose pixels are then in the lanes.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
@@ -147,7 +147,8 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Adds lines of a block of nodes from `from` on, [vector][node of the block], to sums[row of pixels][vector][lane].
+// Add a block of averaged rows, lines[vector][node of the block] starting at node `from`, to sums[row of
+// pixels][vector][lane].
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

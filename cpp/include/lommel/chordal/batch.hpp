@@ -1,5 +1,5 @@
-// Batches of pupils, one in each vector lane, or a pupil alone, with chords in the lanes; with the tables for the full disk and
-// for the obscured one.
+// Batches of pupils, one per vector lane, or one pupil with chords in the lanes; with tables for the full disk and the
+// obscuration.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,14 @@
 
 namespace lommel {
 
+// Tables of one disk.
 template <class Real>
 struct ChordalTables {
     std::shared_ptr<const TermTable> terms;
     std::shared_ptr<const KernelTable<Real>> kernel;
-    std::shared_ptr<const FactorTable> factors;  // where derivatives are wanted
+    std::shared_ptr<const FactorTable> factors;  // for derivatives only
 
-    // Of a disk of such a radius, for places `step` in v apart; kept for further images.
+    // Tables for a disk of relative radius `radius` and pixels `step` apart in v, cached for further images.
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -32,18 +33,18 @@ struct ChordalTables {
     }
 };
 
-// Of as many pupils as a vector of `Real` has lanes.
+// Working memory for as many pupils as a vector of `Real` has lanes.
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
     Doubles coefficients;
     Values chords, row, inner, intensity;
-    Values kept[2], factored, factors, fields;  // where derivatives are wanted
-    Values lines;  // where averages are
+    Values kept[2], factored, factors, fields;  // for derivatives only
+    Values lines;  // for averages only
     Doubles sums;
 };
 
-// The disks of an aperture: the whole one, and the obscured one, whose U is subtracted `area` times where that is not 0.
+// A batch and its disks: the full one and, if area != 0, the obscuration, whose U is multiplied by `area` and subtracted.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -53,7 +54,7 @@ struct ChordalBatch {
     Level level;
     const DiskStack& stack;
     const std::size_t* pupils;
-    std::size_t here;  // of them
+    std::size_t here;  // number of pupils in the batch
     double area;
     const std::array<ChordalTables<Real>, 2>& disks;
     ChordalScratch<Real>& scratch;
@@ -62,12 +63,12 @@ struct ChordalBatch {
     std::size_t rows() const { return disks[0].kernel->rows.count; }
     std::size_t columns() const { return disks[0].kernel->columns.count; }
     bool lone() const { return disks[0].kernel->lanes.side > 1; }
-    // Of a row: a vector for each column, or for as many as it has lanes.
+    // Vectors per row: one per column or, for one pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
-    // Of a disk: of a pair of chords or of a vector of pairs, parts even and odd in y and x, re and im.
+    // Values per disk for a pair (or a vector of pairs) of chords: parities in y and x, re and im.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
-    // Lays the coefficients of a disk into lanes: lanes without a pupil begin again with the first.
+    // Copy the coefficients of a disk into lanes; spare lanes repeat the first pupils.
     void gather(std::size_t disk) const {
         const TermTable& table = *disks[disk].terms;
         const std::size_t terms = stack.terms.size(), all = lone() ? 1 : lanes();
@@ -82,7 +83,7 @@ struct ChordalBatch {
         }
     }
 
-    // U of one disk, row by row, [column][re, im].
+    // Compute U of one disk and hand it to `sink` row by row, [column][re, im].
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -99,7 +100,7 @@ struct ChordalBatch {
         }
     }
 
-    // U of the aperture: prepare(disk) before each disk.
+    // Compute U of the aperture; calls prepare(disk) before each disk.
     void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
         const std::size_t all = 2 * vectors(), line = all * lanes();
         const bool obscured = area > 0.0;
@@ -119,7 +120,7 @@ struct ChordalBatch {
         });
     }
 
-    // Of the pupil function itself; its nodes are kept, all chords of them, where others follow.
+    // Compute U from the pupil functions; with `keep`, the nodes of all chords are kept for derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

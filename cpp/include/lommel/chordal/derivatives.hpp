@@ -1,4 +1,5 @@
-// Derivatives of images with respect to Zernike coefficients: d|U|^2/dc = -2 Im(conj(U) D), where D is the field of Z P.
+// Derivatives of images with respect to Zernike coefficients: d|U|^2/dc = -2 Im(conj(U) D), where D is the field of Z P
+// (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 namespace lommel {
 
-// What images alone are followed by.
+// Policy: images without derivatives.
 struct NoDerivatives {
     static constexpr bool wanted = false, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;
@@ -28,21 +29,21 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// Of a pupil: the root of its peak, and bounds on the errors of U and of the field of P times a term of some degree.
+// For a pupil: sqrt(peak), error bound of U, error bound of the field of P times a term of the given degree.
 using FoundErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// [term][pupil]: derivatives of the intensity, scaled as images are, and bounds on their error over the peak.
+// Policy: derivatives of the intensity, scaled like the images, [term][pupil], and their error bounds relative to the peak.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;
-    double* averages = nullptr;  // or averages over pixels, where images are nowhere; bounds are then on errors at nodes
-    double* sizes = nullptr;     // and the largest moduli there
+    double* averages = nullptr;  // or null; if set, pixel averages replace images, and bounds are absolute ones at the nodes
+    double* sizes = nullptr;     // with averages: bounds on the moduli of derivatives at the nodes
 
-    // Of a batch whose U at each pixel and nodes are kept. scales[lane]; found(pupil, degree) is the root of the peak that was
-    // found, with bounds on the errors of U and of D for terms of that degree. With weights of nodes averages are taken.
+    // Compute the derivatives of a batch whose U at each pixel, and whose nodes, are kept. scales[lane]: scale of the image.
+    // With `weights`, pixel averages are computed.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const FoundErrors& found,
                 const NodeWeights<Real>* weights) const {
@@ -86,7 +87,7 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, wrong] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Two products and their difference, doubled; and storing.
+                // Rounding of two products and their difference, doubled, and of storing.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * wrong + d * error + wrong * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

@@ -1,5 +1,5 @@
-// Error bound of the chordal rule for a stack: the curves in the complex plane and the integrand on them, by samples where
-// these pay off.
+// Error bound of the chordal rule for a stack: chooses the complex curve for each sum, and bounds the integrand on it by
+// samples where that pays (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -21,26 +21,27 @@
 
 namespace lommel {
 
-// What bounds the errors of one sum; and the curve for its samples, with how phase and window bend there.
+// Error of one sum; the curve to be sampled for it, and the bound C of second derivatives (bend) of phase and window there.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;
     double bend = 0.0;
 };
 
-// Of one disk with one phase.
+// Bounds for one disk with one phase.
 struct ChordDisk {
     ChordSide chords, nodes;
     double rounding = 0.0;
-    std::size_t least = 0;  // chords
+    std::size_t least = 0;  // minimum number of chords
     ChordCount count;
 
     ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
 };
 
+// Chooses curves and bounds for the pupils of a stack.
 class ChordLines {
    public:
-    // For a window whose rows and columns at +v and -v are one.
+    // For a window whose rows (columns) at +v and -v are one entry of the axis.
     ChordLines(const DiskStack& stack, const WindowAxis& rows, const WindowAxis& columns, double step, int threads)
         : stack_(stack), terms_(stack.terms),
           box_{step * columns.low(), step * columns.high(), step * rows.low(), step * rows.high()},
@@ -49,16 +50,16 @@ class ChordLines {
           rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
           threads_(threads) {}
 
-    // Of a disk over its radius.
+    // Bound for a disk of relative radius `radius`.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // Finds the lines of disk(p) for error(p, bound), for all pupils.
+    // Find the lines of disk(p) with the fewest chords and nodes for error(p, bound), for all pupils p.
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // For less error, other curves may do with less.
+    // Re-choose the curves for a smaller error.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {
@@ -69,13 +70,14 @@ class ChordLines {
         }
     }
 
-    // Roughly the vector operations for a vector of pupils, counted, not measured, as those of samples are.
+    // Rough cost of an image in vector operations per vector of pupils, counted rather than measured, in the unit of
+    // SharpTable::work().
     double work(double chords, double nodes) const {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
    private:
-    // What a mean usually is of the most that phase and window may be, as logarithms.
+    // Usual ratio of the logarithm of the sampled mean to that of the largest value, for chords and nodes.
     static constexpr double usual_share[2] = {0.4, 0.25};
 
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
@@ -111,7 +113,7 @@ class ChordLines {
             };
             room.resize(table.room() * lanes);
             float tops[2 * row_lanes], means[2 * row_lanes];
-            // Few pupils would leave most of a vector empty.
+            // Take pupils one by one if they would fill at most half of a vector.
             const bool lone = 2 * here <= lanes;
             for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
                 laid(from, lone ? 1 : here, lone ? 1 : lanes);
@@ -129,7 +131,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The curve of the first has the least b, where the others bend less than on their own.
+                // The table's curve belongs to the first pupil, the one of least b; the others bend less there than on their
+                // own curves.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);
@@ -143,7 +146,7 @@ class ChordLines {
 
     const DiskStack& stack_;
     TermPairs terms_;
-    VBox box_, around_;  // the latter in whole pixels, so that windows around a moving axis share what samples take
+    VBox box_, around_;  // around_: rounded outwards to whole pixels, so that windows around a moving axis share samples
     double rows_, pixels_;
     int threads_;
 };

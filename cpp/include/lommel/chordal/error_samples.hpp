@@ -1,5 +1,5 @@
-// Mean modulus of the integrand, by samples on the curves of the error bound: sharper for strong phases than the
-// product of the largest values of all terms.
+// Mean modulus of the integrand by samples on the curves of the error bound: sharper for strong aberrations than the product
+// of the maxima of all terms (docs/certificate.md, section 8, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -21,12 +21,12 @@
 
 namespace lommel {
 
-// For one curve of one sum: terms at samples of a quarter of it, sorted as at the nodes, and shares of the mean at the corners
-// of the window. A sample at (x, y) stands for (+-x, +-y) and their conjugates.
+// Table for one curve of one sum: Zernike terms at samples of a quarter of the curve, and weights of the samples in the mean
+// for each corner of the window. A sample at (x, y) stands for (+-x, +-y) and their conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
-    static constexpr std::size_t tile = 16;  // samples side by side, so that a vector may hold them
-    static constexpr double single = 5.9604644775390625e-08;  // the unit roundoff of floats
+    static constexpr std::size_t tile = 16;  // samples per tile: a multiple of all vector lengths
+    static constexpr double single = 5.9604644775390625e-08;  // unit roundoff of float
 
     std::vector<ZernikeTerm> terms;
     Sum sum;
@@ -35,29 +35,29 @@ struct SharpTable {
     VBox box;
     TermClasses classes;
     std::size_t samples;
-    double step;         // between samples
-    double scale = 0.0;  // the logarithm of what shares are divided by
+    double step;         // angle between samples
+    double scale = 0.0;  // logarithm of the divisor of the shares
     Floats values;       // [tile][term][sample]
-    Floats shares;       // [tile][image][+, - its phase][corner][sample]; 0 where there is no sample
-    std::vector<double> most;  // of each term in size
+    Floats shares;       // [tile][image][+ or - its phase][corner][sample]; 0 for padding
+    std::vector<double> most;  // [term]: largest modulus
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
 
-    // Steps of a quarter of a turn.
+    // Number of steps in a quarter turn.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Where values of terms are well within the range of floats.
+    // Return whether the values of terms are well within the range of float.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
-    // Sums over nodes have so many chords at least.
+    // Minimum number of chords for which the sampled bound of sums over nodes holds.
     static constexpr std::size_t least_chords = 16;
 
-    // Of a mean of samples, from what sharp_means() finds.
+    // Logarithm of a mean, from the results of sharp_means().
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // What the logarithm of the mean is at most beyond the one that samples have: between them, by the second derivatives along
-    // both directions, `bend` at most; and by rounding, of terms and of sums.
+    // Bound of log(mean) minus its sampled value: between samples by second derivatives of at most `bend` along both angles;
+    // and rounding of terms and sums, in float.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -66,7 +66,7 @@ struct SharpTable {
         return 0.25 * step * step * bend + 1e-3 +
                single * (static_cast<double>(terms.size() + 10) * size + static_cast<double>(8 * samples));
     }
-    // Vector operations for a vector of doubles' worth of pupils.
+    // Cost in vector operations per vector of doubles of pupils.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(quarter(list.degree) + 1);
         return 0.5 * side * side * (static_cast<double>(list.terms.size()) + 110.0);
@@ -75,15 +75,16 @@ struct SharpTable {
         return sum == which && curve == at && box == window && terms == list;
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
-    std::size_t room() const { return tiles() * tile * images; }  // vectors for images of all samples
-    // Where the numbers of a sample are, so many of which there are, each `tile` after the other.
+    std::size_t room() const { return tiles() * tile * images; }  // vectors for all images of all samples
+    // Offset of the values of a sample, when each sample has `numbers` values, `tile` apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Means of hats around the samples, those of which fewer than eight images differ with half their shares. Over the chords' a
-    // with the weight |sin(a + ib)|^2; over chords where they lie, the most that sums over any number of them have.
+    // Weights of the first angle: means of the hat functions around the samples, halved at symmetric points that stand for
+    // fewer images. For chords the angle is a, with the weight |sin(a + ib)|^2; for nodes, the maximum over all numbers of
+    // chords of the sums over chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -110,7 +111,7 @@ struct SharpTable {
         }
         return found;
     }
-    // Over the places on chords, eta = cos tau; or over a turn of tau.
+    // Weights of the second angle: position on a chord, eta = cos tau (chords), or a full turn of tau (nodes).
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -171,9 +172,9 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}: of a vector of
-// pupils, coefficients[term], in the order of the table, and tops[pupil], means[pupil]; or of one, by a vector of samples. With
-// `room` of table.room() vectors.
+// For each pupil compute tops = max |Im Phi| over all samples, and means = the largest over corners of the mean of e^{-Im
+// (Phi - v r)}, divided by e^{top + scale}. Takes a vector of pupils, coefficients[term][pupil] in the order of the table;
+// with `Lone` one pupil, with samples in the lanes. `room`: table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
@@ -189,7 +190,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
     };
     const std::size_t terms = table.terms.size(), vectors = Lone ? table.tiles() * SharpTable::tile / lanes : table.samples;
     V top = splat<V>(0.0f);
-    // As many chains of multiply-adds as hide their latency.
+    // Enough chains of multiply-adds to hide their latency.
     for_fixed_tiles<6>(vectors, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size_of)::value;
         const float* value[R];
@@ -227,7 +228,8 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
         top = splat<V>(*std::max_element(tops, tops + lanes));
         store(tops, top);
     }
-    // The sum of each lane of samples, then of lanes, for a vector of pupils as for one: bounds do not depend on company.
+    // Sum samples in the same order for one pupil as for a vector of pupils: bounds must not depend on how pupils are
+    // grouped.
     V all[SharpTable::corners] = {};
     const std::size_t apart = Lone ? 1 : lanes;
     for (std::size_t lane = 0; lane < apart; ++lane) {

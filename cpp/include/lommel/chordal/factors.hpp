@@ -1,4 +1,4 @@
-// Zernike terms at the nodes, for derivatives: dP/dc = i Z P for the coefficient c of Z.
+// Zernike terms at the nodes, as factors of derivatives: dP/dc = i Z P for the coefficient c of Z.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace lommel {
 struct FactorTable {
     ChordCount count;
     std::vector<ZernikeTerm> terms;
-    double radius;  // of the disk, over that on which terms are 1 at the edge
+    double radius;  // of this disk, relative to the disk on whose edge terms are 1
     TermClasses classes;
-    Doubles values;  // [term, in the order of classes][chord][node]
+    Doubles values;  // [term, ordered by classes][chord][node]
 
     FactorTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over)
         : count(n), terms(list), radius(over), classes(list), values(n.half_chords() * n.half_nodes() * list.size()) {
@@ -37,7 +37,7 @@ struct FactorTable {
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over) const {
         return count == n && radius == over && terms == list;
     }
-    // Of a term, in the order of classes, on a pair of chords.
+    // Values of a term (index in the order of classes) at the nodes of a pair of chords.
     const double* at(std::size_t term, std::size_t chord) const {
         return values.data() + (term * count.half_chords() + chord) * count.half_nodes();
     }
@@ -45,7 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Terms and pupils in the lanes of a vector: as many terms, in the order of their classes, as a batch leaves room for.
+// Assignment of lanes: each lane is one pupil times one term; a batch takes as many terms, in the order of classes, as fit.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -54,7 +54,7 @@ struct FactorLanes {
         : table(factors), here(pupils), lanes(all), first(from), count(std::min(all / pupils, factors.terms.size() - from)) {}
 
     std::size_t used() const { return count * here; }
-    std::size_t term(std::size_t lane) const { return first + lane / here; }  // in the order of classes
+    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in the order of classes
     std::size_t parity(std::size_t at) const {
         std::size_t parity = 0;
         while (at >= table.classes.ends[parity]) {
@@ -64,8 +64,8 @@ struct FactorLanes {
     }
 };
 
-// Nodes of a pair of chords times a term in each lane: to which of the parts even and odd in x and y a term takes another is told
-// by its class.
+// Multiply the nodes of a pair of chords by the term of each lane. The class of a term says which parity (even or odd in x
+// and y) of the product each parity of the nodes goes to.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -88,7 +88,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // Lanes of other classes have the factor 0, set once for all chords.
+    // Lanes whose term is of another class have the factor 0, set once for all chords.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);
@@ -118,7 +118,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
     }
 }
 
-// conj(U) D along a row, -2 times its imaginary part, to `values`; `top` is raised to the largest |D|^2 of each lane.
+// Write -2 Im(conj(U) D) along a row to `values`; raise `top` to the largest |D|^2 of each lane.
 template <class I, class Real>
 LOMMEL_INLINE void slopes_of_row(I, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
     using V = typename Waves<I, Real>::V;

@@ -1,5 +1,6 @@
-// Reverse-mode derivatives of the light of several fields: with weights w, G = sum w conj(E) e^(-i v r) at each node is the transpose
-// of the transform, all Zernike terms share the sum of P G over the fields, and other series of amplitudes are one product each.
+// Reverse-mode derivatives of sum |E|^2 over several fields (docs/certificate.md, section 16, "Gradients"). With weights w, G
+// = sum w conj(E) e^(-i v r) at each node is the transpose of the transform. All Zernike terms share the sum of P G over the
+// fields; other amplitude series take one inner product each.
 #pragma once
 
 #include <algorithm>
@@ -17,16 +18,17 @@
 
 namespace lommel {
 
-// Of the sum of weights times the light of each plane: itself, its derivatives by sets of fields but the first, then by terms.
+// Results for each plane: the weighted sum of the light, its derivatives by the sets of fields after the first, then by
+// terms.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;  // [plane][row][column]
     double* values;  // [plane][1 + sets - 1 + terms]
-    double* largest;  // [plane][1 + fields]: the largest value of the light, and of the modulus of each field
+    double* largest;  // [plane][1 + fields]: maximum of the light, and of the modulus of each field
 };
 
-// Adds the imaginary parts of P G at the nodes of a pair of chords to sums[parity][node][lane], by the parity of the product; P and
-// G lie as place_field() puts them.
+// Add Im(P G) at the nodes of a pair of chords to sums[parity][node][lane], by the parity of the product; P and G in the
+// layout of place_field().
 template <class I>
 LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, const double* adjoint, double* sums) {
     using V = typename Waves<I, double>::V;
@@ -47,8 +49,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// What each part of the amplitudes of a field is multiplied by in the sum of P G at a pair of chords: added to sums[part][re, im]
-// [node], a pair of chords of all nodes. The transpose of place_field(), of the adjoint in one lane.
+// Transpose of place_field(): from the adjoint in one lane, add the factor of each part of the field's amplitudes in the sum
+// of P G over a pair of chords to sums[part][re, im][node], at the nodes of these chords.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -86,7 +88,7 @@ inline void take_field(Level level, const NodeSeries& given, std::size_t plane, 
     });
 }
 
-// Sums of products of a row with each of some vectors.
+// Inner products of a row with C vectors.
 template <std::size_t C, class I>
 LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&vectors)[C], std::size_t count,
                                   double (&sums)[C]) {
@@ -118,7 +120,8 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// found(row, vector) of all rows with all vectors, each at row(j) and vector(j, c); rows that are near each other stay in a cache.
+// Calls found(j, c, product) for the inner products of all rows row(j) with all vectors vector(j, c), in blocks of rows that
+// stay in the cache.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -161,7 +164,8 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // What a batch adds to the planes that it has fields of: their light, the sums that terms share, those of parts.
+    // Contributions of a batch to each plane of which it has fields: the light, the sums that all terms share, the sums of
+    // the parts.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);
@@ -253,7 +257,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     if (rates == 0) {
         return;
     }
-    // Of each term of a series, real and imaginary part.
+    // Part of each term of a series; real and imaginary parts are separate rows.
     std::vector<std::size_t> part_of(given.total);
     for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
         for (; term < given.ends[part]; ++term) {

@@ -1,5 +1,5 @@
-// Light of pupil functions whose amplitudes are series of radial polynomials: sums of squares of several fields, and their
-// derivatives, by the chordal rule with fields in the lanes of a vector.
+// Intensities sum |E|^2 of several fields whose pupil amplitudes are series of radial polynomials, and their derivatives, by
+// the chordal rule with fields in vector lanes (docs/certificate.md, section 16, "Small windows").
 #pragma once
 
 #include <algorithm>
@@ -23,32 +23,33 @@
 
 namespace lommel {
 
-// One summand of a field: a part of the amplitude times a factor, even or odd in x and y by `parity`, 2 odd in x + odd in y.
+// A summand of a field: a part of the amplitude times a factor. `parity` of the factor: 2 (odd in x) + (odd in y).
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// A set of fields: which series their amplitudes have, the term i Z that these are multiplied by, if any, and the kind of waves.
+// A set of fields: the series of their amplitudes, the Zernike term Z of a factor i Z (negative: none), and the kind of
+// waves.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
 
-// At the nodes of a quadrant, [chord][node] of so many chords and nodes. The first set has the fields E themselves, all others F
-// make derivatives of the sum of |E|^2, 2 Re conj(E) F.
+// Input at the nodes of a quadrant, [chord][node] as `count` says. The first set are the fields E; each other set are fields
+// F for one derivative, 2 Re conj(E) F, of sum |E|^2.
 struct NodeSeries {
     ChordCount count;
-    std::size_t planes, fields, total;  // total of terms of a series
-    std::vector<std::size_t> ends;      // of the terms of each part
+    std::size_t planes, fields, total;  // total: terms of a series
+    std::vector<std::size_t> ends;      // end of the terms of each part
     const double* radial;               // [term][node]
     const std::complex<double>* coefficients;  // [series][plane][term]
     std::vector<FieldShare> shares;
     const std::complex<double>* factors;  // [share][node]
     std::vector<FieldSet> sets;
-    const double* terms;                 // [term][node], of Z
+    const double* terms;                 // [term][node], values of Z
     const std::int32_t* term_parity;
     std::size_t wave_count;
-    const std::complex<double>* waves;  // [kind][wave][parity][node], weighted sums of a wave over the images of a node
-    const std::int32_t* wave;           // of each plane
+    const std::complex<double>* waves;  // [kind][wave][parity][node]: weighted sums of a wave over the four images of a node
+    const std::int32_t* wave;           // [plane]: its wave
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
@@ -56,7 +57,7 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // The parity of the waves that make one parity of the share of a field.
+    // Parity of the waves that contribute to `parity` of a field through a share: parities of products add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -64,8 +65,9 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// exp(i W) at the four images of each node of a quadrant, weighted, as sums of these by parity, [parity][node]; then, for a `largest`
-// W above 0, i W exp(i W) over it likewise, `apart` numbers on. W is a sum of `count` terms, [term][node], each of a parity.
+// Waves exp(i W) at the four images of each node of a quadrant, times the weight of the node, combined by parity:
+// to[parity][node]. If largest > 0, also i W exp(i W) / largest, `apart` values further on. W is the sum of `count` terms,
+// terms[term][node], each of one parity.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart);
 #if defined(LOMMEL_DEFINES)
@@ -75,7 +77,8 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Of even and odd parts, from four images to four parities and back: the first two odd in y, then in x.
+        // Transform between four images and four parities, its own inverse up to a factor: the bit for y first, then that for
+        // x.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
             q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
@@ -121,7 +124,8 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
 }
 #endif
 
-// Parts of the amplitudes of one plane by one series at some nodes: to[part][re, im][node].
+// Evaluate the parts of the amplitudes of a plane for one series at the nodes first .. first + count - 1: to[part][re,
+// im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
                        std::size_t count, double* to) {
     const std::size_t nodes = given.nodes();
@@ -158,7 +162,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Of some planes by the first so many series: [series][plane], each as above. Few nodes at once, of which all terms stay in a cache.
+// Parts of `planes` planes for the first `series` series, [series][plane][part][re, im][node]. Works on blocks of nodes whose
+// terms stay in the cache.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -174,7 +179,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of the pupil function of a field at all nodes, of waves that have the parities `own`; `parts` as above.
+// One parity of the pupil function of a field at all nodes. `own`: parities that the plane's waves have; `parts` as from
+// sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -206,7 +212,8 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// The pupil function of one field in a lane, at a pair of chords: [even, odd in y][node][even, odd in x][re, im]. `parts` as above.
+// Write the pupil function of one field into a vector lane, for a pair of chords: [even, odd in y][node][even, odd in x][re,
+// im]. `parts` as from sum_series().
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -254,7 +261,7 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
     }
 }
 
-// Which parities waves have, [kind][wave]: those of wavefronts that are even along an axis have half of them.
+// Parities that waves have, [kind][wave]: wavefronts even along an axis have only half of the four.
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -272,27 +279,28 @@ inline Parities wave_parities(const NodeSeries& given) {
     return waves;
 }
 
-// One parity of a field in one plane.
+// One parity of one field of one set in one plane.
 struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// Those of some planes that are not zero everywhere, of one parity after the other, in batches that fill the lanes of a vector.
+// All FieldParts of some planes that are not identically zero, ordered by parity and divided into batches that fill a vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
     std::size_t first, planes;
     std::vector<FieldPart> list;
+    // Parts list[first], ..., list[first + count - 1], in the lanes of a vector.
     struct Batch {
         std::size_t first, count;
     };
     std::vector<Batch> batches;
-    std::vector<std::size_t> place;  // [plane][set][field][parity]
+    std::vector<std::size_t> place;  // [plane][set][field][parity]: index in `list`, or none
 
     FieldParts(const NodeSeries& given, const Parities& all, std::size_t begin, std::size_t count, std::size_t lanes)
         : waves(all), first(begin), planes(count), place(count * given.sets.size() * given.fields * 4, none) {
         for (std::size_t parity = 0; parity < 4; ++parity) {
-            std::size_t room = 0;  // in the last batch
+            std::size_t room = 0;  // free lanes in the last batch
             for (std::size_t plane = 0; plane < planes; ++plane) {
                 for (std::size_t set = 0; set < given.sets.size(); ++set) {
                     const std::array<bool, 4>& has = waves_of(given, given.sets[set], first + plane);
@@ -319,10 +327,10 @@ struct FieldParts {
     }
 };
 
-// Distances from an axis along a row, and as many more as make vectors whole.
+// Number of distances along a row, padded to whole vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Parts of fields at distances from the axes, [part][row][re, im][column], padded by zeros.
+// Evaluate parts of fields at distances from the axes: to[part][row][re, im][column], zero padded.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -382,15 +390,16 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
     });
 }
 
-// The light of one plane and derivatives, of its parts at distances from the axes.
+// Intensity and derivatives of one plane, from the parts of its fields at distances from the axes.
 struct PlaneLight {
     const NodeSeries& given;
     const WindowAxis &rows, &columns;
-    const double* parts;       // as above
+    const double* parts;       // from part_fields()
     const std::size_t* place;  // [set][field][parity]
-    double *values, *largest;  // [set][plane][row][column], [set][plane][field], both of the plane
+    double *values, *largest;  // [set][plane][row][column] and [set][plane][field], from this plane on
 
-    // On either side of an axis a field whose parts are all even or all odd has the same light.
+    // Return whether the light is symmetric about an axis: it is if no field has both even and odd parts. `odd`: bit of the
+    // axis in a parity.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -406,7 +415,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // What a part adds to a field along a row on one side of either axis: odd parts have factors -i, and a sign there.
+    // Contribution of a part to a field along a row, on one side of either axis; odd parts carry a factor -i and the sign of
+    // the side.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -425,7 +435,8 @@ struct PlaneLight {
         }
         return count;
     }
-    // Adds up the light along a row, and raises squares[set][field][lane] to the largest where `there` is 1.
+    // Write the light along a row. Raises squares[set][field][lane] to the maximum of |E|^2 or |F|^2 over lanes with
+    // there[lane] = 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {
@@ -504,7 +515,7 @@ struct PlaneLight {
     }
 };
 
-// The same where fields have all parities, which are summed together.
+// Like the separate parities of PlaneLight, but for fields that have all four parities, which are then summed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
@@ -517,10 +528,10 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
     const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
-    // Of all fields of a plane, [plane][set][field].
+    // Fields of all planes, [plane][set][field].
     thread_local Doubles scratch;
     scratch.resize(2 * jobs * pixels);
-    double* const u = scratch.data();  // of this thread, whoever computes them
+    double* const u = scratch.data();  // scratch of this thread, filled by all threads
     parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
         thread_local Doubles at, room, chords, row;
         const std::size_t first = b * lanes, here = std::min(lanes, jobs - first), line = given.count.half_chords() * 4 * lanes;
@@ -572,8 +583,8 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
     });
 }
 
-// values[set][plane][row][column]: the sum of squares of the first set of fields, then its derivatives; largest[set][plane][field] is
-// the largest |E| or |F| in the window.
+// values[set][plane][row][column]: sum |E|^2 for the first set, derivatives for the others; largest[set][plane][field]:
+// maximum of |E| or |F| in the window.
 void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
@@ -589,11 +600,11 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         return full_light(given, window, threads, values, largest);
     }
     thread_local Doubles scratch;
-    // Few planes at once, whose fields stay in a cache.
+    // Eight planes at a time, so that their fields stay in the cache.
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));
-        const double* const parts = scratch.data();  // of this thread, whoever computes them
+        const double* const parts = scratch.data();  // scratch of this thread, filled by all threads
         part_fields(level, given, wanted, *kernel, threads, scratch.data());
         parallel_for(planes, threads, [&](std::size_t, std::size_t p) {
             const std::size_t* place = wanted.place.data() + p * given.sets.size() * given.fields * 4;

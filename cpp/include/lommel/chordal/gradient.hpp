@@ -1,5 +1,6 @@
-// Reverse-mode derivatives: the gradient of a weighted sum of pixels with respect to all coefficients at once. With weights w,
-// G = sum w conj(U) e^(-i v r) at each node is the transpose of the transform, and d/dc = -2 Im sum Z P G.
+// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all coefficients at once. With weights w, G
+// = sum w conj(U) e^(-i v r) at each node is the transpose of the transform, and d/dc = -2 Im sum Z P G (docs/certificate.md,
+// section 8).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace lommel {
 
-// weights[pupil][pixel] -> values[pupil][term], of the intensity itself.
+// Policy: gradient of sum over pixels of weights[pupil][pixel] x intensity (before scaling), values[pupil][term].
 struct ChordalGradient {
     static constexpr bool wanted = true, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;

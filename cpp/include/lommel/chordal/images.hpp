@@ -1,4 +1,5 @@
-// Small images of pupils with arbitrary Zernike terms by the chordal Gauss rule, each with its error bound.
+// Small images of pupils with arbitrary Zernike terms by the chordal Gauss rule, with error bounds (docs/certificate.md,
+// section 8).
 #pragma once
 
 #include <algorithm>
@@ -30,33 +31,35 @@
 
 namespace lommel {
 
-constexpr double max_table_bytes = 402653184.0;  // of the kernel for one window
+constexpr double max_table_bytes = 402653184.0;  // bytes of the kernel table of one window
 
-// What the error of an image is spent on.
+// Error budget: shares of the tolerance.
 struct ChordalBudget {
-    // Of the tolerance times the peak of |U|, on U, which counts twice in I; the rest is a margin, for the peak is a guess.
+    // Share of (tolerance x peak of |U|) for the error of U, which counts twice in I. The rest is a margin, as the peak is a
+    // guess.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Of the error of U, on the disk and the obscured one where there is one.
+    // Shares of the error of U for the disk and, if there is an obscuration, for its disk.
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Of that of a disk, on the sum over chords, the most; those over their nodes have the rest.
+    // Largest share of the error of a disk for the sum over chords; the sum over nodes has the rest.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Of tolerance and peak, on U and its rounding to single precision, where sums have that: twice as much as of a peak that is
-    // likely; and of this the most that may be rounding.
+    // Single precision: share of (tolerance x guessed peak) for the error of U including rounding, and the largest share of
+    // that for rounding alone.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Of what is asked of U, and of what single precision may leave, where the variance of the phase is above these: such images
-    // may be dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
+    // Reduction of the allowed errors where the variance of the phase (rad^2) exceeds `some` or `large`: such images may be
+    // dimmer than guessed. A smaller error costs a few chords, a second attempt as much as the first.
     static constexpr double some = 4.0, some_dim = 0.75, large = 100.0, dim = 0.25, dim_single = 0.7;
-    // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked; of
-    // tolerance and that peak, on U and its rounding, where single precision may do yet.
+    // Second attempt: the requested error is the one that the peak found needs, between `least` and `again` times the first;
+    // `found`: share of (tolerance x peak found) for U including rounding, where single precision may still serve.
     static constexpr double again = 0.3, least = 1e-3, found = 0.47;
-    // Of the error of U that is asked of samples at nodes; a batch that shares its tables rounds more than each of it.
+    // Share of the error of U for samples at nodes; a batch that shares tables has more rounding than each of its pupils
+    // alone.
     static constexpr double of_nodes = 0.9;
 };
 
-// `More` is what follows images: their derivatives, or nothing.
+// `More`: policy for what is computed with the images: NoDerivatives or ChordalDerivatives.
 template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
@@ -66,7 +69,7 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
-    // Averages over pixels from samples at nodes, which are not stored: the tolerance is that of U, which bounds are of.
+    // Pixel averages from samples at nodes, which are not stored. `tol` and the bounds are then those of U.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
@@ -75,12 +78,13 @@ class ChordalRenderer {
 
     void run();
 
-    // The same where that is likely to take less time than the series; otherwise throws LimitExceeded before images are begun.
+    // Run if that is likely to take less time than the series of section 7; otherwise throw LimitExceeded before any image is
+    // begun.
     void run_if_cheaper() {
         weighed_ = true;
         run();
     }
-    // What both are likely to take from here on, in nanoseconds, without images.
+    // Likely times of both methods in nanoseconds, without computing images.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -88,21 +92,22 @@ class ChordalRenderer {
     }
 
    private:
+    // State of a pupil: requested error, error and peak found.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
-        bool at_rounding = false;                  // less than this error cannot be asked for
-        bool again = false;                        // whether a first answer did not do
-        bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision,
-        double in_single = 0.0;                    // and the error of U that those may have with their rounding
-        ChordDisk far, near;                       // the whole disk and the obscured one
+        bool at_rounding = false;                  // no smaller error can be requested
+        bool again = false;                        // first attempt was not accurate enough
+        bool single = sizeof(T) == sizeof(float);  // sums are in single precision
+        double in_single = 0.0;                    // error of U allowed for these, including rounding
+        ChordDisk far, near;                       // full disk and obscuration
     };
 
-    // The error that U may have: a share of tolerance and peak, or, at nodes, most of the tolerance.
+    // Requested error of U: a share of tolerance x peak, or for nodes most of the tolerance.
     double asked(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
-    // Of the field of P, or of P times a term of some degree.
+    // Error bound of the field of P, or of P times a term of degree `degree`.
     double wrong(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
@@ -112,7 +117,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // The error to ask for where sums are in single precision; or in double precision, if that leaves too little.
+    // Error to request for sums in single precision. Switches to double precision if rounding takes too much of it.
     double singly(std::size_t p) {
         State& s = states_[p];
         const double chords = s.far.chords.line.times(degree_).needed(s.error);
@@ -151,7 +156,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Pupils that are computed side by side, or one alone.
+    // Group of pupils computed side by side, or one pupil alone.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -163,7 +168,7 @@ class ChordalRenderer {
             near.include(other.near);
         }
     };
-    // Neighbours share their tables where none of them takes so many times more nodes for it.
+    // Let neighbouring groups share tables if no group then takes more than `more` times its number of nodes.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -196,7 +201,7 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         share(groups, 1.12);
-        // Of several tables that are more than what is kept, none is found again: one for all.
+        // If the tables would not all stay in the cache, use one common table.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
@@ -206,7 +211,7 @@ class ChordalRenderer {
         return groups;
     }
 
-    // The nodes of all tables of these.
+    // Total number of nodes of the distinct tables of these groups.
     static double nodes_of(const std::vector<Group>& groups) {
         double nodes = 0.0;
         ChordCount last[2];
@@ -225,7 +230,7 @@ class ChordalRenderer {
         return nodes;
     }
 
-    // Whether tables of these stay in their caches all at once, with those of another attempt.
+    // Return whether the tables of these groups, and of a second attempt, fit in their caches together.
     template <class Real>
     bool kept(const std::vector<Group>& groups) const {
         const double nodes = 2.5 * nodes_of(groups);
@@ -233,17 +238,18 @@ class ChordalRenderer {
                KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
+    // Pupils first .. first + here - 1 of the pending ones, with the tables of both disks.
     template <class Real>
     struct Batch {
         std::size_t first, here;
         std::array<ChordalTables<Real>, 2> disks;
-        std::shared_ptr<const NodeWeights<Real>> weights;  // where averages are wanted
+        std::shared_ptr<const NodeWeights<Real>> weights;  // for pixel averages
     };
 
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const Level level = processor_level();
-        // Tables before threads, so that no thread waits for another to make them.
+        // Make tables before starting threads, so that no thread waits for another to make one.
         std::vector<Batch<Real>> batches;
         double work = 0.0;
         for (const Group& group : grouped<Real>(pending, pupils)) {
@@ -332,15 +338,15 @@ class ChordalRenderer {
         }
     }
 
-    // Nanoseconds of one processor that images of these are likely to take, all tables at hand; benchmarks/choice.py fits them.
-    // A vector takes about as long whatever its width.
+    // Likely CPU time in nanoseconds of these images, with all tables cached; the coefficients are fitted by
+    // benchmarks/choice.py. The time per vector hardly depends on its width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
-        // Tables of rows come from a cache that processors share, and from memory where they are larger than that.
+        // Row tables are read from the shared cache, or from memory if they are larger.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
@@ -361,7 +367,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Once it is known how many chords and nodes they take.
+    // Estimate the costs of both methods, once the numbers of chords and nodes are known.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -381,7 +387,7 @@ class ChordalRenderer {
             return;
         }
         DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
-        if (nodes_ != nullptr) {  // a filter takes about so many samples more along each axis
+        if (nodes_ != nullptr) {  // a filter of samples would need about this many more along each axis
             constexpr double more = 1.3;
             const double width = rows_.high() - rows_.low();
             window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
@@ -390,7 +396,7 @@ class ChordalRenderer {
             window.row = -rows_.low() / window.step;
             window.column = -columns_.low() / window.step;
         }
-        // Of many, some stand for all.
+        // Extrapolate from at most eight pupils of the stack.
         const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
         costs_.second = SeriesCost::declined;
         for (std::size_t i = 0; i < looks; ++i) {
@@ -402,7 +408,7 @@ class ChordalRenderer {
         }
     }
 
-    // Of U, or of the field of P times a term of some degree.
+    // Error bound of U, or of the field of P times a term of degree `degree`.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
@@ -411,7 +417,7 @@ class ChordalRenderer {
                (area_ > 0.0 ? area_ * wrong(s.near, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
-    // Whether that is within the tolerance.
+    // Store the image bound of a pupil; returns whether it is within the tolerance.
     template <class Real>
     bool finish(const ChordalBatch<Real>& batch, std::size_t p, double peak) {
         State& s = states_[p];
@@ -438,12 +444,12 @@ class ChordalRenderer {
     int threads_;
     DiskAnswer<T> answer_;
     More more_;
-    std::size_t degree_;  // the highest by which derivatives are wanted
+    std::size_t degree_;  // highest degree of the requested derivatives
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
-    const PixelNodes* nodes_ = nullptr;  // where averages are wanted
-    bool weighed_ = false, only_costs_ = false;  // whether to weigh, and no more than that
+    const PixelNodes* nodes_ = nullptr;  // for pixel averages
+    bool weighed_ = false, only_costs_ = false;  // weigh costs first; only weigh
     std::pair<double, double> costs_;
 };
 
@@ -452,7 +458,7 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+        // Most PSFs have max |U| above this estimate; for others, the error is reduced once the peak is known.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
@@ -518,7 +524,7 @@ void ChordalRenderer<T, More>::run() {
             State& s = states_[p];
             more = more && !s.at_rounding;
             const double wanted = (nodes_ != nullptr ? ChordalBudget::again : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
-            // Double precision alone may do, or, at first, single precision for the peak that was found.
+            // Double precision alone may suffice; at first, also single precision for the peak found.
             s.error =
                 std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
             s.in_single = asked(ChordalBudget::found, std::sqrt(s.peak));

@@ -1,4 +1,4 @@
-// Averages over pixels, row by row of the samples at nodes of their window.
+// Pixel averages, accumulated row by row from the samples at the nodes of a window.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ void begin_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& we
     batch.scratch.sums.assign((1 + weights.height) * weights.vectors * batch.lanes(), 0.0);
 }
 
-// What a row of samples adds to averages: those of the row come first in the scratch.
+// Add row y of samples to the averages. The scratch holds the sums of the current row first, then the averages.
 template <class Real>
 void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y, const Real* intensity) {
     using Kernels = ChordKernels<Real>;
@@ -32,7 +32,7 @@ void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weig
     }
 }
 
-// What was added in a lane of pupils, of any sign.
+// Copy the averages of one pupil (lane), positive or negative.
 template <class Real>
 void copy_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t lane, double* to) {
     const std::size_t lanes = batch.lanes();

@@ -1,4 +1,5 @@
-// What amplitudes that are series are at most on curves around the real angles, and what that proves of sums over chords and nodes.
+// Bounds of amplitude series on the complex curves of the chordal rule, and the errors of its sums (docs/certificate.md,
+// section 16).
 #pragma once
 
 #include <algorithm>
@@ -14,25 +15,26 @@
 
 namespace lommel {
 
-// Of so many series, those of all planes: `parts` of each, on so many `curves`.
+// Bounds of the amplitudes of all planes for `series` series with `parts` parts each, on `curves` curves.
 struct SeriesSizes {
     std::size_t series, parts, curves;
-    double *on_curves, *moduli;  // [series][part][curve], [series][part]: what a part is at most there, and at real angles
+    double *on_curves, *moduli;  // [series][part][curve], [series][part]: bounds on the curve, and at real angles
 
-    // `powers` bound each term on each curve. Returns the least over the curves of what so many halved chords (0) or nodes (1) must
-    // be: `chosen`, and the logarithm of the largest part times `rate`.
+    // Compute the bounds from `powers`, the bound of each term on each curve. Returns the least over the curves of half the
+    // number of chords (0) or nodes (1) needed: log(largest part) x rate + chosen.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // wrong[set][plane][field], what sums over chords and over nodes are off by, each as a curve proves it, beside `left` and
-    // `rounding` times the moduli. `shares` of parts, each of which may be off by `error`, add up to a field.
+    // wrong[set][plane][field]: errors of the sums over chords and over nodes as proven by one curve each, plus `left`, and
+    // `rounding` times the moduli. A field is a sum of parts with the factors `shares`, each part being off by at most
+    // `error`.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* wrong) const;
 };
 
-// From errors of fields and their largest moduli, [set][plane][field], what the sums of squares of the first set and the derivatives
-// by the others are off by, [set][plane].
+// errors[set][plane]: error bounds of sum |E|^2 (first set) and of the derivatives (other sets), from error bounds and
+// largest moduli of the fields, [set][plane][field].
 void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
                   double* errors);
 #if defined(LOMMEL_DEFINES)
@@ -53,7 +55,7 @@ LOMMEL_ONCE void light_errors(const double* wrong, const double* largest, std::s
 }
 #endif
 
-// Divides some values; returns the largest of these in modulus.
+// Divide `count` values by `by`; returns the largest modulus of the quotients.
 double divide(Level level, double by, std::size_t count, double* values);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {

@@ -1,4 +1,5 @@
-// Intensities by a rule of given size in single precision; the caller bounds the error.
+// Intensities in single precision by a chordal rule of given size (docs/certificate.md, "By the core"). The caller bounds the
+// error.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 namespace lommel {
 
-// `More` is what follows images: their gradient, or nothing.
+// `More`: policy for what follows the images: NoDerivatives or ChordalGradient.
 template <class More = NoDerivatives>
 class ChordalSums {
    public:
@@ -29,7 +30,7 @@ class ChordalSums {
         }
     }
 
-    // images[pupil][column][row], where there are any.
+    // Compute images[pupil][column][row]; null if only `more` is wanted.
     void run(float* images, int threads) const {
         const std::size_t lanes = lone_ ? 1 : ChordKernels<float>::lanes(level_), batches = (stack_.count + lanes - 1) / lanes;
         std::vector<std::size_t> pupils(stack_.count);
@@ -71,7 +72,7 @@ class ChordalSums {
     const DiskStack& stack_;
     More more_;
     Level level_;
-    bool lone_;  // one by one
+    bool lone_;  // one pupil at a time
     double area_;
     std::array<ChordalTables<float>, 2> disks_;
 };

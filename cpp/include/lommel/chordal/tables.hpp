@@ -1,4 +1,5 @@
-// The chordal Gauss rule on the unit disk: tables of Zernike terms at its nodes, and of the Fourier kernel for a window.
+// The chordal Gauss rule on the unit disk: tables of Zernike terms at its nodes, and of the Fourier kernel for a window
+// (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 namespace lommel {
 
-// Calls f(first, size) for tiles of at most `most` that cover 0 .. count - 1 and differ by one at most.
+// Calls f(first, size) for tiles of at most `most`, whose sizes differ by at most one, that cover 0 .. count - 1.
 template <class F>
 LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
     const std::size_t tiles = (count + most - 1) / most;
@@ -29,7 +30,7 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// N chords and K nodes on each, both even.
+// N chords with K nodes each, both even.
 struct ChordCount {
     std::size_t chords = 0, nodes = 0;
     std::size_t half_chords() const { return chords / 2; }
@@ -42,8 +43,8 @@ struct ChordCount {
     }
 };
 
-// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), of the quadrant x, y > 0: weights rise along both, so
-// that sums begin with what is small.
+// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), in the quadrant x, y > 0. Weights rise along both
+// axes, so sums begin with the smallest terms (certificate, section 8, "The sums").
 struct ChordRule {
     std::vector<wide> x, s, eta, gauss;
 
@@ -62,14 +63,14 @@ struct ChordRule {
             gauss[k] = weights[count.nodes - 1 - k];
         }
     }
-    // Weights sum to 1 over the disk.
+    // Weight of a node; the weights sum to 1 over the disk.
     wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * x.size() + 1); }
 };
 
-// Terms sorted into four classes: even or odd in x (second bit), in y (first bit).
+// Zernike terms sorted into four classes: odd in x (second bit), odd in y (first bit).
 struct TermClasses {
-    std::vector<std::size_t> order;  // of the terms, class by class
-    std::size_t ends[4];             // of the classes
+    std::vector<std::size_t> order;  // [position]: index of the term, class by class
+    std::size_t ends[4];             // end of each class
 
     explicit TermClasses(const std::vector<ZernikeTerm>& list) {
         for (std::size_t parity = 0; parity < 4; ++parity) {
@@ -85,27 +86,27 @@ struct TermClasses {
     }
 };
 
-// What the lanes of a vector hold: a pupil each, or, where there is but one, a chord each, `side` of them side by side.
+// Contents of vector lanes: one pupil each or, for a single pupil, `side` chords.
 struct ChordLanes {
     std::size_t side = 1;
-    bool single = false;  // which is how phases lie: see Waves
+    bool single = false;  // single precision, which permutes phases: see Waves
 
     bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
     std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
-    // Where the phase of a lane stands.
+    // Position of a lane's phase.
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
 };
 
-// Terms at the nodes of a quadrant; chords beyond the last have no weight.
+// Zernike terms at the nodes of a quadrant. Chords that pad the last vector have the weight 0.
 struct TermTable {
     ChordCount count;
     ChordLanes lanes;
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     TermClasses classes;
-    Doubles values;   // [vector of chords][tile of nodes][term, in the order of classes][node of the tile][chord]
-    Doubles weights;  // [vector of chords][node][chord], with the amplitude
-    Doubles own;      // or, of an aperture, [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
+    Doubles values;   // [vector of chords][tile of nodes][term, ordered by classes][node of the tile][chord]
+    Doubles weights;  // [vector of chords][node][chord], times the amplitude
+    Doubles own;      // for shapes: [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
@@ -114,7 +115,7 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Of the whole disk with weights of its own at each node, [chord][node][(+,+), ..][re, im].
+    // Replace the weights by complex ones of each node of the whole disk: given[chord][node][(+,+), ..][re, im].
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -158,13 +159,13 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window: distances from the axis in pixels, or in v, those at +v and -v as one.
+// Rows or columns of a window: their distances from the axis, in pixels or in v; those at +v and -v share one entry.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;
-    double center;  // of pixels; 0 of nodes, whose places are given
+    double center;  // in pixels; 0 for nodes, which are given relative to the axis
     std::vector<double> at;
-    std::vector<std::size_t> plus, minus;  // the pixels at +at and at -at
+    std::vector<std::size_t> plus, minus;  // [entry]: index of the pixel at +at and at -at, or none
 
     WindowAxis(std::size_t pixels, double axis)
         : count(pixels), center(axis), low_(-axis), high_(static_cast<double>(pixels - 1) - axis) {
@@ -180,7 +181,7 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    // Of nodes, rising; they are pairs where all have others on the other side of the axis.
+    // For nodes in increasing order; they are paired if they are symmetric about the axis.
     explicit WindowAxis(const std::vector<double>& places)
         : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
         const bool mirrored =
@@ -199,7 +200,7 @@ struct WindowAxis {
     double low_, high_;
 };
 
-// The kernel in the precision of the sums, at the nodes: cos and sin of v_y y for each pair of chords at +-x, and of v_x x.
+// Fourier kernel in the precision of the sums: cos and sin of v_y y for each pair of chords at +-x, and of v_x x.
 template <class Real>
 struct KernelTable {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -220,7 +221,7 @@ struct KernelTable {
             const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
             fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
-        // Where chords lie side by side, columns do, too.
+        // If chords are in the lanes, so are columns.
         fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());
     }
     bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step,
@@ -233,7 +234,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Of places in tiles, all as long as the longest where they are padded, in units of as many values as lie `apart`.
+    // Fill tables for the places `at` in tiles of at most `tile`, padded to equal length if `padded`. Consecutive values are
+    // `apart` apart.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t apart, Real* cosines, Real* sines) const {
         look();
@@ -256,7 +258,8 @@ struct KernelTable {
         }
     }
 
-    // What is left of a quarter of a turn is rounded to double precision, whose functions take a fraction of the time.
+    // Cosine and sine of an angle. Its remainder modulo a quarter turn is rounded to double, whose functions are much faster;
+    // that loses one unit of roundoff (certificate, section 8, "Rounding").
     static void turn_once(wide angle, wide& cosine, wide& sine) {
         constexpr wide quarter = static_cast<wide>(1.57079632679489661923132169163975144L);
         const wide turns = std::nearbyint(angle / quarter);
@@ -267,8 +270,8 @@ struct KernelTable {
         sine = static_cast<wide>(-around[place + 1]);
     }
 
-    // Cosines and sines of places times an angle: from one pixel to the next by a rotation, from the beginning again after
-    // some, where that is off by far less than what is stored.
+    // Cosines and sines of at[i] x angle, by rotations from one pixel to the next. These restart after `most` pixels, before
+    // their error becomes comparable to the rounding of stored values.
     template <class Put>
     static void turn(const std::vector<double>& at, wide angle, const Put& put) {
         constexpr std::size_t most = wider || sizeof(Real) == sizeof(float) ? 32 : 1;

@@ -1,4 +1,5 @@
-// Fourier transform of one disk by two matrix products, along y, then along x, for several pupils in vector lanes.
+// Fourier transform of a disk as two matrix products, along y, then along x, with pupils (or chords of one pupil) in vector
+// lanes.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace lommel {
 
-// sum += table[k][r] * data[k][c] for every vector c of `data`: R * C chains of multiply-adds.
+// sum[r][c] += table[k][r] * data[k][c] over k, for vectors c: R * C independent chains of multiply-adds.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -29,7 +30,7 @@ LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t cou
     }
 }
 
-// The same of two tables.
+// Like multiply(), for two tables with the same data.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_both(const Real* table, const Real* other, const Real* data, std::size_t count, V (&sum)[R][C],
                                  V (&more)[R][C]) {
@@ -54,7 +55,7 @@ struct Size {
     static constexpr std::size_t value = N;
 };
 
-// for_tiles with the size known when compiling.
+// for_tiles() with the tile size as a compile-time constant.
 template <std::size_t Most, class F>
 LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     static_assert(Most <= 6, "sizes up to five are below");
@@ -85,20 +86,20 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Phases and how they become waves, in double precision: a vector of pupils.
+// Phase sums and waves exp(i phase) in double precision, one vector of pupils.
 template <class I, class Real>
 struct Waves {
     using V = typename I::pack;
     using Phase = V;
     static constexpr std::size_t vectors = 1, lanes = I::lanes;
-    static constexpr double unit = 1.0;  // of phases, in 1 / rad
+    static constexpr double unit = 1.0;  // of phases, per radian
     static LOMMEL_INLINE V zero() { return splat<V>(0.0); }
     static LOMMEL_INLINE Phase phase(const V (&sum)[vectors]) { return sum[0]; }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
 };
 
-// In single precision: two vectors of phases are summed in double precision as multiples of 2^-32 turns, which stand in the low
-// half of the bits, where whole turns drop out, and lie side by side in the lanes of one vector.
+// Single precision. Two vectors of phases are summed in double precision as integer multiples of 2^-32 turns. These are the
+// low 32 bits of the mantissa, where whole turns drop out; they are packed into the lanes of one vector.
 template <class I>
 struct Waves<I, float> {
     using V = typename I::floats;
@@ -106,13 +107,13 @@ struct Waves<I, float> {
     static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
     static constexpr double unit = 683565275.57643158978;  // 2^32 / (2 pi)
 
-    // 1.5 * 2^52: sums are rounded to whole numbers.
+    // Sums start at 1.5 * 2^52, which rounds them to integers.
     static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
     static LOMMEL_INLINE Phase phase(const typename I::pack (&sum)[vectors]) { return low_halves<Phase>(sum[0], sum[1]); }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
-// The same where lanes hold chords: numbers of the table are vectors.
+// Like multiply(), for chords in the lanes: the entries of the table are vectors.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -130,7 +131,7 @@ LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size
     }
 }
 
-// sum += table[k] * coefficients[k], of chords side by side.
+// sum += table[k] * coefficients[k] over k, for chords in the lanes.
 template <std::size_t R, std::size_t C, class V>
 LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(double);
@@ -144,7 +145,7 @@ LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, s
     }
 }
 
-// Weights of chords side by side.
+// Weights of chords in the lanes, in the type of the waves.
 template <class I>
 LOMMEL_INLINE typename I::pack weights_of(I, const double* from, double) {
     return load<typename I::pack>(from);
@@ -158,8 +159,8 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
-// by the sines. Of one pupil, of a vector of such pairs.
+// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`: of a
+// vector of such pairs of one pupil. Limited by the sines and cosines.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -192,7 +193,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
         }
         for (std::size_t r = 0; r < R; ++r) {
             const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
-            const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; at -x
+            const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; the same at -x
             V re[4], im[4];
             Wave::wave(a + b, im[0], re[0]);
             Wave::wave(a - b, im[1], re[1]);
@@ -231,8 +232,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// What a pair of chords, with its nodes as above, makes of each row: chords[row][even, odd in x][chord][re, im]; of one pupil,
-// what a vector of them makes.
+// Transform along y, from the nodes of a pair of chords to each row: chords[row][even, odd in x][chord][re, im]; `Lone`: from
+// a vector of pairs.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -267,7 +268,7 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// U along a row, [column][re, im], from the chords of that row.
+// Transform along x: U along a row, row[column][re, im], from the chords of that row.
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -291,7 +292,8 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// The same of one pupil, from chords side by side to columns side by side: row[vector of columns][re, im], and zeros.
+// Transform along x for one pupil, from chords in the lanes to columns in the lanes: row[vector of columns][re, im], zero
+// padded.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -338,8 +340,9 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
-// The same of pupil functions of one parity, at distances from the axis alone. Of a pair of chords, nodes[node][re, im], even or odd
-// in y: chords[distance of a row][chord][re, im]. Where it is odd sines take the place of cosines, less a factor -i.
+// Transform along y for pupil functions of one parity, at distances from the axis only. From nodes[node][re, im] of a pair of
+// chords, even or odd in y, to chords[distance of a row][chord][re, im]. If odd, with sines instead of cosines and without
+// the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
                                   Real* chords) {
@@ -352,7 +355,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
         store(to, sum[0]);
         store(to + lanes, sum[1]);
     };
-    // Tiles of which there are two of one size are taken together, for more chains of sums.
+    // Two full tiles are taken together, for more independent chains of sums.
     std::size_t held = WindowAxis::none;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
@@ -378,7 +381,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Then row[distance of a column][re, im], by chords[chord][re, im] of a row that are even or odd in x.
+// Transform along x for one parity: row[distance of a column][re, im] from chords[chord][re, im], which are even or odd in x.
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -396,7 +399,7 @@ LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool od
     });
 }
 
-// |U|^2 along a row; `top` is raised to the largest of each lane.
+// |U|^2 along a row; raises `top` to the maximum of each lane.
 template <class I, class Real>
 LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {
     using V = typename Waves<I, Real>::V;
@@ -411,7 +414,7 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// u = u - inner, of `count` vectors; or inner = u * area.
+// subtract(): u -= inner; scale(): inner = u * area; for `count` vectors.
 template <class I, class Real>
 LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;

@@ -1,4 +1,4 @@
-// Kernels of reverse-mode derivatives: the transpose of the transform, and its products with the pupil function.
+// Kernels of reverse-mode derivatives: the transpose of the transform, and its product with the pupil function.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// sum[k] += table[k][r] * data[r] for every vector c: the transpose of multiply().
+// sum[k][c] += table[k][r] * data[r][c] over r, for vectors c: the transpose of multiply().
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -33,7 +33,8 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// What columns make of pixels[row][column][re, im]: chords[row][even, odd in x][chord][re, im], the latter without its -i.
+// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][even, odd in x][chord][re, im]; odd parts
+// omit the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -62,7 +63,8 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// What rows make of that on a pair of chords: nodes[even, odd in y][node][even, odd in x][re, im], as the pupil function lies.
+// Transpose of the transform along y, for a pair of chords: nodes[even, odd in y][node][even, odd in x][re, im], the layout
+// of the pupil function.
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;
@@ -76,7 +78,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
         for (std::size_t r = 0; r < R; ++r) {
             const std::size_t plus = kernel.rows.plus[first + r], minus = kernel.rows.minus[first + r];
             for (std::size_t x = 0; x < 2; ++x) {
-                V both[2][2];  // sum and difference of the rows, re and im
+                V both[2][2];  // sum and difference of the two rows, [re, im]
                 for (std::size_t part = 0; part < 2; ++part) {
                     const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
                     const V here = load<V>(chords + plus * 2 * line + at);
@@ -84,7 +86,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
                     both[0][part] = here + there;
                     both[1][part] = here - there;
                 }
-                // Times -i for what is odd in x, and again for what is odd in y.
+                // Factor -i if odd in x, and another if odd in y.
                 const V nothing = splat<V>(Real(0));
                 even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
                 even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];
@@ -98,7 +100,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Adds -2 share Im sum Z P G over a pair of chords to sums[term, in the order of classes].
+// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, ordered by classes].
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {
@@ -127,7 +129,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
     for (std::size_t parity = 0, term = 0; parity < 4; ++parity) {
         const Real* from = room + parity * within * lanes;
-        // Several chains of sums, lest each step wait for the one before.
+        // Several chains of sums, so that additions need not wait for one another.
         for (const std::size_t end = table.classes.ends[parity]; term < end;) {
             const std::size_t here = std::min(together, end - term);
             V sum[together] = {};
@@ -150,7 +152,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
 }
 
-// conj(U) times the weight of each pixel, [pixel][lane], in place.
+// u[pixel][lane] = conj(U) x weight of the pixel, in place.
 template <class I, class Real>
 LOMMEL_INLINE void weigh_pixels(I, const Real* weights, std::size_t pixels, Real* u) {
     using V = typename Waves<I, Real>::V;

@@ -1,4 +1,4 @@
-// Images of a star as counts of electrons: how likely they are, and what they say about the parameters of the image.
+// Likelihood of star images recorded as electron counts, and its derivatives with respect to the parameters of the image.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace lommel {
 
-// Of each pixel: the electrons counted, the variance of reading, the one that weights are made with, and 1 if it is valid, else 0.
+// Per pixel: counted electrons, variance of the read noise, the variance that weights are computed with, and validity (1 or
+// 0).
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -20,23 +21,23 @@ struct StarCounts {
     const double* valid;
 };
 
-// Minus the logarithm of the likelihood, up to a constant; expectation and variance of Pearson's chi2.
+// Negative log-likelihood up to a constant; expectation and variance of Pearson's chi2.
 struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };
 
-// The likelihood of counts that are Poisson's around flux images[0] + background, with noise of reading. Writes the products of
-// images[1], ..., images[0], 1 and the residual, over the standard deviation of each pixel, with one another: a symmetric matrix.
+// Likelihood of counts with the Poisson mean flux x images[0] + background and read noise. Writes the symmetric matrix of
+// inner products of images[1], ..., images[0], 1 and the residual, all divided by the standard deviation of each pixel.
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {
-    constexpr std::size_t block = 4 * widest_step, most_together = 4;  // rows of a block stay in the nearest cache
+    constexpr std::size_t block = 4 * widest_step, most_together = 4;  // pixels per block: its rows fit in the L1 cache
     const std::size_t slopes = images.size() - 1, rows = images.size() + 2;
-    Doubles all((rows + most_together) * block), sums;  // rows beyond the last are 0
+    Doubles all((rows + most_together) * block), sums;  // zero beyond the last row
     StarLikelihood found;
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
-        // As many products at once as registers hold.
+        // Number of products per tile that fit in the registers.
         constexpr std::size_t lanes = decltype(isa)::lanes, together = lanes == Avx512::lanes ? most_together : 3;
         constexpr std::size_t tile = together * together * lanes;
         const std::size_t across = (rows + together - 1) / together;
@@ -55,7 +56,7 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                 root[i] = std::sqrt(weight);
                 residual[i] = (counted - mean) * root[i];
                 deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
-                // The square of Poisson(mu) + N(0, recorded) - mu has the mean v = mu + recorded and the variance mu + 2 v^2.
+                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2.
                 const double exact = light + star.recorded[first + i];
                 expected[i] = weight * exact;
                 spread[i] = weight * weight * (light + 2.0 * exact * exact);
@@ -67,7 +68,7 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                     to[i] = static_cast<double>(from[i]) * root[i];
                 }
             }
-            for (std::size_t i = count; i < padded; ++i) {  // beyond the last pixel
+            for (std::size_t i = count; i < padded; ++i) {  // zero padding beyond the last pixel
                 deviance[i] = expected[i] = spread[i] = 0.0;
                 for (std::size_t row = 0; row < rows; ++row) {
                     all[row * block + i] = 0.0;

@@ -1,4 +1,4 @@
-// Depth of each block from the energies at all candidates: the place of the least, its standard error, and whether it is known.
+// Depth of each block from its energies at all depth candidates: position of the minimum, standard error, goodness of fit.
 #pragma once
 
 #include <algorithm>
@@ -12,26 +12,28 @@
 
 namespace lommel {
 
-// Of each candidate: the energy as a quadratic form, and rows of statistics: the energy of white noise, the parts of the variance
-// of half of its derivative by texture and by noise, and its curvature over the depth of its valley, for the texture that filters are
-// made for, and the variance of that curvature by noise.
+// Depth candidates, at equal steps of vergence. forms[candidate][product]: coefficients of the energy as a quadratic form in
+// the residual images. statistics[row][candidate]: energy of white noise; variance of half the derivative of the energy due
+// to texture, per unit of curvature, and due to noise; ratio of curvature to valley depth for the texture that the filters
+// are designed for; variance of the curvature due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
-    std::size_t count;  // 4 n + 1, 9 or more
+    std::size_t count;  // 4 n + 1, at least 9
     const float *forms, *statistics;
-    float read_variance;  // of a square without light
-    float pixels;  // of a window
-    float first, step;  // vergence
-    float low, high;  // positions between which depths are asked for
-    float largest;  // standard error of what is known, in candidates
+    float read_variance;  // of a dark pixel, after binning
+    float pixels;  // number in a window
+    float first, step;  // vergence of the first candidate, and the step
+    float low, high;  // valid range of positions, in candidates
+    float largest;  // maximum standard error of a known depth, in candidates
 };
 
-// What is known of one block.
+// Depth estimate of one block, in units of candidates; `misfit` is 1 where the frames fit a single depth.
 struct FocalPlace {
-    float position, error, misfit;  // in candidates; NaN and infinite where not known
+    float position, error, misfit;  // candidates; NaN and infinite if unknown
 };
 
+// Searches for the depth of blocks: a coarse search over every fourth candidate, then the exact minimum around the best.
 class FocalSearch {
    public:
     FocalSearch(const FocalCandidates& given, std::size_t products)
@@ -52,14 +54,14 @@ class FocalSearch {
 
     const FocalCandidates& candidates() const { return given_; }
 
-    // Room for one thread.
+    // Working memory of one thread.
     struct Scratch {
         explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_) {}
         Floats energies;
     };
 
-    // Blocks from `sums`, rows of products `pitch` apart, averages over windows and over the variance of the noise, and from how much
-    // of a window is trusted; as many as lanes.
+    // Estimate up to one vector of blocks. sums[product], `pitch` apart: averages over the window, divided by the noise
+    // variance. trust: the fraction of the window that is trusted.
     template <class I>
     LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
                                   Scratch& scratch, FocalPlace* out) const {
@@ -67,7 +69,8 @@ class FocalSearch {
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t count = roughs();
         float* const energies = scratch.energies.data();
-        // Every fourth candidate, for all blocks at once; eight of them, for sums in a row wait for each other.
+        // Coarse search at every fourth candidate, for all blocks at once. Eight sums run in parallel, because one sum alone
+        // would wait for the latency of each addition.
         for (std::size_t c = 0; c < count; c += several) {
             V total[several] = {};
             for (std::size_t q = 0; q < products_; ++q) {
@@ -82,7 +85,7 @@ class FocalSearch {
             }
         }
         for (std::size_t l = 0; l < std::min(lanes, blocks); ++l) {
-            // Of `near` candidates, in four sums each.
+            // Energies of `near` candidates, each in four partial sums to hide the latency of additions.
             const auto energy = [&](std::size_t start, float* to) LOMMEL_INLINE_LAMBDA {
                 constexpr std::size_t vectors = near / lanes, chains = 4;
                 V sum[chains][vectors] = {};
@@ -111,10 +114,11 @@ class FocalSearch {
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    // Minimum trusted fraction of a window.
     static constexpr float least_trust = 0.5f;
-    static constexpr float wide = 1.0f;  // of a variance, in candidates squared
-    static constexpr float unlike = 0.4f;  // curvatures of textures, relative
-    static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods, and standard deviations of an energy
+    static constexpr float wide = 1.0f;  // candidates squared
+    static constexpr float unlike = 0.4f;  // relative scatter of the curvature over textures
+    static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods; sure: standard deviations of an energy
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
 
@@ -129,7 +133,7 @@ class FocalSearch {
             best = e < least ? c : best;
             least = e < least ? e : least;
         }
-        // The candidates around it, and two more on either side.
+        // Exact energies at the coarse minimum and five candidates on either side.
         const std::size_t middle = rough_step * best, start = middle > 5 ? middle - 5 : 0, end = std::min(middle + 5, last);
         float around[near];
         energy(start, around);
@@ -138,7 +142,8 @@ class FocalSearch {
             at = around[c - start] < around[at - start] ? c : at;
         }
         const float noise = noise_[at];
-        // The least of the energy is below that of the true depth, by half a chi-squared of one degree.
+        // Log-likelihood is pixels x energy / 2. Its minimum is below its value at the true depth by half a chi-squared
+        // variable of one degree of freedom, on average 1/2, hence 1 / pixels in energy.
         FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise};
         if (at == 0 || at == last || at == start || at == end) {
             return found;
@@ -147,7 +152,7 @@ class FocalSearch {
         const float* const e = around + (at - start);
         if (at >= start + 2 && at + 2 <= end) {
             std::copy_n(e - 2, 5, g);
-        } else {  // a cubic beyond the three that there are
+        } else {  // extrapolate by a cubic
             std::copy_n(e - 1, 3, g + 1);
             const bool low = at < start + 2;
             g[low ? 4 : 0] = low ? e[2] : e[-2];
@@ -171,7 +176,7 @@ class FocalSearch {
             return found;
         }
         const float worse = std::max(1.0f, found.misfit), likelihood = 0.5f * pixels / worse, here = g[2];
-        // Better than the mean of all, and than any other valley.
+        // Accept only a minimum well below the mean energy, and below any other valley.
         const float valley = sum / static_cast<float>(count) - here, better = likelihood * valley;
         if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
             return found;
@@ -190,7 +195,8 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= apart)) {
             return found;
         }
-        // Where noise makes the least of the energy too sharp, how deep its valley is tells the curvature, up to the texture.
+        // Noise sharpens the minimum. The curvature is therefore shrunk towards the one expected from the depth of the
+        // valley, weighted by the variances of noise and of texture.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));
@@ -198,12 +204,12 @@ class FocalSearch {
         float variance =
             (statistic(ByTexture) * curvature + statistic(ByNoise) * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
-        // Where it spans several candidates the width of the likelihood, for noise makes the least of the energy too sharp.
+        // A likelihood several candidates wide: use its second moment, as noise makes the curvature at the minimum too large.
         if (variance > wide) {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {
                 const float apart_from = std::abs(static_cast<float>(rough_step * c) - found.position);
-                const float away = std::max(0.0f, apart_from - 1.0f);  // less what the steps are apart
+                const float away = std::max(0.0f, apart_from - 1.0f);  // less the spread that coarse steps add
                 const float chance = std::exp(likelihood * std::min(0.0f, here - rough(c)));
                 total += chance;
                 moment += chance * away * away;
@@ -215,7 +221,7 @@ class FocalSearch {
     }
 
     FocalCandidates given_;
-    std::size_t products_, padded_, width_, rough_width_;  // the forms beyond the products are 0
+    std::size_t products_, padded_, width_, rough_width_;  // forms are zero beyond the products
     Floats forms_, rough_, noise_, statistics_;
 };
 

@@ -1,4 +1,5 @@
-// Products of residual images, summed over blocks of pixels and smoothed over blocks: what energies at all candidates follow from.
+// Products of residual images, summed over blocks of pixels and smoothed over blocks: the energies at all candidates are
+// linear in these sums.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +13,17 @@
 
 namespace lommel {
 
-// Sums of T_m y_i, with factors [images][frames][degree + 1], for many images at once.
+// Linear combinations sum_{i,m} factors[image][i][m] T_m y_i of filtered frames y_i (see polynomials.hpp), several at a time.
 class FocalMixture {
    public:
-    // Of the frames from `first` on among the images of the rows.
+    // Uses `frames` frames, starting at index `first` of the rows. factors[images][frames][terms].
     FocalMixture(const float* factors, std::size_t images, std::size_t first, std::size_t frames, std::size_t terms)
         : images_(images), first_(first), frames_(frames), terms_(terms), factors_(factors, factors + images * frames * terms) {
     }
 
     std::size_t images() const { return images_; }
 
-    // Image k of row y to out[k], as long as vectors are.
+    // Write row y of image k to out[k], in whole vectors.
     template <class I>
     LOMMEL_INLINE void operator()(I isa, FocalRows& rows, std::size_t y, float* const* out) const {
         std::size_t k = 0;
@@ -69,23 +70,25 @@ class FocalMixture {
     Floats factors_;
 };
 
-// Blocks of `side` pixels a side, 1, 2 or 4, and weights of the blocks around one along either axis, which add up to 1.
+// Window of averages: blocks of `side` x `side` pixels (1, 2 or 4), and symmetric weights of neighbouring blocks along either
+// axis, with the sum 1.
 struct FocalWindow {
     std::size_t side;
-    std::vector<float> weights;  // of the block itself and those 1, 2, ... away
+    std::vector<float> weights;  // by distance 0, 1, 2, ... blocks
 };
 
-// Sums of one row of blocks at a time: of e_k e_l for k <= l, of the mean of the frames, and of how many pixels are trusted.
+// Sums over one row of blocks: products e_k e_l of the residual images (k <= l), the mean of the frames, and the number of
+// trusted pixels.
 class FocalProducts {
    public:
     FocalProducts(std::size_t images, std::size_t width, std::size_t side)
         : images_(images), side_(side), blocks_(width / side), groups_((blocks_ + most_lanes - 1) / most_lanes),
           grouped_((images + 2) * groups_ * most_lanes * side * side) {}
 
-    // Products of two images.
+    // Number of products of two images.
     std::size_t count() const { return images_ * (images_ + 1) / 2; }
 
-    // Takes row `within` of a block: its images, the mean of the frames, and where it is trusted, 1 or 0.
+    // Add pixel row `within` of the blocks: residual images, mean of the frames, trust (1 or 0).
     template <class I>
     LOMMEL_INLINE void take(I isa, std::size_t within, float* const* images, float* mean, const float* trust) {
         for (std::size_t k = 0; k < images_ + 2; ++k) {
@@ -96,7 +99,7 @@ class FocalProducts {
         }
     }
 
-    // Writes count() rows of sums, `pitch` apart, and those of the mean and of trust, as long as vectors are.
+    // Write count() rows of sums of products, `pitch` apart, and the sums of the mean and of trust, in whole vectors.
     template <class I>
     LOMMEL_INLINE void sum(I isa, float* out, std::size_t pitch, float* mean, float* trust) const {
         side_ == 1   ? sums<1>(isa, out, pitch, mean, trust)
@@ -114,7 +117,7 @@ class FocalProducts {
         return const_cast<FocalProducts*>(this)->place(group, k, lanes);
     }
 
-    // Of as many blocks as a vector has lanes, column c of all of them is one vector.
+    // Regroup one row of pixels so that lane b of vector c holds pixel column c of block b.
     template <std::size_t Side, class I>
     LOMMEL_INLINE void group(I, std::size_t within, std::size_t k, const float* from, const float* trust) {
         using V = typename I::floats;
@@ -134,7 +137,7 @@ class FocalProducts {
             for (std::size_t c = 0; c < Side; ++c) {
                 store(to + c * lanes, out[c]);
             }
-            if (start + lanes * Side > inside) {  // nothing beyond the last block
+            if (start + lanes * Side > inside) {  // zero beyond the last block
                 for (std::size_t block = blocks_ - g * lanes; block < lanes; ++block) {
                     for (std::size_t c = 0; c < Side; ++c) {
                         to[c * lanes + lane_of<Side, lanes>(block)] = 0.0f;
@@ -144,7 +147,7 @@ class FocalProducts {
         }
     }
 
-    // Where by_columns() leaves a block: vectors of four lanes in order, longer ones in halves.
+    // Lane in which by_columns() leaves a block: in order for vectors of four lanes, permuted by halves for eight.
     template <std::size_t Side, std::size_t Lanes>
     static constexpr std::size_t lane_of(std::size_t block) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)

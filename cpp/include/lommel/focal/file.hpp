@@ -1,4 +1,5 @@
-// Tables of live depth as LiveDepth.save() writes them, and what they make of frames: all that a camera without Python needs.
+// Reader for the tables that LiveDepth.save() writes, and depth from frames with them: all that a camera without Python
+// needs.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 
 namespace lommel {
 
-// Little-endian: whole numbers of 32 bits, then floats. The order is that of the fields here.
+// Little-endian file: 32-bit integers, then floats, in the order of the fields below.
 struct FocalFile {
     static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // "LLMF"
-    static constexpr std::int32_t block = 4;  // pixels a side that have one depth
+    static constexpr std::int32_t block = 4;  // pixels along the side of a block with one depth
     enum Whole {
         Magic,
         Version,
@@ -49,13 +50,13 @@ struct FocalFile {
         High,
         Largest,
         numbers
-    };  // after two sets of taps
+    };  // after two sets of three filter taps
 
     std::array<std::int32_t, wholes> whole;
     std::array<float, numbers> number;
     std::vector<float> residuals, weights, forms, statistics, images, mixes;
 
-    // std::invalid_argument for what is no such file.
+    // Throws std::invalid_argument if the data are not a valid table file.
     FocalFile(const void* data, std::size_t bytes) {
         const std::uint16_t one = 1;
         unsigned char low;
@@ -65,7 +66,7 @@ struct FocalFile {
         const unsigned char* const end = from + bytes;
         const auto take = [&](void* to, std::size_t size) {
             require(static_cast<std::size_t>(end - from) >= size, "the tables end too early");
-            std::copy_n(from, size, static_cast<unsigned char*>(to));  // none into no vector
+            std::copy_n(from, size, static_cast<unsigned char*>(to));  // copies nothing if size is 0, as for an empty vector
             from += size;
         };
         take(whole.data(), sizeof whole);
@@ -109,7 +110,7 @@ struct FocalFile {
     }
 };
 
-// Depth and a sharp image of frames of one size.
+// Depth maps and sharp images of frames of one size.
 class FocalCamera {
    public:
     FocalCamera(const FocalFile& file, std::size_t height, std::size_t width, std::size_t threads) : file_(file) {
@@ -117,7 +118,7 @@ class FocalCamera {
         const std::size_t binning = whole(FocalFile::Binning), frames = whole(FocalFile::Frames);
         const auto reach = [&](FocalFile::Whole degree, FocalFile::Whole taps) { return whole(degree) * whole(taps); };
         const std::size_t least = std::min(height, width);
-        // Nothing would be known, and rings of rows would be as long as what a file says.
+        // No depth could be known in smaller frames; the check also bounds the row buffers, whose length the file sets.
         if (2 * whole(FocalFile::Blur) >= least / binning || reach(FocalFile::Degree, FocalFile::Reach) >= least / binning ||
             reach(FocalFile::ImageDegree, FocalFile::ImageReach) >= least) {
             throw std::invalid_argument("frames are smaller than the blur and the filters that the tables are for");
@@ -165,7 +166,8 @@ class FocalCamera {
     std::size_t down() const { return stream_->down(); }
     std::size_t across() const { return stream_->across(); }
 
-    // Frames of 8 or 16 bits a pixel, rows `stride` pixels apart. std::invalid_argument where one holds no light.
+    // Compute depth from frames of 8 or 16 bits a pixel, rows `stride` pixels apart. Throws std::invalid_argument if a frame
+    // is dark.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
@@ -215,7 +217,8 @@ class FocalCamera {
         taken_ = true;
     }
 
-    // The sharp image of the same frames, which must still be there. std::invalid_argument where there are no tables for it.
+    // Compute the sharp image of the frames of the last take(), which must still be in memory. Throws std::invalid_argument
+    // if the file has no tables for it.
     void sharpen(float* image) {
         if (!pictures_ || !taken_) {
             throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");

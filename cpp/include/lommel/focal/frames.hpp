@@ -1,4 +1,4 @@
-// Rows of frames as a camera stores them, in electrons over the exposure, in squares of pixels, with what is not known.
+// Reads rows of camera frames, converts them to electrons per exposure, bins them, and marks unknown pixels.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,18 @@
 
 namespace lommel {
 
+// A frame of a camera: raw values, their calibration, and a mask of known pixels.
 struct FocalFrame {
     enum class Kind { bytes, words, floats };
 
     const void* data;
     Kind kind;
-    std::size_t stride;         // values from one row to the next
-    float full;                 // values from here on are not known
-    float offset;               // of a value without light
-    float gain[6];              // electrons over exposure, times 1, x, x^2, y, x y, y^2: x and y from -1 to 1 over the frame
+    std::size_t stride;         // row stride in values
+    float full;                 // values >= full are saturated, hence unknown
+    float offset;               // dark level
+    float gain[6];              // electrons over exposure: factors of 1, x, x^2, y, x y, y^2; x, y = -1 .. 1 over the frame
     const std::uint8_t*
-        known;  // 1, 0 for a pixel that is not, and 2 for one that holds light but is not to be trusted; or null
+        known;  // 1 for a known pixel, 0 for an unknown one, 2 for one that is lit but not to be trusted; null: all are known
     std::size_t known_stride;
 
     float value(std::size_t at) const {
@@ -33,14 +34,14 @@ struct FocalFrame {
     bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
 };
 
-// Reads rows of squares of `binning` pixels a side, of frames of a height and width in squares.
+// Reads rows of frames binned by `binning` x `binning` pixels; height and width count binned pixels.
 class FocalReader {
    public:
     FocalReader(std::size_t height, std::size_t width, std::size_t binning)
         : height_(height), width_(width), binning_(binning) {}
 
-    // Writes row y to `out`, and to `unknown` where its squares are not known, 2, or not to be trusted, 1, if there are such, which it
-    // returns.
+    // Write row y to `out`, and mark binned pixels in `unknown`: 2 unknown, 1 not to be trusted. Returns whether any is
+    // marked.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
         switch (frame.kind) {
@@ -65,7 +66,8 @@ class FocalReader {
             copy<4>(first, frame.stride, out);
         }
         bool any = false;
-        // A square holds a full pixel only where its sum is as large, and one that is not finite where that is not.
+        // Quick test before the search by pixel: a saturated or non-finite pixel makes the sum of its bin at least as large,
+        // or non-finite.
         float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
         for (std::size_t x = 0; x < width_; ++x) {
             most = out[x] > most ? out[x] : most;
@@ -99,7 +101,7 @@ class FocalReader {
         }
     }
 
-    // Once for all processors, for it decides pixel by pixel.
+    // Not inlined into each instruction set: a branch per pixel gains nothing from vectors.
     LOMMEL_NOINLINE bool look_for(const FocalFrame& frame, std::size_t y, float* unknown) const {
         bool any = false;
         for (std::size_t i = 0; i < binning_; ++i) {
@@ -139,7 +141,7 @@ class FocalReader {
         return (static_cast<float>(i) + 0.5f) * 2.0f / static_cast<float>(side) - 1.0f;
     }
 
-    // Between the known squares on either side, linearly; a row without any is left as it is, but finite.
+    // Interpolate unknown pixels linearly between known neighbours in the row; a row with none becomes 0.
     LOMMEL_NOINLINE void fill(float* out, const float* unknown) const {
         std::size_t x = 0;
         while (x < width_) {
@@ -166,8 +168,8 @@ class FocalReader {
     std::size_t height_, width_, binning_;
 };
 
-// Sums of the pixels that are known in all frames, as stored, and how many these are, in each of cells x cells parts of the frames:
-// [frames + 1][cells][cells].
+// Sums of raw values over pixels known in all frames, and the number of these pixels, in each of cells x cells parts of the
+// frame: out[frames + 1][cells][cells].
 class FocalSums {
    public:
     static constexpr std::size_t cells = 8;

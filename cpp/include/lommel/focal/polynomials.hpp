@@ -1,4 +1,5 @@
-// Chebyshev polynomials of one small filter, of the rows of several images at once, each order a few rows behind the one before.
+// Chebyshev polynomials of one small filter applied to the rows of several images; each order lags the previous one by
+// `reach` rows.
 #pragma once
 
 #include <algorithm>
@@ -10,26 +11,26 @@
 
 namespace lommel {
 
-// A row of an image mirrored about the middle of its edges, of `side` rows; no more than one side beyond it.
+// Index of row y with mirrored borders, for y at most one image height (`side`) outside the image.
 LOMMEL_INLINE std::size_t mirrored_row(std::ptrdiff_t y, std::size_t side) {
     const auto rows = static_cast<std::ptrdiff_t>(side);
     return static_cast<std::size_t>(y < 0 ? -1 - y : y >= rows ? 2 * rows - 1 - y : y);
 }
 
-// T_m(2 B - 1) y for m from 0 to `degree`, B being the product of symmetric taps along rows and columns, of which `reach`, 1 or 2,
-// are on either side of the middle. Images continue mirrored, as their filtered ones then do.
+// Filter T_m(2 B - 1) y, m = 0 .. degree. B is the product of symmetric filters along rows and columns with `reach` (1 or 2)
+// taps on either side of the middle. Images have mirrored borders, and so have the filtered ones.
 struct FocalTaps {
     std::size_t degree, reach;
     float values[3];
 };
 
-// Rows of all orders of several images, in rings. Rows have `margin` floats on either side.
+// Ring buffers of the rows of all orders of several images. Rows have `margin` floats on either side.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;
     static std::size_t padded(std::size_t width) { return (width + 31) / 32 * 32 + 2 * margin; }
 
-    // All orders of a row are there until that `ahead` rows further has been read.
+    // A row stays available in all orders until row `ahead` after it has been read.
     FocalRows(const FocalTaps& taps, std::size_t images, std::size_t height, std::size_t width, std::size_t ahead)
         : taps_(taps), height_(height), width_(width), pitch_(padded(width)), images_(images), column_(pitch_) {
         for (std::size_t m = 0; m <= taps.degree; ++m) {
@@ -47,7 +48,7 @@ class FocalRows {
         return rows_.data() + image * total_ + starts_[m] + y % lengths_[m] * pitch_ + margin;
     }
 
-    // Row y of order m > 0 of all images, from the orders before.
+    // Compute row y of order m > 0 of all images from lower orders.
     template <class I>
     LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
         for (std::size_t image = 0; image < images_; ++image) {

@@ -1,4 +1,4 @@
-// Frames enlarged about their middle, as a lens that is focused elsewhere sees them: breathing undone.
+// Magnification of frames about their centre, to correct focus breathing.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Where the pixels of one axis come from, by eight taps of a sinc under a Kaiser window, which add up to 1: of up to 0.3 cycles a
-// pixel 0.4 % is lost, wherever a pixel falls.
+// Resampling along one axis by eight taps of a sinc with a Kaiser window, normalized to the sum 1. Up to 0.3 cycles a pixel
+// the response is off by at most 0.4 %, wherever a pixel falls.
 class FocalAxis {
    public:
     static constexpr std::size_t taps = 8;
@@ -39,7 +39,7 @@ class FocalAxis {
         }
     }
 
-    // The first of the eight pixels that make pixel x, and whether all of them are there.
+    // Index of the first of the eight source pixels of pixel x, and whether all eight lie in the frame.
     std::ptrdiff_t first(std::size_t x) const { return first_[x]; }
     bool inside(std::size_t x) const { return first_[x] >= 0 && first_[x] + std::ptrdiff_t{taps} <= std::ptrdiff_t(side_); }
     float weight(std::size_t k, std::size_t x) const { return weights_[k * side_ + x]; }
@@ -50,7 +50,7 @@ class FocalAxis {
         const double y = pi * x;
         return std::abs(y) < 1e-9 ? 1.0 : std::sin(y) / y;
     }
-    // I_0, of arguments up to 5.
+    // Bessel function I_0(x) for x <= 5, by its power series.
     static double bessel(double x) {
         double sum = 1.0, term = 1.0;
         for (int k = 1; k < 24; ++k) {
@@ -65,9 +65,10 @@ class FocalAxis {
     Floats weights_;
 };
 
+// Resamples frames about their centre, in parallel strips.
 class FocalScale {
    public:
-    // Pixel x of a result is at scale times its distance from the middle in the frame.
+    // Output pixel x samples the frame at `scale` times its distance from the centre.
     FocalScale(std::size_t height, std::size_t width, double scale, std::size_t threads)
         : height_(height), width_(width), down_(height, scale), across_(width, scale), threads_(threads),
           room_(threads * (FocalAxis::taps + 1) * width) {}
@@ -75,13 +76,13 @@ class FocalScale {
     std::size_t height() const { return height_; }
     std::size_t width() const { return width_; }
 
-    // Values as the frame has them; NaN for what depends on pixels that are beyond its border, full, or not known.
+    // Write raw values as in the frame; NaN where a source pixel lies outside it, is saturated or unknown.
     void operator()(const FocalFrame& frame, float* out);
 
    private:
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-    // Row y of a frame along its columns.
+    // Resample row y of a frame along x.
     void row(const FocalFrame& frame, std::size_t y, float* values, float* out) const {
         const std::uint8_t* const known = frame.known ? frame.known + y * frame.known_stride : nullptr;
         for (std::size_t x = 0; x < width_; ++x) {
@@ -89,7 +90,7 @@ class FocalScale {
             values[x] = value < frame.full && (!known || known[x] == 1) ? value : unknown;
         }
         for (std::size_t x = 0; x < width_;) {
-            // As long as pixels come from as many next to one another.
+            // Runs of pixels whose source offset is constant.
             const std::ptrdiff_t shift = across_.first(x) - static_cast<std::ptrdiff_t>(x);
             std::size_t end = x;
             while (end < width_ && across_.inside(end) && across_.first(end) - static_cast<std::ptrdiff_t>(end) == shift) {
@@ -120,7 +121,7 @@ LOMMEL_ONCE void FocalScale::operator()(const FocalFrame& frame, float* out) {
     parallel_for(threads_, static_cast<int>(threads_), [&](std::size_t, std::size_t s) {
         float* const values = room_.data() + s * (taps + 1) * width_;
         float* const ring = values + width_;
-        std::ptrdiff_t next = 0;  // row that is not in the ring yet
+        std::ptrdiff_t next = 0;  // next row to enter the ring
         for (std::size_t y = height_ * s / threads_; y < height_ * (s + 1) / threads_; ++y) {
             float* const to = out + y * width_;
             if (!down_.inside(y)) {

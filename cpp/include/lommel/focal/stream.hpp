@@ -1,4 +1,5 @@
-// Frames that differ in focus to a depth map and to sharp images: rows are filtered as they come, nothing is allocated for a frame.
+// Depth map and sharp images from a focal stack of frames. Rows are filtered as they are read; nothing is allocated per
+// frame.
 #pragma once
 
 #include <algorithm>
@@ -20,25 +21,26 @@
 
 namespace lommel {
 
-// What is made of frames of a height and width in squares of `binning` pixels a side.
+// Plan of a FocalStream, for frames of height x width pixels after binning by `binning`.
 struct FocalPlan {
     std::size_t height, width, binning;
-    std::size_t channels, frames;  // images are those of the first channel, of the second, ...
+    std::size_t channels, frames;  // order of frames: all of the first channel, then of the second, ...
     FocalTaps taps;
-    const float* residuals;  // [channels][count][frames][degree + 1], whose products are summed over blocks
+    const float* residuals;  // [channels][count][frames][degree + 1]; products are summed over blocks
     std::size_t residual_count;
-    const float* images;  // [count][frames][degree + 1] of the first channel, which are kept
+    const float* images;  // [count][frames][degree + 1], first channel; images kept for mix()
     std::size_t image_count;
     FocalWindow window;
-    std::size_t fine;  // depths a block along either axis, by sums between those of blocks
-    std::size_t blur;  // squares that light is spread over, and that are not trusted beside what is not known
+    std::size_t fine;  // depths per block along either axis, interpolated between block sums
+    std::size_t blur;  // blur radius in binned pixels; within it of the border or of an unknown pixel nothing is trusted
     std::size_t strips;
 
     std::size_t planes() const { return channels * frames; }
-    // Rows that are read before one is made.
+    // Rows that must be read before one can be computed.
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
+// Filters a focal stack in parallel strips of rows; then estimates depth (search) and mixes sharp images (mix).
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -66,7 +68,7 @@ class FocalStream {
         }
     }
 
-    // Depths along the axes.
+    // Number of depths along either axis.
     std::size_t down() const { return down_ * plan_.fine; }
     std::size_t across() const { return across_ * plan_.fine; }
     bool has_depth() const { return search_ != nullptr; }
@@ -74,21 +76,22 @@ class FocalStream {
     const FocalPlace* places() const { return places_.data(); }
     const float* filled() const { return filled_.data(); }
 
-    // Sums of known pixels and their numbers, as of FocalSums.
+    // Sums over known pixels and their number, as FocalSums returns them.
     void sum(const FocalFrame* frames, double* out);
 
-    // Filters the frames, as many as the plan has; then search() and mix() answer.
+    // Filter a stack of frames; search() and mix() then use the results.
     void take(const FocalFrame* frames);
 
-    // Places and standard errors of all blocks, and positions everywhere, between the known ones where there is none.
+    // Estimate the position and standard error of every block, and fill unknown positions from their surroundings.
     void search();
 
-    // The sum of images at positions of candidates, given for blocks of `side` pixels: factors [candidates][images].
+    // Mix the kept images at the given candidate positions [down][across], one per block of `side` pixels, interpolating the
+    // factors [candidates][images] linearly.
     void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
              std::size_t candidates, float* out);
 
    private:
-    // What one thread needs.
+    // Working memory of one thread.
     struct Strip {
         Strip(const FocalPlan& plan, const FocalStream& of)
             : rows(plan.taps, plan.planes(), plan.height, plan.width, plan.ahead()),
@@ -112,37 +115,38 @@ class FocalStream {
         float* unknown_row(std::size_t y) { return unknown.data() + y % kept * pitch; }
 
         FocalRows rows;
-        std::vector<FocalMixture> residuals;  // of each channel
+        std::vector<FocalMixture> residuals;  // one per channel
         FocalMixture images;
         std::vector<FocalProducts> products;
         Floats lines;
-        std::size_t kept, pitch;  // rows of what is not known
+        std::size_t kept, pitch;  // ring of rows of unknown pixels, and their pitch
         Floats unknown;
-        std::vector<int> counts;  // of unknown squares around, for each column
+        std::vector<int> counts;  // unknown pixels within `blur`, per column
         Floats smooth[2], padded, between, coefficients;
-        std::size_t held[2] = {none, none};  // blocks whose smoothed sums these are
-        Floats sums;  // of the last rows of blocks
-        std::size_t next = 0, end = 0;  // the rows of depths that are due
+        std::size_t held[2] = {none, none};  // block row held in each of `smooth`
+        Floats sums;  // ring of sums of the last block rows
+        std::size_t next = 0, end = 0;  // range of depth rows still to estimate
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
+    // Level of the image pyramid of fill(): positions, and weights (0 where unknown).
     struct Level {
         std::size_t height, width;
         std::vector<float> values, weights;
     };
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
-    // Blocks above or below one that its depths depend on.
+    // Number of blocks above or below on which the depth of a block depends.
     std::size_t beside() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
     float* sums_of(Strip& strip, std::size_t block) const {
         return strip.sums.data() + block % kept_ * rows_ * pitch_ + FocalRows::margin;
     }
 
-    // Rows of all orders of a strip, and what is made of them.
+    // Filter the rows of a strip in all orders, and compute everything that depends on them.
     template <class I>
     LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
-        // Depths next to another strip depend on blocks there.
+        // Depths next to another strip depend on blocks of that strip.
         const std::size_t beyond = plan_.residual_count > 0 ? beside() * plan_.window.side : 0, own_top = own, own_bottom = end;
         const std::size_t top = own > beyond ? own - beyond : 0, bottom = std::min(end + beyond, plan_.height);
         const std::size_t first = top > ahead ? top - ahead : 0;
@@ -157,7 +161,7 @@ class FocalStream {
                     strip.rows.step(isa, m, y);
                 }
             }
-            // What is not known comes near the row that is due, and leaves it.
+            // Running count over the rows within `blur`: add the row that enters the range, subtract the one that leaves it.
             const std::size_t blur = plan_.blur, span = 2 * blur + 1;
             if (t + blur >= first + ahead && t + blur - ahead < plan_.height) {
                 count(strip, t + blur - ahead, 1);
@@ -193,7 +197,7 @@ class FocalStream {
         }
     }
 
-    // Row y of all images.
+    // Compute row y of all images.
     template <class I>
     LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y, bool own) {
         float* lines[most_images + 2];
@@ -209,7 +213,7 @@ class FocalStream {
         for (std::size_t x = 0; judged && x < plan_.width; ++x) {
             trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
         }
-        // The residuals of each channel, and the images of the first.
+        // The residuals of each channel, then (last pass) the kept images of the first.
         for (std::size_t c = 0; c <= plan_.channels; ++c) {
             const bool kept = c == plan_.channels;
             if (kept ? !own || plan_.image_count == 0 : !judged) {
@@ -236,7 +240,7 @@ class FocalStream {
         }
     }
 
-    // The last block that a row of depths depends on.
+    // Last block row on which depth row y depends.
     std::size_t needed(std::size_t y) const {
         const std::size_t fine = plan_.fine, block = fine == 1 ? y : (2 * y + 1 + fine) / (2 * fine);
         return std::min(std::min(block, down_ - 1) + plan_.window.weights.size() - 1, down_ - 1);
@@ -252,7 +256,7 @@ class FocalStream {
         }
     }
 
-    // Smooths a row of blocks along itself, in place; beyond its ends there is nothing.
+    // Smooth a row of blocks along x, in place, with zeros beyond its ends.
     template <class I>
     LOMMEL_INLINE void smooth(I, Strip& strip, float* row) {
         using V = typename I::floats;
@@ -269,7 +273,7 @@ class FocalStream {
         }
     }
 
-    // Depths of row y.
+    // Estimate depth row y.
     template <class I>
     LOMMEL_INLINE void decide(I isa, Strip& strip, std::size_t y) {
         constexpr std::size_t lanes = 2 * I::lanes;
@@ -298,7 +302,7 @@ class FocalStream {
         }
     }
 
-    // Averages over the window around the blocks of a row: of products over the variance of the noise, of light, and of trust.
+    // Window averages around a row of blocks: products divided by the noise variance, light, and trust.
     template <class I>
     LOMMEL_INLINE const float* average(I, Strip& strip, std::size_t block) {
         const std::size_t slot = plan_.fine > 1 ? block % 2 : 0;
@@ -315,7 +319,7 @@ class FocalStream {
             const float* const light = sums + (products_ + c) * pitch_;
             for (std::size_t i = 0; i <= each_; ++i) {
                 column(I{}, strip, block, i == 0 ? products_ + c : c * each_ + i - 1, i == 0 ? nullptr : over, sums);
-                // The mean light is of as much of the window as there is.
+                // Average light over the part of the window inside the image.
                 for (std::size_t x = 0; i == 0 && x < across_; ++x) {
                     const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
                     over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
@@ -324,7 +328,7 @@ class FocalStream {
         }
         return sums;
     }
-    // Row q of the averages over blocks, by the weights of those above and below, times factors if any.
+    // Row q of the window averages: weighted sum of block rows above and below, times `factors` if not null.
     template <class I>
     LOMMEL_INLINE void column(I isa, Strip& strip, std::size_t block, std::size_t q, const float* factors, float* sums) const {
         const std::vector<float>& weights = plan_.window.weights;
@@ -339,7 +343,7 @@ class FocalStream {
         }
         float* const to = sums + q * pitch_;
         std::size_t k = 0;
-        for (; k + 5 <= count; k += 5) {  // as many as the usual window has
+        for (; k + 5 <= count; k += 5) {  // five rows at once, as the usual window has
             add<5>(isa, rows + k, shares + k, k == 0, k + 5 == count ? factors : nullptr, to);
         }
         for (; k < count; ++k) {
@@ -362,7 +366,7 @@ class FocalStream {
             store(to + x, factors ? sum * load<V>(factors + x) : sum);
         }
     }
-    // The share of a window that lies within `side` blocks.
+    // Fraction of a window along one axis that lies within 0 .. side - 1.
     float share(std::size_t at, std::size_t side) const {
         const std::vector<float>& weights = plan_.window.weights;
         if (at + 1 >= weights.size() && at + weights.size() <= side) {
@@ -375,8 +379,9 @@ class FocalStream {
         return sum;
     }
 
-    // A window that lies across an edge of depth holds two, and its energy is least between them: its standard error includes how
-    // far the places around differ from a plane, and how much that slopes. What is beyond the range, or too uncertain, is not known.
+    // A window across a depth edge mixes two depths, and its energy has its minimum between them. The standard error is
+    // therefore enlarged by the slope of neighbouring positions and their deviation from a plane. Positions out of range or
+    // too uncertain become unknown.
     void doubt() {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
@@ -403,8 +408,8 @@ class FocalStream {
             }
         }
     }
-    // The variance that the places around one give it, beyond what their own errors explain: by how much they slope, and, where the
-    // frames do not fit a single depth, by how far they are from a plane.
+    // Additional variance of a position from its neighbours, beyond their own errors: from their slope and, where the frames
+    // do not fit a single depth (misfit), from their deviation from a plane.
     float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
         const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
         const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];
@@ -441,7 +446,7 @@ class FocalStream {
     }
     static constexpr float slope_share = 0.06f, bend_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
 
-    // Positions where none is known, from the mean of those around, coarse to fine.
+    // Fill unknown positions with means of known ones around them, coarse to fine.
     void fill() {
         Level& finest = levels_[0];
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -489,7 +494,7 @@ class FocalStream {
                              const float* factors, std::size_t candidates, float* out, std::size_t top, std::size_t bottom) {
         using V = typename I::floats;
         const std::size_t count = plan_.image_count, pitch = line();
-        // Factors of each image at the blocks of two rows, and of a row of pixels.
+        // Factors of each image at two rows of blocks, and interpolated to a row of pixels.
         float* const before = strip.coefficients.data();
         float* const after = before + count * pitch;
         float* const here = after + count * pitch;
@@ -534,7 +539,7 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // A row of pixels, linearly between the middles of blocks.
+    // Interpolate linearly between block centres to a row of pixels.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

@@ -1,4 +1,4 @@
-// Contributions of one column of an image to its neighbours, and their transpose (with occlusion).
+// Spread of one image column of points into neighbouring columns, and its transpose, with or without occlusion.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,13 @@ namespace lommel {
 template <class I, class T>
 using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
 
-// Half as wide, where there is such a thing.
+// Instruction set with vectors half as long, two lanes at least.
 template <class I>
 using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
 
-// Windows of one point, or of two below each other, a vector of columns from `from` on. Two that lie between the same four of
-// the bank load them once; windows are zeros beyond their halves, so that those of two may be as large as the larger.
+// Rows of the windows of one point or of two vertically adjacent points, restricted to a vector of columns starting at
+// `from`. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half width,
+// so the larger half width serves both points.
 template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;
@@ -39,7 +40,7 @@ struct Rows {
         }
     }
 
-    // A row of window j of the four of each point.
+    // Load a row of window j of 0 .. 3, for each point.
     LOMMEL_INLINE void window(std::size_t j, std::size_t row, V* values) const {
         for (std::size_t p = 0; p < Points; ++p) {
             if (p > 0 && Alike) {
@@ -62,7 +63,7 @@ struct Rows {
     }
 };
 
-// Calls visit(rows) for the blocks of columns of one point or two; the narrow ones are half as dear.
+// Calls visit(rows) for each block of columns of one or two points; a block of half width costs half as much.
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
@@ -76,18 +77,18 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// The points of a column, or some of them: where the first of the column is in an image and among all points, which of them, how
-// far the widest of their windows goes, and whether anything hides some of them in part.
+// Points first .. last of a column: index `at` of the column's first point in the image, its index `point` among all points,
+// largest half width of their windows, and whether any of them is partly occluded.
 struct Column {
     std::ptrdiff_t at;
     std::size_t point, first, last, half;
     bool hidden;
 };
 
-// What lies beside a column, [row from `widest` above its first point on][column from it on, rightwards or leftwards]. Windows
-// are alike on both sides: where nothing is hidden one sheet serves both. Of the same address for all points of a
-// column, in vectors that begin at cache lines, sums are loaded and stored in half the time that an image takes. There is
-// room for a point more, which the last of an odd number is taken with and which spreads nothing.
+// Sheets: accumulators beside a column, [row, from `widest` above its first point][column, from the point outwards]. Windows
+// are symmetric, so one sheet serves both sides unless there is occlusion. Sums at the same addresses for every column,
+// aligned to cache lines, take half the time of sums in the image. There is one spare row: the last of an odd number of
+// points is paired with one that spreads nothing.
 template <class I, class T>
 class Sheets {
    public:
@@ -100,20 +101,20 @@ class Sheets {
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
-    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // zeros between columns
+    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // per point; zero between columns
 
-    // Where a row of what a point spreads begins, that of the column's first point being 0.
+    // Offset in a sheet of row `row`, relative to the first point of the column, and column `from`.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
-    // A zero, then ones.
+    // A zero, then ones: masks the middle column in vectors that start there.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
-    // Calls f(place, right, left, beside) for all vectors that the points reach: where it is in a sheet, and in an image on
-    // either side; `beside` leaves out the column in the middle, which is not on both. Narrow ones where they suffice: those
-    // that lie in two cache lines are dear.
+    // Calls f(place, right, left, beside) for all vectors that the points reach: offsets in a sheet and in the image on
+    // either side; `beside` is a mask that is 0 at the middle column, which would otherwise count twice. Narrow vectors are
+    // used where they suffice, as those across two cache lines are slow.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         using Narrow = Packed<Half<I>, T>;
@@ -139,12 +140,12 @@ class Sheets {
         }
     }
 
-    // Columns to the left in the sequence of those to the right.
+    // Reverses lanes: columns to the left in the order of those to the right.
     struct Mirror {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Calls f(place, right, left) with what pixels on either side of some points see of the layer that these lie in, 0 to 1.
+    // Calls f(place, right, left) with the fractions, 0 to 1, of layer `layer` that pixels on either side of the points see.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
@@ -162,7 +163,8 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Points add what they spread to an image. Those of a layer that is hidden in part are put together first, and then shared out.
+// Forward direction: points add their windows to the image. Points of a partly occluded layer are summed first, then
+// multiplied by the visible fractions.
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -197,7 +199,8 @@ struct Giving {
                 to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
             }
         } else {
-            // Row r of the first is r - 1 below the second, r + 1 above it.
+            // Row r of the first point is row r - 1 below the second, and row r above the first is row r + 1 above the
+            // second.
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);
@@ -216,8 +219,8 @@ struct Giving {
             if (column.hidden) {
                 here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
             }
-            // Both are loaded first: a processor waits for what is loaded where a part of it has just been stored. The column in
-            // the middle is in both, and right in the second.
+            // Both sides are loaded before either is stored: a load that overlaps a recent store only in part stalls the
+            // processor. The middle column lies in both vectors; `right`, which is stored last, holds its sum.
             here = load<W>(out + right) + here;
             store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
             store(out + right, here);
@@ -225,7 +228,7 @@ struct Giving {
     }
 
    private:
-    // A sum, zero from then on.
+    // Return a sum and reset it to zero.
     template <class W>
     static LOMMEL_INLINE W taken(T* sum) {
         const W value = load<W>(sum);
@@ -234,13 +237,13 @@ struct Giving {
     }
 };
 
-// The transpose: they take the sums of their windows times an image.
+// Transpose: each point takes the sum of its window times the image.
 template <class I, class T>
 struct Taking {
     using V = Packed<I, T>;
     T* out;
     const T *seen, *image;
-    std::size_t width;  // of `out`
+    std::size_t width;  // row length of `out`
 
     LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
         sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
@@ -276,8 +279,8 @@ struct Taking {
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
-        // Sums of each window of the bank, mixed at the end: rows above and below are alike, and added before they are
-        // multiplied. What one row is to one point the next is to the other.
+        // Inner products with each of the four windows, mixed at the end. Rows above and below are equal by symmetry, so the
+        // image is folded before it is multiplied. Row r of one point is row r + 1 or r - 1 of the other.
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;
@@ -312,7 +315,7 @@ struct Taking {
         }
     }
 
-    // By short vectors, which every processor has.
+    // Lane sums by the shortest vectors, which every processor has.
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         using Short = Packed<Portable, T>;
         constexpr std::size_t some = sizeof(Short) / sizeof(T);

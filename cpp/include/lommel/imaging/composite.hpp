@@ -1,4 +1,5 @@
-// Blur with occlusion: layers of points from the nearest to the farthest, each as far as those before it leave the aperture open.
+// Blur with occlusion: layers are composed front to back, each weighted by the part of the aperture that nearer layers leave
+// open.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +20,28 @@
 
 namespace lommel {
 
-// Points in layers, [scene.height][scene.width] with copies of the edges: `layers` and `behind` have a value for each of
-// `scene.positions`; that of `behind` is the index of the point that stands for what a point hides, or below 0.
+// Points in layers, [scene.height][scene.width] including border extension. `layers` and `behind` are indexed like
+// `scene.positions`; behind[p] is the index of the point that stands for the light hidden by p, negative if there is none.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
-    const std::int32_t* behind;  // or none
-    std::size_t count;  // of layers, at most 64
-    std::size_t pad;  // rows and columns of copies on either side
-    bool mirrored, dark;  // what leaves the image comes back from a mirror; copies of the edges spread coverage alone
+    const std::int32_t* behind;  // or null
+    std::size_t count;  // number of layers, at most 64
+    std::size_t pad;  // rows and columns of border extension on either side
+    bool mirrored, dark;  // mirrored: light that leaves is reflected; dark: border extension only occludes
 };
 
-// What pixels see, [height][width] of the image without copies. Of layer l, counted from the middle one, they see the share
-// `seen - l`, from 0 to 1; `total` is the image of a white scene, `out` that of the light.
+// Visibility per pixel, [height][width] without border extension: of layer l (numbered by level()) a pixel sees the fraction
+// clamp(seen - l, 0, 1). `total`: blurred image of a white scene; `out`: image of the light.
 template <class T>
 struct Composite {
     T *seen, *total;
-    T* out;  // or none
+    T* out;  // or null
 };
 
-// Points add what they spread of light, and with `Cover` of a white scene, to images of their own. Light is multiplied last, and
-// rounded before it is added, so that it is the same to the last bit in either case: of two instances of a template, compilers
-// may fuse products and sums in one and not in the other.
+// Adds the light of points and, with `Cover`, their coverage (a white scene) to separate images. The product with the light
+// is rounded before it is added, so that both instances of the template give identical bits: a compiler may fuse products and
+// sums in one and not in the other.
 template <class I, class T, bool Cover>
 struct GivingLight {
     T *white, *light;
@@ -69,7 +70,8 @@ struct GivingLight {
                 to(static_cast<std::ptrdiff_t>(row), above[0], lit), to(-static_cast<std::ptrdiff_t>(row), above[0], lit);
             }
         } else {
-            // Row r of the first is r - 1 below the second, r + 1 above it.
+            // Row r of the first point is row r - 1 below the second, and row r above the first is row r + 1 above the
+            // second.
             W first = loaded(above[0] * value[0]), second = loaded(above[1] * value[1]);
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
@@ -94,7 +96,7 @@ struct GivingLight {
     }
 
    private:
-    // The column in the middle is on both sides, and right in the second.
+    // The middle column lies in both vectors; `right`, which is stored last, holds its sum.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W beside) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -104,18 +106,19 @@ struct GivingLight {
     }
 };
 
+// Composes the layers of a scene front to back: computes how much of each layer a pixel sees, and adds the blurred light.
 template <class T>
 class Compositor {
    public:
-    // Of an image whose values are `down` and `right` apart, or of none.
+    // `image`: values with strides `down` and `right`, or null for visibility alone.
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
                std::ptrdiff_t right);
 
-    // Adds layers `from` to `to`. What pixels see is found on the way unless it is `known`; it is `beyond()` and the total 0 before
-    // the first layer.
+    // Adds layers from .. to - 1. Visibility is computed on the way unless `known`; before the first layer `seen` must be
+    // beyond() and `total` 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
-    // A layer as it is counted from the middle: what is seen of layers is then rounded less.
+    // Layer number relative to the middle layer: smaller numbers leave `seen` more bits for the fraction.
     T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
     T beyond() const { return level(layered_.count); }
 
@@ -128,12 +131,12 @@ class Compositor {
     std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
     std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
 
-    // A part of a tile, small enough for the points of a column to be put together before they go to where they belong.
+    // Part of a tile, small enough that the points of a column are accumulated before they are added to the image.
     struct Part {
         std::size_t top, left, height, width;
     };
 
-    // Rows and columns of the scene, or beyond it, from the first to one past the last; empty unless they rise.
+    // Half-open range of rows and columns of the scene, which may reach beyond it; empty if bottom <= top or right <= left.
     struct Box {
         std::ptrdiff_t top, left, bottom, right;
 
@@ -151,7 +154,7 @@ class Compositor {
         }
     };
 
-    // Rows and columns of a part that the points of one layer are in.
+    // Bounding box, within a part, of the points of one layer.
     struct Extent {
         std::uint8_t top, left, bottom, right;
 
@@ -181,7 +184,7 @@ class Compositor {
         return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
     }
 
-    // Which layers there are in each part, and where.
+    // Find the layers present in each part, and their bounding boxes.
     void mark() {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             each_part(tile / columns_, tile % columns_, [&](std::size_t at, const Part& part) {
@@ -193,7 +196,7 @@ class Compositor {
                     extents[layer].include(y, x);
                 };
                 for (std::size_t y = 0; y < part.height; ++y) {
-                    // The ends of runs of one layer.
+                    // Only the ends of a run of equal layers change the box.
                     std::uint8_t last = layered_.layers[point(part.top + y, part.left)];
                     note(last, y, 0);
                     for (std::size_t x = 0; x < part.width; ++x) {
@@ -214,7 +217,7 @@ class Compositor {
         });
     }
 
-    // The pixels of the image in a tile.
+    // Range of image pixels in a tile.
     Box inside(std::size_t row, std::size_t column) const {
         const std::size_t pad = layered_.pad;
         const auto at = [](std::size_t place) { return static_cast<std::ptrdiff_t>(place); };
@@ -222,10 +225,10 @@ class Compositor {
             {at(pad), at(pad), at(pad + image_height()), at(pad + image_width())});
     }
 
-    // Vectors that every processor of an architecture has: results do not depend on which it is.
+    // The shortest vectors, available on every processor of an architecture: results do not depend on the processor.
     using Short = Packed<Portable, T>;
 
-    // Calls f(row, from, to) for the rows of pixels in a box: a row, and where it begins and ends.
+    // Calls f(row, from, to) for each row of a box, with its range of columns.
     template <class F>
     static void each_row(const Box& box, const F& f) {
         for (std::ptrdiff_t y = box.top; y < box.bottom && box.left < box.right; ++y) {
@@ -233,7 +236,7 @@ class Compositor {
         }
     }
 
-    // The last layer that some pixel of each tile sees, and of how many it is not found yet.
+    // For each tile, find the farthest layer that any pixel sees, and the number of pixels that are still open.
     void look_at(const Composite<T>& made) {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             T most = level(0) - T(1);
@@ -259,7 +262,8 @@ class Compositor {
         return false;
     }
 
-    // Chooses the tiles with points of a layer that some pixel sees; returns whether there are any.
+    // Select the tiles that hold points of a layer which pixels in or next to the tile still see; returns whether there are
+    // any.
     bool choose(std::size_t layer) {
         chosen_.assign(rows_ * columns_, 0);
         bool any = false;
@@ -277,16 +281,16 @@ class Compositor {
         return any;
     }
 
-    // The points of one layer in a part.
+    // Points of one layer in a part.
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
-        std::unique_ptr<BankPlace<T>[]> places;  // [row and one more][column], set where the layer is
-        std::unique_ptr<T[]> values;  // [column][row and one more], set where a point of it is
+        std::unique_ptr<BankPlace<T>[]> places;  // [row, one spare][column], set within the layer's extent
+        std::unique_ptr<T[]> values;  // [column][row, one spare], set where there is a point of the layer
         std::size_t first[part_width], last[part_width];
     };
 
-    // Spreads the points of a layer in a tile; returns where they reach.
+    // Spread the points of a layer in a tile; returns the box that they reach.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -327,7 +331,7 @@ class Compositor {
         return reached;
     }
 
-    // Where the points of a layer are in the bank, which rows of each column have some, and their light.
+    // Set the bank positions and light of the points of a layer, and for each column the range of rows that has any.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {
@@ -366,7 +370,7 @@ class Compositor {
         return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }
 
-    // As in Spreader: two points below each other are taken at once. Returns how far the widest window goes.
+    // Spread one column of points; two vertically adjacent points at a time, as in Spreader. Returns the largest half width.
     template <class I, class Side>
     LOMMEL_INLINE std::size_t one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
                                          Sheets<I, T>& sheets, const Side& side) const {
@@ -411,7 +415,7 @@ class Compositor {
         return column.half;
     }
 
-    // Brings back what left the image, as from mirrors half a pixel beyond its first and its last pixel.
+    // Fold light that left the image back into it, mirrored half a pixel beyond its first and last pixels.
     void fold(T* room, const Box& reached) const {
         const auto height = static_cast<std::ptrdiff_t>(scene_.height), width = static_cast<std::ptrdiff_t>(scene_.width);
         const auto wide = static_cast<std::ptrdiff_t>(bank_.widest), row = static_cast<std::ptrdiff_t>(across());
@@ -443,8 +447,8 @@ class Compositor {
         }
     }
 
-    // What some pixels see of a layer that covers so much of them; leaves zeros for the next. Returns 1 for those that see no
-    // more behind it, 0 for others.
+    // Update the visibility of some pixels by a layer with coverage `cover`, and reset `cover` to zero. Returns 1 for pixels
+    // that become closed in this layer, 0 for others.
     Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
         constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());
@@ -458,7 +462,7 @@ class Compositor {
         return below(least, covered, one, Short{});
     }
 
-    // Adds what pixels of a tile see of a layer, and leaves zeros for the next.
+    // Add the visible part of a layer to the pixels of a tile, and reset the accumulators to zero.
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
         constexpr std::size_t lanes = sizeof(Short) / sizeof(T);
         const std::size_t tile = row * columns_ + column;
@@ -481,7 +485,7 @@ class Compositor {
                         filled = filled + cover_pixels(total + x, seen + x, cover + x, layer);
                         continue;
                     }
-                    T last[3][lanes] = {};  // of which those that are no pixels see all
+                    T last[3][lanes] = {};  // zero padded: lanes beyond the row count as closed
                     T* const rest[] = {total + x, seen + x, cover + x};
                     for (std::size_t k = 0; k < 3; ++k) {
                         std::copy_n(rest[k], count - x, last[k]);
@@ -517,15 +521,15 @@ class Compositor {
     std::size_t margin_;
     Mixer<T> mixture_;
     std::size_t tall_, broad_, rows_, columns_, parts_;
-    std::vector<std::uint64_t> masks_;  // [tile][part]
+    std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points there
     std::vector<Extent> extents_;  // [tile][part][layer]
-    std::vector<T> most_;  // [tile]
-    std::vector<std::size_t> open_;  // [tile]
+    std::vector<T> most_;  // [tile]: largest `seen` of its pixels
+    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not closed yet
     std::vector<unsigned char> chosen_;
-    std::vector<Box> reached_;  // by the points of a layer in each chosen tile
+    std::vector<Box> reached_;  // boxes reached by the current layer from each chosen tile
 };
 
-// Not in the class: members that are written there are inline, and compiled by every unit that calls them.
+// Defined outside the class so that it is not inline and is compiled once, by explicit instantiation.
 template <class T>
 Compositor<T>::Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image,
                           std::ptrdiff_t down, std::ptrdiff_t right)

@@ -13,14 +13,15 @@
 
 namespace lommel {
 
-// Planes as images of frequencies. Two halves of a plane, the upper and the lower one with their margins, are the real and the
-// imaginary part of one complex plane: a real spread mixes them nowhere. Eight rows, and then eight columns, are transformed
-// together; a spectrum is kept as the columns leave the transform, [eight columns][frequency][re, im of each].
+// FFT convolution of the planes (colours) of a picture with real PSFs. The upper and lower half of a plane, each with its
+// margins, are the real and imaginary part of one complex plane; convolution with a real PSF keeps them apart. Rows are
+// transformed eight at a time, then columns. A spectrum is stored as the column transform returns it: [group of eight
+// columns][frequency][re or im][column].
 //
-// Roundings are those of single precision, RowFft::rounding() of them a transform: some 1e-6 of the brightest place.
+// Single precision: about 1e-6 of the brightest pixel, RowFft::rounding() units of rounding per transform.
 class Convolution {
    public:
-    // For pictures of this size and spreads of at most 2 `reach` + 1 pixels a side.
+    // For pictures of height x width pixels and PSFs of at most 2 `reach` + 1 pixels a side.
     Convolution(std::size_t height, std::size_t width, std::size_t reach)
         : height_(height), width_(width), reach_(reach), half_((height + 1) / 2),
           across_(RowFft<float>::length(width + 2 * reach)), down_(RowFft<float>::length(half_ + 2 * reach)), wide_(across_.n),
@@ -30,11 +31,11 @@ class Convolution {
         return height_ == height && width_ == width && reach_ == reach;
     }
 
-    // The spread, side x side pixels about the middle one, side odd and at most 2 reach + 1; times `scale`.
+    // Set the PSF to `scale` times values[side][side], centred on the middle pixel; `side` is odd and at most 2 reach + 1.
     void set_spread(const float* values, std::size_t side, float scale) {
         const std::size_t middle = side / 2;
         rows_.assign(wide_ * tall_ * 2, 0.0F);
-        // Rows at -middle .. middle, modulo the length; those that are 0 need no transform.
+        // PSF rows -middle .. middle, cyclic; rows that are zero need no transform.
         for (std::size_t group = 0; group < tall_ / 8; ++group) {
             bool any = false;
             start();
@@ -57,7 +58,7 @@ class Convolution {
         spectrum_of(spread_);
     }
 
-    // Plane `which` of the picture; one that is as it was is not transformed again.
+    // Set plane `which` of the picture; its transform is reused if the values have not changed.
     void set_plane(std::size_t which, const float* plane) {
         planes_.resize(std::max(planes_.size(), which + 1));
         Plane& here = planes_[which];
@@ -97,7 +98,7 @@ class Convolution {
         spectrum_of(here.spectrum);
     }
 
-    // The convolution of a plane that was set; no light is negative.
+    // Write the convolution of plane `which`, clipped to values >= 0.
     void make(std::size_t which, float* out) {
         const std::vector<float>& picture = planes_[which].spectrum;
         const std::size_t element = fft_element, block = down_.n * element;
@@ -105,7 +106,7 @@ class Convolution {
         for (std::size_t c = 0; c < wide_ / 8; ++c) {
             const float *a = &picture[c * block], *b = &spread_[c * block];
             line_.resize(std::max(down_.n, wide_) * element);
-            // The way back is the way there with real and imaginary parts exchanged.
+            // Inverse transform = forward transform with re and im exchanged.
             for (std::size_t k = 0; k < down_.n; ++k, a += element, b += element) {
                 float* to = &line_[k * element];
                 for (std::size_t r = 0; r < fft_rows; ++r) {
@@ -129,7 +130,7 @@ class Convolution {
                 }
                 const std::size_t y = row - reach_;
                 for (std::size_t part = 0; part < 2 && y + part * half_ < height_; ++part) {
-                    // Exchanged as above.
+                    // With re and im exchanged, as above.
                     const float* from = done + reach_ * element + (1 - part) * fft_rows + r;
                     float* to = out + (y + part * half_) * width_;
                     for (std::size_t x = 0; x < width_; ++x) {
@@ -154,11 +155,11 @@ class Convolution {
         return at;
     }
 
-    // Rows are kept as they leave the transform, [eight rows][column][re, im of each].
+    // Store transformed rows in the layout [group of eight rows][column][re or im][row].
     void store_rows(std::size_t group) {
         std::memcpy(&rows_[group * wide_ * fft_element], transformed(across_), wide_ * fft_element * sizeof(float));
     }
-    // Eight columns of row y.
+    // Store eight columns of row y.
     void put_row(std::size_t y, std::size_t c, const float* from) {
         float* to = &rows_[((y / 8) * wide_ + 8 * c) * fft_element + y % 8];
         for (std::size_t k = 0; k < 8; ++k, to += fft_element) {

@@ -1,4 +1,4 @@
-// Layers of similar defocus, and the points that stand for what points of near layers hide.
+// Layers of similar defocus, and a source for the light behind points of near layers, which one photograph does not show.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace lommel {
 
-// Signed radii of the circle of confusion in pixels at equal steps of defocus, the largest the nearest; layers of one
-// thickness, the first at the largest radius.
+// Signed radius of the circle of confusion in pixels, sampled at equal steps of defocus from `low` to `high`; larger means
+// nearer. Layers have equal `thickness` in radius, layer 0 starts at the largest radius.
 struct BlurRadii {
     const double* radii;
     std::size_t count;
@@ -22,7 +22,7 @@ struct BlurRadii {
     std::size_t layers;
 };
 
-// The layer and the radius of each point.
+// Write the layer and the signed blur radius (pixels) of each point.
 void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
                       float* radius);
 #if defined(LOMMEL_DEFINES)
@@ -46,7 +46,7 @@ LOMMEL_ONCE void sort_into_layers(const double* defocus, std::size_t size, const
 }
 #endif
 
-// Numbers the layers that there are, and returns how many.
+// Renumber the layers without gaps; returns how many there are.
 inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
     bool there[256] = {};
     for (std::size_t i = 0; i < size; ++i) {
@@ -64,23 +64,24 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
     return count;
 }
 
-// Finds, for each point that hides something the lens sees, the point that stands for it.
+// For each occluding point p, finds a point whose light stands for what p hides.
 //
-// A point p hides something if a farther point q lies closer than their radii differ: rays through the rim of the aperture then
-// pass the edge between them. Points are visited by distance, those in the layer of p or nearer are passed over; one that is
-// too far away for its radius is passed over with all that are not in farther layers than it. The light behind p is that of the
-// point mirrored at q, or of q where that is not as far away.
+// A point p occludes a farther point q if their distance is less than radius(p) - radius(q): rays through the rim of the
+// aperture then pass the edge between them. Candidates q are visited by distance. Candidates in the layer of p or nearer are
+// skipped. A candidate too far away for its radius is skipped too, with all later ones that lie in no farther layer. The
+// light behind p is taken from the mirror image of p at q if that is as far away as q, else from q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
         : layers_(layers), radius_(radius), height_(height), width_(width), threads_(threads) {}
 
-    // Writes the index of the point that stands for what is hidden, or -1; returns how many there are.
+    // Write behind[point]: index of the stand-in point, or -1. Returns the number of points that have one.
     std::size_t find(std::int32_t* behind) const;
 
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
 
+    // Offset to another point: its length, rows and columns in pixels, and the difference of indices.
     struct Step {
         float distance;
         std::int32_t down, right, along;
@@ -90,10 +91,11 @@ class HiddenPoints {
         return y >= reach && x >= reach && y + reach < height_ && x + reach < width_;
     }
 
-    // The least of radius plus distance over all points, or less than that: paths over neighbours are at most so much longer
-    // than straight. Where it is not below the radius of a point, that hides nothing. Empty where it nowhere is.
+    // Lower bound of min over q of radius(q) + distance(q, p) at each point p, by two sweeps over neighbours. Step lengths
+    // are scaled by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. Where the bound is not
+    // below radius(p), p occludes nothing. Returns an empty vector if that holds everywhere.
     std::vector<float> lowest() const {
-        constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and times the root of 2, rounded down
+        constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and sqrt(2) times that, rounded down
         std::vector<float> least(radius_, radius_ + height_ * width_);
         std::vector<float> row(width_);
         bool any = false;
@@ -132,7 +134,7 @@ class HiddenPoints {
         return any ? least : std::vector<float>();
     }
 
-    // The least radius in blocks and as far around them as points are visited.
+    // Minimum radius over each block of pixels and its surroundings up to `reach`.
     std::vector<float> least_around(std::size_t reach) const {
         const std::size_t rows = (height_ + block - 1) / block, columns = (width_ + block - 1) / block;
         const std::size_t more = (reach + block - 1) / block;
@@ -159,7 +161,7 @@ class HiddenPoints {
         return both;
     }
 
-    // Steps to other points, the nearest first; of those as near, one row after another.
+    // Offsets to other points, sorted by distance, ties in row order.
     std::vector<Step> by_distance(std::size_t reach) const {
         const auto most = static_cast<std::int32_t>(reach);
         std::vector<Step> steps;
@@ -176,8 +178,8 @@ class HiddenPoints {
         return steps;
     }
 
-    // How far away from each point, at least, the nearest one of a farther layer is, up to `most` pixels: octagons, squares and
-    // diamonds in turn, hold the circles of these radii.
+    // For each point, a radius up to `most` pixels within which no point lies in a farther layer. Computed by dilation with
+    // octagons (squares and diamonds in turn), which contain the circles of these radii.
     std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
         std::vector<std::uint8_t> farthest(layers_, layers_ + height * width), wide(farthest), result(farthest.size(), 0);
@@ -192,7 +194,7 @@ class HiddenPoints {
                 }
                 row[width - 1] = std::max(here[width - 1], here[width - std::min<std::size_t>(2, width)]);
             }
-            // Squares take the neighbours of the rows above and below, diamonds these rows alone.
+            // Odd rings (squares) include the diagonal neighbours, even ones (diamonds) do not.
             const std::vector<std::uint8_t> beside = ring % 2 == 1 ? wide : farthest;
             for (std::size_t y = 0; y < height; ++y) {
                 const std::uint8_t *const row = wide.data() + y * width, *const own = layers_ + y * width;
@@ -212,8 +214,8 @@ class HiddenPoints {
         return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
     }
 
-    // The index of what stands for the light behind a point, or -1; no step before `from` leads to a farther layer, and nothing
-    // `far` away or farther stands for it.
+    // Return the index of the point that stands for the light behind point (y, x), or -1. Offsets before `from` lead to no
+    // farther layer; none of length `far` or more can be occluded.
     template <bool Inner>
     std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {
         const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
@@ -260,14 +262,14 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
     const std::vector<Step> steps = by_distance(reach);
     const std::size_t across = (width_ + block - 1) / block;
     const std::vector<float> around = least_around(reach);
-    // Where many points may hide something, it is worth knowing how far away from each nothing is.
+    // The search of alone() pays only if there are many candidates.
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < size; ++i) {
         candidates += reached[i] < radius_[i] ? 1 : 0;
     }
     const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
     const std::vector<std::uint8_t> apart = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
-    std::vector<std::size_t> begin(rings + 1, 0);  // the first step that is longer than so many pixels
+    std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: first offset longer than `ring` pixels
     for (std::size_t ring = 1; ring <= rings; ++ring) {
         begin[ring] = begin[ring - 1];
         while (begin[ring] < steps.size() && steps[begin[ring]].distance <= static_cast<float>(ring)) {

@@ -1,4 +1,4 @@
-// Blur that varies over the field and with depth, and its adjoint: each pixel spreads a window mixed of a bank of splines.
+// Blur that varies over the field and with depth, and its adjoint: each pixel spreads a PSF window interpolated by splines.
 #pragma once
 
 #include <algorithm>
@@ -14,29 +14,30 @@
 
 namespace lommel {
 
-// Coefficients of splines, [node down][node across][node over defocus][pixel of the window, row by row, zeros last].
+// Spline coefficients, coefficients[node down][node across][node over defocus][pixel of the window, row by row, zero padded].
 template <class T>
 struct FieldWindows {
     const T* coefficients;
     std::size_t down, across, depth, side, size;
 
-    std::size_t row() const { return depth * size; }  // of all that one node across has
+    std::size_t row() const { return depth * size; }  // stride from one node across to the next
 };
 
-// Pixels that spread windows: rows[y] and columns[x] of an image, so that what lies beyond its edges need not be copied.
+// Source pixels: rows[y] and columns[x] of an image, so that border extension needs no copy.
 //
-// Splines across the image are replaced by parabolas through their values at `places`, an odd number of them: column x of the
-// image takes those from 2 tiles[x] on, in the shares [x][3].
+// Across the image the splines are replaced by parabolas through their values at `places` (an odd number): column x of the
+// image mixes the three places from 2 tiles[x] on, with weights shares[x][3].
 template <class T>
 struct FieldScene {
-    const T *down, *places, *shares;  // [row of the image][node down], [place][node across], [column of the image][3]
+    const T *down, *places, *shares;  // [image row][node down], [place][node across], [image column][3]
     const std::int64_t *tiles, *rows, *columns;
-    std::size_t count, height, width;  // of places, rows and columns
-    const double *defocus, *breaks;    // [row of the image][column of the image], [interval and one more]
-    const T* powers;                   // [interval][power][node]: the weight of each node, of the share of the interval
+    std::size_t count, height, width;  // number of places, rows, columns
+    const double *defocus, *breaks;    // [image row][image column], [interval, and the last end]
+    const T* powers;                   // [interval][power][node]: node weights, polynomials in the share of the interval
     std::size_t across, intervals, order;
 };
 
+// Spreads each source pixel over its interpolated window (forward), or returns the inner product with it (adjoint).
 template <class T>
 class FieldSpreader {
    public:
@@ -44,12 +45,13 @@ class FieldSpreader {
         : bank_(bank), scene_(scene), threads_(threads), wide_(scene.width + bank.side - 1 + step),
           tall_(std::max(least_rows, bank.side)) {}
 
-    static constexpr std::size_t step = 16;  // that sizes of windows are multiples of; values that are loaded beyond a row
+    static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
 
-    // out += sum over pixels of value times window, [height + side - 1][width + side - 1 + step]; values are of the scene.
+    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; values[height][width] of the
+    // scene.
     void forward(const T* values, T* out) const;
 
-    // The transpose: each pixel takes the sum of window times `image`, which has the size of forward's output.
+    // Transpose of forward(): each pixel takes the sum of window x `image`, the image having the size of forward()'s output.
     void adjoint(const T* image, T* out) const;
 
    private:
@@ -77,7 +79,7 @@ class FieldSpreader {
         });
     }
 
-    // The windows of all places of a row.
+    // Interpolate the windows at all places of a row.
     template <class I>
     LOMMEL_INLINE void mix_row(I, std::size_t y, T* across, T* nodes) const {
         const std::size_t row = static_cast<std::size_t>(scene_.rows[y]);
@@ -87,7 +89,7 @@ class FieldSpreader {
         }
     }
 
-    // The sum of some arrays, one after another, with weights of which most are 0.
+    // Weighted sum of `count` consecutive arrays of `size` values; most weights are 0 and skipped.
     template <class I>
     LOMMEL_INLINE static void combine(const T* weights, std::size_t count, const T* arrays, std::size_t size, T* out) {
         using V = Packed<I, T>;
@@ -113,8 +115,8 @@ class FieldSpreader {
         }
     }
 
-    // A window is put together while the one before it goes to where it belongs: a processor waits for what is loaded where a
-    // part of it has just been stored.
+    // One window is built while the previous one is added to the image: a load that overlaps a recent store only in part
+    // stalls the processor.
     template <class I, std::size_t Order>
     LOMMEL_INLINE void one_row(std::size_t y, const T* nodes, const T* values, const T* image, T* out, T* windows) const {
         T* const at[2] = {windows, windows + bank_.size + step};
@@ -147,7 +149,7 @@ class FieldSpreader {
         }
     }
 
-    // The weights of the windows that count for a pixel; returns the first of these.
+    // Compute the weights of the 3 x Order windows of a pixel; returns the first of these windows.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {
@@ -181,7 +183,7 @@ class FieldSpreader {
         return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
     }
 
-    // Mixes a window, to `at`, or returns its product with what is there.
+    // Mix a window into `at` or, with Product, return its inner product with the window stored there.
     template <class I, std::size_t Order, bool Product>
     LOMMEL_INLINE T mix(const T* weights, const T* first, T* at) const {
         using V = Packed<I, T>;
@@ -210,7 +212,8 @@ class FieldSpreader {
         return sum;
     }
 
-    // Adds a window to an image. Vectors are as short as the rest of a row allows, and what lies beyond it is multiplied by 0.
+    // Add a window to an image. The last columns of a row use the shortest sufficient vector, with excess lanes multiplied by
+    // 0.
     template <class I>
     LOMMEL_INLINE void give(const T* window, T* out) const {
         constexpr std::size_t lanes = sizeof(Packed<I, T>) / sizeof(T);
@@ -241,7 +244,7 @@ class FieldSpreader {
         }
     }
 
-    // Puts the part of an image that a window covers together; later rows replace what is too much of those before.
+    // Copy the part of an image that a window covers. Vectors run over the end of a row; the next row overwrites the excess.
     template <class I>
     LOMMEL_INLINE void take(const T* image, T* window) const {
         using V = Packed<I, T>;
@@ -261,7 +264,7 @@ class FieldSpreader {
     std::size_t wide_, tall_;
 };
 
-// Not in the class: members that are written there are inline, and compiled by every unit that calls them.
+// Defined outside the class so that it is not inline and is compiled once, by explicit instantiation.
 template <class T>
 void FieldSpreader<T>::forward(const T* values, T* out) const {
     const Checkerboard strips((scene_.height + tall_ - 1) / tall_, 1);

@@ -1,4 +1,4 @@
-// Conversion of light to integer levels, by comparison with the edges between levels.
+// Quantization of intensities to 8-bit levels, by comparison with the edges between levels.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 
 namespace lommel {
 
-// The first bits of a positive number of 32 bits, its exponent and some of its fraction, are those of an interval that holds
-// one edge at most: what lies below it is counted beforehand.
+// Lookup table over the leading bits (exponent and part of the fraction) of a positive float. So many bits are used that each
+// interval holds at most one edge; the number of edges below each interval is tabulated.
 class Levels {
    public:
-    // Edges must rise, from above 0, and be 255 at most.
+    // Edges: increasing, positive, at most 255 of them.
     Levels(const float* edges, std::size_t count) : least_(0.0f), most_(edges[count - 1]) {
         while (!apart(edges, count)) {
             --shift_;
         }
-        first_ = (bits(edges[0]) - 1) >> shift_;  // an edge may be where an interval begins
+        first_ = (bits(edges[0]) - 1) >> shift_;  // an edge may coincide with the start of an interval
         const std::uint32_t start = first_ << shift_;
         std::memcpy(&least_, &start, sizeof least_);
         const std::size_t size = (bits(most_) >> shift_) - first_ + 1;
@@ -38,7 +38,7 @@ class Levels {
         }
     }
 
-    // By value, so that it stays in registers while bytes are written: these may be a part of anything.
+    // Copied by value to stay in registers: bytes that are written may alias any object, hence would force reloads.
     struct Reader {
         const float* edge;
         const std::uint8_t* below;
@@ -47,7 +47,7 @@ class Levels {
         int shift;
 
         std::uint8_t operator()(float light) const {
-            const float inside = light > least ? std::min(light, most) : least;  // what is no number, too
+            const float inside = light > least ? std::min(light, most) : least;  // NaN gives the lowest level
             const std::uint32_t at = (bits(inside) >> shift) - first;
             return static_cast<std::uint8_t>(below[at] + (inside >= edge[at] ? 1 : 0));
         }
@@ -72,11 +72,11 @@ class Levels {
     int shift_ = 23;
     std::uint32_t first_;
     float least_, most_;
-    std::vector<float> edge_;  // in each interval, or infinity
+    std::vector<float> edge_;  // the edge in each interval, or infinity
     std::vector<std::uint8_t> below_;
 };
 
-// Writes the level of each value and returns how many are below `low` or above `high`.
+// Write the level of each value; returns the number of values below `low` or above `high`.
 inline std::size_t levels(const float* light, std::size_t size, const float* edges, std::size_t count, float low, float high,
                           int threads, std::uint8_t* out) {
     constexpr std::size_t part = 1 << 16;
@@ -88,7 +88,7 @@ inline std::size_t levels(const float* light, std::size_t size, const float* edg
         for (std::size_t i = task * part; i < last; ++i) {
             out[i] = level(light[i]);
         }
-        std::uint32_t here = 0;  // of as many bits as light, for vectors
+        std::uint32_t here = 0;  // 32 bits as the floats have, so that the loop vectorizes
         for (std::size_t i = task * part; i < last; ++i) {
             here += static_cast<std::uint32_t>(light[i] < low) + static_cast<std::uint32_t>(light[i] > high);
         }

@@ -1,4 +1,4 @@
-// Banks of PSF windows, and interpolation between four of them.
+// Banks of PSF windows sampled over defocus, and cubic interpolation between four neighbouring windows.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace lommel {
 
-// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, alike in their four quadrants: zeros but for the
-// halves[i] pixels on either side of the middle of window i, which sums to energies[i]. Mixtures are divided by what theirs
-// would sum to.
+// Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so one
+// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. Mixtures are
+// normalized by the same mixture of the energies, so that each sums to the value of its point.
 template <class T>
 struct WindowBank {
-    const T* windows;  // [window and one more][row from the middle one down][column from the middle one on, zeros last]
+    const T* windows;  // [window, one spare][row from the middle down][column from the middle right, zero padded]
     const std::int64_t* halves;  // [window]
     const double* energies;  // [window]
     std::size_t count, widest, stride;
@@ -24,24 +24,27 @@ struct WindowBank {
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// Where a point is in a bank: the first of the four windows that it lies between, below 0 of one that spreads nothing, and how
-// far behind that.
+// Position of a point in a bank: index of the first of its four windows (negative if the point spreads nothing), and the
+// distance from that window in steps of the bank.
 template <class T>
 struct BankPlace {
     std::int32_t first;
     T within;
 };
 
-// The windows of a point, their weights, cubic Lagrange in the middle interval, and how far they reach from the middle.
+// Interpolated window of one point: index of the first window, cubic Lagrange weights of the four, half width in pixels, and
+// occlusion layer.
+//
+// `any`: the point spreads light at all. `hidden`: some pixels that its window reaches see only part of it.
 template <class T>
 struct Mixture {
     T weights[4];
     std::uint32_t first, half;
     T layer;
-    bool any, hidden;  // else nothing is spread; in part
+    bool any, hidden;
 };
 
-// Makes mixtures of a bank, or their derivatives by the position in it.
+// Computes the weights of mixtures or, with `slopes`, their derivatives with respect to the position in the bank.
 template <class T>
 class Mixer {
    public:
@@ -70,7 +73,7 @@ class Mixer {
         }
         const std::size_t first = static_cast<std::size_t>(place.first);
         m.first = static_cast<std::uint32_t>(first), m.half = halves_[first];
-        // Sums with zeros instead of splat(), which wants vectors that the processor has.
+        // Broadcast by adding to zero: splat() needs vectors of the processor's own width.
         const V t = V{} + place.within;
         const V a = load<V>(powers[0]), b = load<V>(powers[1]), c = load<V>(powers[2]), d = load<V>(powers[3]);
         const V energies = load<V>(energies_.data() + first), weights = a + t * (b + t * (c + t * d));
@@ -85,6 +88,7 @@ class Mixer {
 
    private:
     using V = std::conditional_t<sizeof(T) == 4, typename Vector<2>::floats, typename Vector<4>::pack>;
+    // Cubic Lagrange polynomials with the nodes 0, 1, 2, 3: [power][node].
     static constexpr T powers[4][4] = {{T(1), T(0), T(0), T(0)},
                                        {T(-11.0 / 6.0), T(3), T(-1.5), T(1.0 / 3.0)},
                                        {T(1), T(-2.5), T(2), T(-0.5)},
@@ -93,7 +97,7 @@ class Mixer {
 
     bool slopes_;
     std::int32_t last_;
-    std::vector<std::uint32_t> halves_;  // of the widest of four windows
+    std::vector<std::uint32_t> halves_;  // [first window]: largest half width of the four windows, pixels
     std::vector<T, AlignedAllocator<T>> energies_;
 };
 

@@ -1,4 +1,4 @@
-// Convolution of a stack along its planes, at each of its lateral frequencies.
+// Axial convolution of an image stack, separately at each lateral spatial frequency.
 #pragma once
 
 #include <algorithm>
@@ -16,30 +16,33 @@
 
 namespace lommel {
 
-// Planes of a specimen, and those of its recording, which begin at plane `first` of the specimen. Light reaches the recording
-// from so many planes `before` and `after` the specimen, which are taken to be like its outermost ones.
+// Numbers of planes of the specimen and of its recording; the recording starts at specimen plane `first`. `before` and
+// `after` count the planes beyond either end of the specimen whose light still reaches the recording; they repeat its
+// outermost planes.
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };
 
-// The transform of a kernel over `length` planes, over the length: [row][eight columns][frequency][re, im of each],
-// columns in the order 0 4 1 5 2 6 3 7. Where rows are half of all and 1, those of opposite frequencies are the same; where frequencies are, opposite ones are conjugate.
+// Axial transform of a kernel over `length` planes, divided by `length`: [row][group of eight columns][frequency][re or
+// im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite
+// rows are equal; if only half of the frequencies and one more are stored, opposite ones are complex conjugates.
 struct PlaneTransfer {
     const float* values;
     std::size_t rows, frequencies;
 };
 
-// The sum over kernels of what each makes of the specimen, times its weight at each plane; and the transpose of it. In place,
-// [plane][row][column], eight columns at a time: a row of all planes is copied first, as one of them is on a page of its own.
+// Sum over kernels of (weight at each specimen plane) x specimen, convolved axially with the kernel; and the transpose of
+// this. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because
+// every plane lies on a memory page of its own.
 class PlaneFilter {
    public:
-    // `length` is one of RowFft, and all planes at least; weights are [kernel][plane of the specimen].
+    // `length`: a length that RowFft supports, at least the number of all planes. weights[kernel][plane of the specimen].
     PlaneFilter(StackPlanes planes, std::size_t length, std::size_t rows, std::size_t columns,
                 std::vector<PlaneTransfer> kernels, const float* weights)
         : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),
           kernels_(std::move(kernels)), weights_(weights) {}
 
-    // The first planes of `room`: those of the specimen become those of the recording, or the transpose of it.
+    // Replaces the specimen's planes, the first of `room`, by those of the recording; transposed, the other way round.
     void run(std::complex<float>* room, bool transposed, int threads) const;
 
    private:
@@ -47,7 +50,7 @@ class PlaneFilter {
         Floats held, a, b, c, d;
     };
 
-    // Pairs of floats, as whole numbers, so that vectors are masked and shifted alone.
+    // Pairs of floats as 64-bit integers: re and im are separated by masks and shifts alone.
 #if defined(LOMMEL_VECTORS)
     typedef std::uint64_t Pairs __attribute__((vector_size(32)));
 #else
@@ -62,8 +65,8 @@ class PlaneFilter {
     static LOMMEL_INLINE Pairs seconds(Pairs a, Pairs b) { return (a >> 32U) | (b & ~low); }
 #endif
 
-    // The way back is the way there with real and imaginary parts exchanged: they are when taken, until they are multiplied.
-    // Columns are in the order 0 4 1 5 2 6 3 7.
+    // Copies one row of all planes, with re and im exchanged: an FFT of exchanged numbers is the inverse FFT. They stay
+    // exchanged up to the products in multiply(). Columns are in the order 0 4 1 5 2 6 3 7.
     LOMMEL_INLINE void take(const std::complex<float>* room, std::size_t row, std::size_t count, float* held) const {
         for (std::size_t plane = 0; plane < count; ++plane) {
             const float* from = reinterpret_cast<const float*>(room + (plane * rows_ + row) * columns_);
@@ -103,6 +106,8 @@ class PlaneFilter {
         }
     }
 
+    // Specimen to recording for one row and eight columns: weights, padding by repeated outermost planes, convolution,
+    // cropping.
     template <class I>
     LOMMEL_INLINE void seen(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n;
@@ -127,6 +132,7 @@ class PlaneFilter {
         std::memcpy(held, back + planes_.first * fft_element, planes_.recording * fft_element * sizeof(float));
     }
 
+    // Recording to specimen: the transpose of seen().
     template <class I>
     LOMMEL_INLINE void returned(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n, from = planes_.first * fft_element;
@@ -172,7 +178,7 @@ class PlaneFilter {
         }
     }
 
-    // Of exchanged numbers, the product with a transfer function, or with its conjugate for the transpose.
+    // Product of a spectrum, stored with re and im exchanged, and a transfer function (its conjugate for the transpose).
     template <bool Transposed, bool Added, class I>
     LOMMEL_INLINE void multiply(I, const float* x, std::size_t row, std::size_t group, const PlaneTransfer& kernel,
                                 float* y) const {

@@ -1,4 +1,4 @@
-// Factors of the products that make up the light beyond windows, at the defocus of each point.
+// Factors a_r(c) of the separable remainder of a PSF beyond its window, by defocus (docs/certificate.md, section 13).
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 
 namespace lommel {
 
-// Cubics [interval][power][product] in the distance from the second of the four windows that they go through, `stride` values a
-// power: zeros after the last product, up to a multiple of 16.
+// Cubics values[interval][power][product] of the distance from the second of the four windows that they interpolate. Each
+// power has `stride` values, a multiple of 16, zero after the last product.
 template <class T>
 struct RemainderCubics {
     const T* values;
     std::size_t intervals, products, stride;
 };
 
-// Writes the factors [product][point] at positions in a bank, which are clipped to it.
+// Write the factors out[product][point] at the given positions in a bank, clipped to its range.
 template <class T>
 void remainder_factors(const RemainderCubics<T>& cubics, const double* positions, std::size_t size, int threads, T* out) {
-    // So many points are written together that cache lines are whole.
+    // `together` points fill one cache line of the output.
     constexpr std::size_t part = std::size_t{1} << 14, together = 64 / sizeof(T);
     const std::size_t stride = cubics.stride;
     const auto last = static_cast<double>(cubics.intervals + 2);

@@ -1,4 +1,4 @@
-// Spatially varying blur and its adjoint: each pixel spreads a window interpolated between four of a bank.
+// Spatially varying blur and its adjoint: each pixel spreads a PSF window interpolated between four windows of a bank.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// The pixels that spread their windows, [height][width]: where each is in the bank, row and column of `positions` being
-// rows[y] and columns[x], so that what lies beyond the edges of an image need not be copied. Those below 0 take no part.
+// Source pixels [height][width] and their positions in the bank: pixel (y, x) has positions[rows[y]][columns[x]], so that
+// border extension needs no copy of the image. Pixels with a negative position spread nothing.
 struct Scene {
     const double* positions;
     std::size_t across;
@@ -25,7 +25,7 @@ struct Scene {
     std::size_t height, width;
 };
 
-// Whether all are finite: what is not stays so times 0.
+// Return whether all values are finite: inf or NaN times 0 is NaN.
 bool all_finite(const double* values, std::size_t size);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
@@ -49,41 +49,43 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 }
 #endif
 
-// Points that hide others: of what one of layer l spreads, a pixel sees the share `seen - l`, from 0 to 1. That is all of the
-// layers before `seen`, a part of the one that it lies in, and nothing of those behind.
+// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l, that is, all of the layers in front of
+// `seen`, part of the layer in which `seen` lies, nothing behind it.
 template <class T>
 struct Screen {
-    const T* layers = nullptr;  // as positions; without them nothing is hidden
-    const T* seen = nullptr;    // as what is written to
+    const T* layers = nullptr;  // indexed like `positions`; null: no occlusion
+    const T* seen = nullptr;    // indexed like the output of forward()
 };
 
+// Spreads each source pixel over its mixed window (forward), or returns the inner product with it (adjoint).
 template <class T>
 class Spreader {
    public:
-    // With `slopes` windows are the derivatives by positions in the bank.
+    // With `slopes`, windows are replaced by their derivatives with respect to the position in the bank.
     Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {}, bool slopes = false)
         : bank_(bank), scene_(scene), screen_(screen), height_(scene.height), width_(scene.width), threads_(threads),
           margin_(margin(bank.widest)), mixture_(bank, slopes) {}
 
-    // Values in the longest vector; columns that vectors reach to on either side of a pixel.
+    // `reach`: number of values in the longest vector. margin(): columns that vectors may touch on either side of a pixel.
     static constexpr std::size_t reach = 16;
     static std::size_t margin(std::size_t widest) { return (widest / reach + 1) * reach; }
 
-    // out += sum over source pixels of value times window, in an image that is `widest` larger above and below and margin()
-    // on either side: [height + 2 widest][width + 2 margin]. The image is as large as `positions`, its values `down` and
-    // `right` apart.
+    // out += sum over source pixels of value x window, with out[height + 2 widest][width + 2 margin()]: `widest` extra rows
+    // above and below, margin() extra columns on either side. The image is indexed like `positions`; `down` and `right` are
+    // its strides.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // The transpose: each source pixel takes the sum of window times `image`, which has the size of forward's output; `out` is
-    // [height][width].
+    // Transpose of forward(): out[height][width] = for each source pixel the sum of window x image, the image having the size
+    // of forward()'s output.
     void adjoint(const T* image, T* out) const;
 
    private:
-    // High enough for what the points of a column spread to be put together before it goes to where it belongs.
+    // Tall enough that the points of a column are accumulated in a cached sheet before they are added to the image.
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
-    // Points that are looked at together: few beside the pixels that they reach.
+    // Side of the squares of points that are tested for occlusion together: small against a window, so little is tested in
+    // vain.
     static constexpr std::size_t near = 8;
-    static constexpr std::size_t line = 64;  // bytes that are loaded at once
+    static constexpr std::size_t line = 64;  // bytes of a cache line
 
     template <class Value>
     void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
@@ -101,10 +103,10 @@ class Spreader {
         });
     }
 
-    // Values of a row of an image that windows reach beyond.
+    // Row stride of the image with margins.
     std::size_t across() const { return width_ + 2 * margin_; }
 
-    // Points of a part of the image, row by row, so that what the processor waits for comes for many of them at once.
+    // Points of a part of the image, gathered row by row so that cache misses of many points overlap.
     struct Tile {
         static constexpr std::size_t broad = 64;
         explicit Tile(std::size_t tall, bool screened)
@@ -113,10 +115,10 @@ class Spreader {
         std::size_t top, left, height, width;
         std::vector<BankPlace<T>> places;
         std::vector<T> values, layers;
-        std::vector<unsigned char> hidden;  // in part
+        std::vector<unsigned char> hidden;  // seen only in part by some pixel
     };
 
-    // Gives or takes for all pixels of a part of the image.
+    // Runs one direction (`side`: Giving or Taking) for all source pixels of a part of the image.
     template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
                               const Value& value, const Side& side) const {
@@ -169,8 +171,9 @@ class Spreader {
         }
     }
 
-    // Two points below each other are taken at once, unless some pixels see only one of them: those of one kind after those
-    // of another, since processors wait where they guess wrong what comes next. What is hidden in part comes first, layer by layer.
+    // Handle the points of one column, two vertically adjacent points at a time unless occlusion separates them. Pairs are
+    // sorted by kind (same or different first window) to avoid branch mispredictions. Partly occluded points come first,
+    // layer by layer.
     template <class I, class Side>
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {
@@ -182,7 +185,7 @@ class Spreader {
                       0,
                       false};
         std::size_t pairs[none + 1][(most_rows + 1) / 2], counts[none + 1] = {};
-        Column hidden[most_rows + 1];  // by layers
+        Column hidden[most_rows + 1];  // runs of partly occluded points of one layer
         std::size_t layers = 0;
         const auto hide = [&](std::size_t first, std::size_t last) LOMMEL_INLINE_LAMBDA {
             const std::size_t half = std::max(points[first].half, points[last - 1].half);
@@ -260,8 +263,9 @@ class Spreader {
         side.close(sheets, column);
     }
 
-    // Of points next to each other leaves out those that no pixel sees which one of them reaches, and finds
-    // those that not all pixels see: most of a scene is neither, and costs no more than where nothing is hidden.
+    // For a square of neighbouring points, test against the extremes of `seen` over all pixels that their windows reach: drop
+    // points that no pixel sees, and mark those that some pixel sees only in part. Most points of a scene are neither, and
+    // then cost the same as without occlusion.
     template <class I>
     LOMMEL_INLINE void look(I, Tile& tile, std::size_t down, std::size_t height, std::size_t along, std::size_t width) const {
         using V = Packed<I, T>;
@@ -318,7 +322,7 @@ void Spreader<T>::forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t ri
     const auto value = [&](std::size_t y, std::size_t x) -> const T& {
         return image[scene_.rows[y] * down + scene_.columns[x] * right];
     };
-    // No smaller than what a pixel writes to.
+    // Tiles at least as large as the area that a pixel writes to, so that alternate tiles do not overlap.
     const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
     tiles.each(threads_, [&](std::size_t row, std::size_t column) {
         const std::size_t y = row * tall, x = column * broad;

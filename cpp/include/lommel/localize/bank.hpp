@@ -1,4 +1,4 @@
-// Templates of molecules all over a table, of which the best starts a fit; and fits of many molecules.
+// Bank of molecule templates over the range of a table, for the starting points of fits; and fits of many molecules.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Images less their means, over their norms.
+// Templates: molecule images minus their mean, divided by their norm.
 class Bank {
    public:
-    // `places` are in the first channel; those in one z follow one another, `layer` of them.
+    // `places` are positions in the first channel, sorted by z, `layer` of them for each z.
     Bank(const std::vector<Channel>& channels, const std::vector<Place>& places, std::size_t layer)
         : places_(places), layer_(layer) {
         for (const Channel& channel : channels) {
@@ -54,7 +54,8 @@ class Bank {
 
     static constexpr std::size_t together = 4;
 
-    // Products of `together` images of a channel, each of whole rows of vectors, with all templates: (together, padded()).
+    // Inner products of `together` images of a channel, stored in rows of whole vectors, with all templates:
+    // to[together][padded()].
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
@@ -84,11 +85,13 @@ class Bank {
     std::size_t padded() const { return (places_.size() + 1) / 2 * 2; }
     std::size_t layer() const { return layer_; }
     const Place& place(std::size_t k) const { return places_[k]; }
-    // The light of a molecule whose image, less its mean, has this product with a template; and what light adds to the mean.
+    // photons(): least-squares photon count, from the inner product of the mean-free image with template k. share(): mean of
+    // the image per photon.
     double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
    private:
+    // Templates of one channel: values[template][pixel], mean and norm of each image.
     struct Templates {
         std::size_t pixels;
         Floats values;
@@ -101,26 +104,27 @@ class Bank {
     std::vector<Templates> channels_;
 };
 
-// Images of many molecules in electrons, each of `height * width` pixels without gaps, and the variance of reading, of each of
-// them or, where `read_step` is 0, one for all; NaN where a pixel does not count.
+// Images of many molecules in electrons, [molecule][height][width] without gaps; NaN marks invalid pixels. `read`: variance
+// of the read noise in electrons^2, likewise, or one image for all molecules if read_step is 0.
 struct BoxStack {
     const float* electrons;
     const float* read;
     std::size_t read_step;
 };
 
+// Fits molecules, each from its best templates.
 class Localizer {
    public:
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
-    // Fits of `count` molecules from one start each and, where that is in doubt, from up to `starts`; offsets are (count,
-    // channels, 2); the background is `tilted` or flat.
+    // Fit `count` molecules, each from its best template or, if that fit is doubtful, from up to `starts` templates.
+    // offsets[molecule][channel][row, column]; the background is constant or, with `tilted`, linear.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 
    private:
-    // Copies an image into rows of vectors, and less its mean; returns the mean.
+    // Copy an image into rows of whole vectors, as it is and with its mean subtracted; returns the mean.
     static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;
@@ -158,7 +162,7 @@ class Localizer {
             }
             return sum;
         };
-        // The best template of each z.
+        // Best template for each z.
         const std::size_t layers = bank_.size() / bank_.layer();
         std::vector<std::size_t> found(layers);
         std::vector<double> alike(layers);
@@ -189,7 +193,7 @@ class Localizer {
                 start[3 + fit.own() * c] = photons;
                 start[4 + fit.own() * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
             }
-            // Neighbours in z would lead to the same place.
+            // Exclude neighbouring z, which would converge to the same position.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
                 alike[near] = tried;
             }
@@ -205,7 +209,7 @@ class Localizer {
 
     static constexpr double tried = -1e300;
     static bool in_doubt(const Fitted& fitted) { return fitted.state != FitState::converged || fitted.discrepancy > 2.5; }
-    // An answer at a limit is none, unless it is the likelier by far.
+    // Prefer converged fits: one that ended otherwise must have a deviance lower by 9, an undetermined one never wins.
     static bool better(const Fitted& a, const Fitted& b) {
         const auto cost = [](const Fitted& each) {
             return each.deviance + (each.state == FitState::converged      ? 0.0

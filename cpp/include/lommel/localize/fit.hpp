@@ -1,7 +1,9 @@
-// Where molecules are: maximum likelihood from their images, by Fisher scoring from the best of a bank of templates.
+// Maximum-likelihood fit of the position of molecules from their images, by Fisher scoring from the best of a bank of
+// templates.
 //
-// C. S. Smith et al., Nature Methods 7, 373 (2010), doi:10.1038/nmeth.1449: Fisher information and maximum likelihood; F. Huang et
-// al., Nature Methods 10, 653 (2013), doi:10.1038/nmeth.2488: noise of reading as further electrons, whose number is its variance.
+// C. S. Smith et al., Nature Methods 7, 373 (2010), doi:10.1038/nmeth.1449: Fisher information and maximum likelihood; F.
+// Huang et al., Nature Methods 10, 653 (2013), doi:10.1038/nmeth.2488: read noise as additional Poisson counts with the same
+// variance.
 #pragma once
 
 #include <algorithm>
@@ -23,50 +25,50 @@ constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
-// Places in another channel are matrix (row, column) + offset of those in the first.
+// Another channel: positions in it are matrix x (row, column in the first channel) + offset; matrix is [2][2], by rows.
 struct Channel {
     MoleculeTable table;
     double matrix[4];
 };
 
-// Images of molecules in electrons, of whole rows of vectors, with the variance of reading added to both; a pixel counts where
-// `valid` is 1, not where it is 0.
+// Molecule images in rows of whole vectors: electrons plus the read variance, the read variance (electrons^2), and `valid` (1
+// or 0).
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
 };
 
-// Unknowns are row, column and z, then photons, background and, where it is tilted, its slopes along rows and columns, of each
-// channel.
+// Fit result. Unknowns: row, column and z; then for each channel photons, background and, if tilted, the slopes of the
+// background along rows and columns.
 struct Fitted {
     std::array<double, most_unknown> value{}, errors{};
     double deviance =
-        std::numeric_limits<double>::infinity();  // twice the logarithm of the likelihood below that of the counts
-    double discrepancy = 0.0;  // Pearson's chi2 less its expectation, over its standard deviation
+        std::numeric_limits<double>::infinity();  // 2 (log-likelihood of the counts themselves - log-likelihood of the model)
+    double discrepancy = 0.0;  // Pearson's chi2 minus its expectation, over its standard deviation
     FitState state = FitState::undetermined;
     std::int32_t steps = 0;
 };
 
-// Least and largest rows, columns and z, and by how much z moves in a step at most.
+// Valid range of row, column and z; `stride` is the largest change of z in one step.
 struct Limits {
     double low[3], high[3], stride;
 };
 
 namespace localize {
 
-constexpr double least_background = 0.01;  // electrons
-constexpr double settled = 0.01;  // of a standard error, that nothing moves by any more
-constexpr double noise = 1e-6;  // of a deviance, a sum of floats
-constexpr double singular = 1e-6;  // pivots of sums of floats over the diagonal: what is less may be 0
+constexpr double least_background = 0.01;  // electrons per pixel; keeps the logarithm finite
+constexpr double settled = 0.01;  // converged if no unknown moves by more than this share of its standard error
+constexpr double noise = 1e-6;  // relative rounding of the deviance, a sum of floats
+constexpr double singular = 1e-6;  // pivots below this share of the diagonal are rounding errors of float sums
 constexpr int most_steps = 50;
 
-// Light of a channel: photons, the background in the middle of the box, and its slopes a pixel.
+// Light of a channel, in electrons: photons, background per pixel in the middle of the box, and its slopes per pixel.
 struct Light {
     double photons, background, down, across;
 };
 
-// Sums over the pixels of a channel: the score and the information by row, column, z, photons, background and slopes, and the
-// deviance.
+// Sums over the pixels of a channel: score and Fisher information with respect to row, column, z, photons, background and
+// slopes (upper triangle, row by row); and the deviance.
 struct Sums {
     static constexpr std::size_t unknown = 7, products = 28;
     double score[unknown], information[products], deviance;
@@ -83,8 +85,9 @@ LOMMEL_INLINE double total(V v) {
     return sum;
 }
 
-// The mean of a pixel is photons * images[value] + background + read; of 7 unknowns the background has slopes, `ramps` being the
-// rows and columns of pixels from the middle. Of floats: a deviance is exact to some 1e-7 of the electrons.
+// Score, information and deviance for the mean photons x images[value] + background + read. With 7 unknowns the background
+// has slopes; `ramps` are the row and the column of each pixel relative to the middle. Summed in float: the deviance is
+// accurate to about 1e-7 of the electrons.
 template <std::size_t Unknown>
 inline void add_up(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                    Sums& sums) {
@@ -110,7 +113,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // Where nothing was counted, or less, the first term alone depends on the mean.
+            // The reference max(|d|, 1) only adds a constant, d log(reference); counts d may be 0 or negative.
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -134,8 +137,9 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
     });
 }
 
-// Pearson's chi2, what it is expected to be, and its variance, of one channel. The square of x = Poisson(mu) + N(0, read) - mu has
-// the mean v = mu + read and the variance mu + 2 v^2, of which mu^2 / v goes with x, whose sum is fitted away.
+// Pearson's chi2 of a channel, its expectation and variance. With x = Poisson(mu) + N(0, read) - mu, x^2 has the mean v = mu
+// + read and the variance mu + 2 v^2. The part mu^2 / v of this variance is correlated with x and is subtracted, as the fit
+// makes the sum of x zero.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
@@ -165,7 +169,7 @@ inline void compare(const float* images, const float* ramps, std::size_t pixels,
     });
 }
 
-// The Cholesky factor of a symmetric matrix, in its lower half; whether it is positive definite.
+// Replace the lower triangle of a symmetric matrix by its Cholesky factor; returns whether the matrix is positive definite.
 inline bool factor(std::size_t n, double (&a)[most_unknown][most_unknown]) {
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
@@ -202,7 +206,7 @@ inline void solve(std::size_t n, const double (&a)[most_unknown][most_unknown], 
 
 }  // namespace localize
 
-// Fits of molecules one after the other, in the same memory.
+// Fits molecules one after the other, reusing its memory.
 class MoleculeFit {
    public:
     MoleculeFit(const std::vector<Channel>& channels, const Limits& limits, bool tilted)
@@ -220,10 +224,10 @@ class MoleculeFit {
         }
     }
 
-    // Photons, background and, where it is tilted, its slopes: how many unknowns each channel has of its own.
+    // Number of unknowns of each channel: photons, background and, if tilted, its two slopes.
     std::size_t own() const { return own_; }
 
-    // From unknowns to start with. `counts` and `offsets`, a row and a column, are of each channel.
+    // Fit from starting values `start`. `counts`: one per channel; `offsets`: (row, column) per channel.
     Fitted from(const double* start, const Counts* counts, const double* offsets) {
         Fitted found;
         std::copy_n(start, unknown_, found.value.begin());
@@ -240,7 +244,7 @@ class MoleculeFit {
             }
             const bool shortened = move(found.value.data(), step, next);
             bool still = !shortened;
-            double before = 0.0, after = 0.0;  // how steeply the likelihood rises along the step
+            double before = 0.0, after = 0.0;  // derivative of the log-likelihood along the step, at its start and end
             ++found.steps;
             look_at(next, counts, offsets, tried);
             for (std::size_t k = 0; k < unknown_; ++k) {
@@ -256,7 +260,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // The information is not the curvature: where it is less, steps would go to and fro.
+                // Fisher information differs from the curvature. If the derivative changes sign, the step overshot: increase
+                // the damping.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping
@@ -276,6 +281,7 @@ class MoleculeFit {
     std::size_t unknown() const { return unknown_; }
 
    private:
+    // Fisher information, score and deviance at given values of the unknowns.
     struct System {
         double information[most_unknown][most_unknown], score[most_unknown], deviance;
     };
@@ -284,7 +290,7 @@ class MoleculeFit {
         const double* const m = channels_[c].matrix;
         const Place place{m[0] * at[0] + m[1] * at[1] + offsets[2 * c], m[2] * at[0] + m[3] * at[1] + offsets[2 * c + 1],
                           at[2]};
-        // A transform may lead out of the other table by a little.
+        // Clamp: the transform may lead slightly out of the other channel's table.
         images_[c].write(channels_[c].table.within(place), pictures_[c].data());
     }
 
@@ -308,7 +314,7 @@ class MoleculeFit {
                     own[a][b] = own[b][a] = sums.information[k];
                 }
             }
-            // Derivatives by the row and the column of the first channel are sums of those by the channel's own.
+            // Chain rule: derivatives with respect to row and column of the first channel, by the transposed matrix.
             const double* const m = channels_[c].matrix;
             const auto turn = [m](double& row, double& column) {
                 const double before = row;
@@ -336,7 +342,7 @@ class MoleculeFit {
         return {own[0], own[1], own_ == 2 ? 0.0 : own[2], own_ == 2 ? 0.0 : own[3]};
     }
 
-    // Whether an unknown is the photons (0), the background (1) or a slope of it (2, 3) of a channel.
+    // Kind of a channel's unknown: photons (0), background (1), slope of the background (2, 3).
     std::size_t kind(std::size_t k) const { return (k - 3) % own_; }
 
     bool towards(const System& system, double damping, double* step) const {
@@ -362,8 +368,8 @@ class MoleculeFit {
         }
     }
 
-    // By at most a pixel, and a stride of z; photons and background fall to a part of themselves at most.
-    // Whether the step was shortened, but by the limits.
+    // Take a step, limited to a pixel, to `stride` in z, and to a decrease of photons to 30 % and of the background to 20 %.
+    // Returns whether the step was shortened by these limits (those of confine() do not count).
     bool move(const double* at, const double* step, double* to) const {
         bool shortened = false;
         for (std::size_t k = 0; k < unknown_; ++k) {

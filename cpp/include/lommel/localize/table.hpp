@@ -1,4 +1,5 @@
-// A table of the images of a molecule: averages over pixels and their slopes, wherever it is, by few products for each pixel.
+// Table of the images of a molecule: pixel averages and their derivatives at any position, by interpolation (certificate,
+// 19).
 #pragma once
 
 #include <algorithm>
@@ -13,19 +14,21 @@
 
 namespace lommel {
 
-// Pixels of an image are stored in rows of whole vectors.
+// Rows of an image are padded to whole vectors.
 constexpr std::size_t image_lanes = 16;
 constexpr std::size_t image_stride(std::size_t width) { return (width + image_lanes - 1) / image_lanes * image_lanes; }
 
-// Where a molecule is: row and column in pixels, 0 being the middle of the first, and z in the unit of the table.
+// Position of a molecule: row and column in pixels, 0 at the centre of the first pixel; z in the unit of the table.
 struct Place {
     double row, column, z;
 };
 
-// Along z, in `pieces` from `low` to `high`, there are `terms` Chebyshev coefficients; along rows and columns `per` filtered samples
-// a pixel, between which polynomials of 2 t - 1, highest power first, (powers, taps), interpolate. Coefficients are of shape
-// (pieces * terms, rows, per, columns), with neighbouring samples of a row in different phases; coefficient (0, 0) is `first_row`
-// and `first_column` samples from the molecule. After the last there is room for `MoleculeTable::beyond` floats.
+// Along z: `pieces` equal intervals from `low` to `high`, with `terms` Chebyshev coefficients each. Along rows and columns:
+// `per` filtered samples per pixel, interpolated by taps polynomials[power][tap] in 2 t - 1, highest power first.
+//
+// coefficients[piece * terms + term][row][phase][column]: consecutive samples of a row differ in phase, so that one phase is
+// contiguous. Coefficient (0, 0) lies `first_row` and `first_column` samples from the molecule. MoleculeTable::beyond floats
+// after the last coefficient may be read.
 struct MoleculeTable {
     static constexpr std::size_t terms = 8, beyond = 256, most_taps = 16;
     const float* coefficients;
@@ -33,7 +36,7 @@ struct MoleculeTable {
     const double* polynomials;
     std::size_t powers, taps;
     double first_row, first_column, low, high;
-    double least_row, largest_row, least_column, largest_column;  // of places
+    double least_row, largest_row, least_column, largest_column;  // valid range
 
     std::size_t stride() const { return image_stride(width); }
     std::size_t pixels() const { return height * stride(); }
@@ -43,17 +46,18 @@ struct MoleculeTable {
     }
 };
 
-// Values, slopes by row, by column and by z.
+// Image of a molecule, and its derivatives with respect to row, column and z.
 enum class Molecule : std::size_t { value, row, column, z };
 constexpr std::size_t molecule_images = 4;
 
+// Interpolates the image of a molecule and its derivatives, reusing its memory.
 class MoleculeImages {
    public:
     explicit MoleculeImages(const MoleculeTable& table)
         : table_(table), between_(2 * (needed() + MoleculeTable::beyond)),
           across_(3 * (table.height * line() + MoleculeTable::beyond)) {}
 
-    // Writes the four images, each of `pixels()` floats, at a place within the table.
+    // Write the four images (value, row, column, z), each of pixels() floats, for a position within the table.
     void write(const Place& place, float* images);
 
    private:
@@ -66,7 +70,7 @@ class MoleculeImages {
         const std::size_t piece = along_z(place.z, z);
         const std::size_t top = taps_at(place.row, table.first_row, down);
         const std::size_t left = taps_at(place.column, table.first_column, right);
-        // Planes are summed up first, then rows, then columns, each in a loop of its own.
+        // Interpolate along z first, then rows, then columns, each in a loop of its own.
         const float* const from = table.coefficients + piece * MoleculeTable::terms * table.rows * line() + top * line();
         const std::size_t plane = table.rows * line(), all = needed();
         float* const value = between_.data();
@@ -74,7 +78,8 @@ class MoleculeImages {
         constexpr std::size_t together = 4;
         for (std::size_t i = 0; i < all; i += together * lanes) {
             V sum[together] = {}, rate[together] = {};
-            // From the last term on: the first is mostly the largest, and is rounded once.
+            // Start with the highest term: the first one is usually the largest, and is then rounded only once (certificate,
+            // 19).
             for (std::size_t n = MoleculeTable::terms; n-- > 0;) {
                 const V weight = splat<V>(z.value[n]), change = splat<V>(z.slope[n]);
                 for (std::size_t k = 0; k < together; ++k) {
@@ -119,7 +124,7 @@ class MoleculeImages {
         const std::size_t pixels = table.pixels(), stride = table.stride();
         constexpr std::size_t pair = 2;
         for (std::size_t p = 0; p < table.height; p += pair) {
-            // Of the last of an odd number of rows both are the same.
+            // If the number of rows is odd, the last row is computed twice.
             const std::size_t own[pair] = {p, std::min(p + 1, table.height - 1)};
             for (std::size_t x = 0; x < stride; x += lanes) {
                 V sum[pair] = {}, moved[pair] = {}, aside[pair] = {}, rate[pair] = {};
@@ -172,7 +177,7 @@ class MoleculeImages {
         return piece;
     }
 
-    // The weights of taps of the first pixel, for a molecule at `at`, and which coefficient the first is of.
+    // Compute the tap weights of the first pixel for a molecule at `at` (pixels); returns the index of the first coefficient.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;
@@ -201,7 +206,7 @@ LOMMEL_ONCE void MoleculeImages::write(const Place& place, float* images) {
 }
 #endif
 
-// Values and slopes at `count` places of (row, column, z): [place][image][row][column], without gaps.
+// Values and derivatives at places[count][row, column, z]: to[place][image][row][column] without gaps.
 void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to) {

@@ -1,4 +1,4 @@
-// Encircled energy about the axis, and mean intensity on circles, from the field of any circular or annular aperture.
+// Encircled energy about the axis and mean intensity on circles, from the field of a circular or annular aperture.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace lommel {
 
-// The mean of an intensity over circles, as polynomials on panels of the radius.
+// Mean intensity on circles, as Chebyshev series on panels of the radius.
 //
-// Along any line the intensity is of exponential type 2 and between 0 and its peak, hence so is the mean over all directions, as
-// an even function of v: interpolation at Chebyshev's points is off by interpolation_error() times half of the peak, and the
-// energy within v by that times v^2 / 2. What the given values are off by is magnified by lebesgue().
+// Along any line the intensity is of exponential type 2 and between 0 and its peak; so is the mean over all directions, an
+// even function of v. Interpolation at Chebyshev points is off by interpolation_error() times half of the peak, the energy
+// within v by that times v^2 / 2. Errors of the given values are magnified by lebesgue().
 class MeanProfile {
    public:
-    // From at(v), the mean at the distance v, up to `reach`; interpolation is off by `allowed` over half of the peak.
+    // at(v): mean at the distance v, up to `reach`. `allowed`: error of the interpolation relative to half of the peak.
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
@@ -50,7 +50,7 @@ class MeanProfile {
         }
     }
 
-    // The mean at v.
+    // Mean intensity at v.
     double mean(double v) const {
         const std::size_t s = panel(v);
         return series(&means_[s * points_], points_, place(v, s));
@@ -61,11 +61,11 @@ class MeanProfile {
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Of errors in the values that it was made from.
+    // Magnification of errors of the values passed to the constructor.
     double magnification() const { return lebesgue(points_); }
 
    private:
-    static constexpr double widest = 20.0;  // panel
+    static constexpr double widest = 20.0;  // width of a panel in v
 
     double middle(std::size_t s) const { return half_ * static_cast<double>(2 * s + 1); }
     std::size_t panel(double v) const {
@@ -73,7 +73,7 @@ class MeanProfile {
     }
     double place(double v, std::size_t s) const { return std::min(1.0, (v - middle(s)) / half_); }
 
-    // By Clenshaw's recurrence.
+    // Chebyshev series by Clenshaw's recurrence.
     static double series(const double* c, std::size_t count, double x) {
         double after = 0.0, here = 0.0;
         for (std::size_t k = count; --k > 0;) {

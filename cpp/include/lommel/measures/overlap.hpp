@@ -1,13 +1,15 @@
-// What two apertures share, one shifted against the other: the optical transfer function of a wavefront of Zernike terms.
+// Optical transfer function of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With f over the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho over int |P|^2 d^2 rho. In coordinates (u, y) along and
-// across f, y = sin(theta) makes the ends of the lens-shaped overlap of two discs, u = +-(cos(theta) - f), entire functions of
-// theta, so that Gauss-Legendre nodes in theta and in u converge faster than any power. An obscured aperture is cut where its arcs
-// meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R. Soc. A 231, 91, 1955).
+// With f over the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int |P|^2 d^2 rho. In coordinates (u, y) along
+// and across f, the substitution y = sin(theta) makes the ends of the lens-shaped overlap of two discs, u = +-(cos(theta) -
+// f), entire functions of theta, so that Gauss-Legendre rules in theta and u converge faster than any power. With an
+// obscuration, the region is cut where its arcs meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R.
+// Soc. A 231, 91, 1955).
 //
-// A rule of n nodes for exp(i D) over an interval on which D runs through s radians is off by some J_2n(s / 2), which falls faster
-// than any power once n is beyond s / 4 by a few cube roots of s. How far D runs is known from the first and second derivatives
-// of the phase; long runs are cut into pieces, so that rules stay short.
+// D(u, y) = Phi(u - f, y) - Phi(u + f, y) is the phase of the integrand. For exp(i D), on an interval where D runs through s
+// radians, a rule of n nodes is off by about J_2n(s / 2), which falls faster than any power once n exceeds s / 4 by a few
+// cube roots of s. The run of D is estimated from the first and second derivatives of Phi; long runs are cut into pieces to
+// keep the rules short.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +28,7 @@
 
 namespace lommel {
 
-// Area that two discs of radii a and b share whose middles are d apart.
+// Area shared by two discs of radii a and b whose centres are d apart.
 inline double shared_area(double a, double b, double d) {
     if (d >= a + b) {
         return 0.0;
@@ -40,7 +42,7 @@ inline double shared_area(double a, double b, double d) {
     return a * a * std::atan2(height, x) + b * b * std::atan2(height, other) - d * height;
 }
 
-// The OTF without aberration, at f over the cutoff.
+// OTF without aberrations, at f over the cutoff.
 inline double flat_overlap(double f, double eps) {
     const double area = shared_area(1.0, 1.0, 2.0 * f) - 2.0 * shared_area(1.0, eps, 2.0 * f) + shared_area(eps, eps, 2.0 * f);
     return area / (pi * (1.0 - eps * eps));
@@ -48,11 +50,11 @@ inline double flat_overlap(double f, double eps) {
 
 class Overlap {
    public:
-    // Beyond this degree a polynomial of x and y would lose digits.
+    // Beyond this degree, monomials in x and y would lose digits by cancellation.
     static constexpr std::size_t most = 12;
     using Line = std::array<double, most + 1>;
 
-    // Terms with radians at the edge.
+    // edge: coefficients in radians at the edge. eps: obscuration ratio.
     Overlap(const std::vector<ZernikeTerm>& terms, const double* edge, double eps) : eps_(eps) {
         for (std::size_t j = 0; j < terms.size(); ++j) {
             if (edge[j] == 0.0) {
@@ -67,7 +69,7 @@ class Overlap {
         }
     }
 
-    // Turns coordinates so that f lies at this angle from the columns to the rows.
+    // Rotate coordinates so that f is at this angle (radians) from the columns towards the rows.
     void face(double angle) {
         for (auto& row : powers_) {
             row.fill(0.0);
@@ -76,7 +78,7 @@ class Overlap {
         for (std::size_t j = 0; j < terms_.size(); ++j) {
             const int m = std::abs(terms_[j].m);
             const double c = std::cos(m * angle), s = std::sin(m * angle);
-            // cos(m (theta + angle)) and sin(m (theta + angle)).
+            // cos(m (theta + angle)) and sin(m (theta + angle)), expanded.
             const double cosine = terms_[j].m >= 0 ? c : s, sine = terms_[j].m >= 0 ? -s : c;
             even_ = even_ && m % 2 == 0;
             mirrored_ = mirrored_ && (m == 0 || std::abs(sine) < 1e-15);
@@ -85,7 +87,7 @@ class Overlap {
         survey();
     }
 
-    // At f over the cutoff, from 0 to 1, in the direction faced; `more` nodes than an error of 1e-4 takes.
+    // OTF at f over the cutoff, 0 to 1, in the current direction, with `more` nodes per rule than an error of 1e-4 needs.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -100,7 +102,7 @@ class Overlap {
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
-    // For along(): f over the cutoff, and nodes as for at().
+    // Prepare along() for f over the cutoff; `more` as for at().
     void set_shift(double f, std::size_t more) {
         f_ = f;
         more_ = more;
@@ -109,10 +111,10 @@ class Overlap {
         shift();
     }
 
-    // After set_shift(): how fast D runs at most, in radians over the radius.
+    // After set_shift(): bound on the gradient of D, in radians per radius of the aperture.
     double run() const { return std::max(across_, down_); }
 
-    // About how many nodes at() takes.
+    // Approximate number of nodes that at() takes.
     double price(double f) const {
         const double across = 2.0 * std::min(steepest_, f * bend_along_), down = 2.0 * std::min(steepest_, f * bend_across_);
         const double end = std::acos(f), height = std::sqrt((1.0 - f) * (1.0 + f));
@@ -120,7 +122,7 @@ class Overlap {
                (25.0 + 0.25 * end * (across * height + down)) * (eps_ > 0.0 ? 1.7 : 1.0);
     }
 
-    // The integral of exp(i D(u, y)) over u from `low` to `high`.
+    // Integral of exp(i D(u, y)) over u from `low` to `high`.
     std::complex<double> along(double y, double low, double high) {
         re_ = im_ = 0.0;
         pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
@@ -129,14 +131,14 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Of the phase, in the coordinates faced: coefficients [power of x][power of y], and the longest gradient.
+    // Phase in the rotated coordinates: coefficients [power of x][power of y], and the largest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
 
-    // Gauss-Legendre.
+    // Gauss-Legendre rule.
     struct Rule {
-        Doubles x, w;  // on [0, 1]; filled up with weights of 0
+        Doubles x, w;  // on [0, 1]; padded with weights of 0
         std::size_t nodes;
     };
     static const Rule& rule(std::size_t nodes) {
@@ -158,7 +160,8 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Calls `use` with a rule and its piece of [0, 1], for a phase that runs through so many radians; few different rules.
+    // Calls use(rule, start, length) for pieces of [0, 1], where the phase runs through so many radians. Few distinct rules
+    // are used.
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);
@@ -170,17 +173,17 @@ class Overlap {
         }
     }
 
-    // Adds R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j.
+    // Add R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j.
     void add(std::int32_t degree, int m, double c, double s) {
         const int n = degree;
         for (int k = 0; 2 * k <= n - m; ++k) {
             const double radial =
                 (k % 2 == 0 ? 1.0 : -1.0) * std::tgamma(n - k + 1.0) /
                 (std::tgamma(k + 1.0) * std::tgamma((n + m) / 2 - k + 1.0) * std::tgamma((n - m) / 2 - k + 1.0));
-            const int squares = (n - m) / 2 - k;  // powers of x^2 + y^2
+            const int squares = (n - m) / 2 - k;  // power of x^2 + y^2
             for (int p = 0; p <= squares; ++p) {
                 for (int q = 0; q <= m; ++q) {
-                    // Of (x + i y)^m, i^q x^(m - q) y^q.
+                    // In (x + i y)^m: the term i^q x^(m - q) y^q, times binomial coefficients.
                     const double part = radial * choose_of(squares, p) * choose_of(m, q) * (q % 4 < 2 ? 1.0 : -1.0);
                     powers_[static_cast<std::size_t>(2 * (squares - p) + m - q)][static_cast<std::size_t>(2 * p + q)] +=
                         part * (q % 2 == 0 ? c : s);
@@ -192,7 +195,7 @@ class Overlap {
         return std::round(std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0)));
     }
 
-    // max |grad Phi|, |d^2 Phi / dx^2| and |d^2 Phi / dx dy|, by samples.
+    // Estimate max |grad Phi|, |d^2 Phi / dx^2| and |d^2 Phi / dx dy| from samples.
     void survey() {
         steepest_ = bend_along_ = bend_across_ = 0.0;
         for (std::size_t i = 0; i <= 8; ++i) {
@@ -200,10 +203,10 @@ class Overlap {
             for (std::size_t k = 0; k < 24; ++k) {
                 const double theta = 6.283185307179586 * static_cast<double>(k) / 24.0;
                 const double x = rho * std::cos(theta), y = rho * std::sin(theta);
-                // Of polynomials in x, by Horner's rule: the value, the derivative, and half the second one.
+                // Horner's rule in x: value, first derivative, half the second derivative.
                 double along[3] = {}, down[2] = {};
                 for (std::size_t a = degree_ + 1; a-- > 0;) {
-                    double value = 0.0, slope = 0.0;  // of the coefficient of x^a
+                    double value = 0.0, slope = 0.0;  // of the coefficient of x^a, as a polynomial in y
                     for (std::size_t b = degree_ - a + 1; b-- > 0;) {
                         slope = slope * y + (b < degree_ - a ? static_cast<double>(b + 1) * powers_[a][b + 1] : 0.0);
                         value = value * y + powers_[a][b];
@@ -221,12 +224,12 @@ class Overlap {
         }
     }
 
-    // D(u, y) = Phi(u - f, y) - Phi(u + f, y): coefficients of u^p y^j.
+    // Coefficients of D(u, y) = Phi(u - f, y) - Phi(u + f, y), [power of u][power of y].
     void shift() {
         for (std::size_t p = 0; p < degree_; ++p) {
             Line& row = shifted_[p];
             row.fill(0.0);
-            double power = f_, ways = static_cast<double>(p + 1);  // f^(i - p), i over p
+            double power = f_, ways = static_cast<double>(p + 1);  // f^(i - p) and the binomial coefficient i over p
             for (std::size_t i = p + 1; i <= degree_; ++i) {
                 if ((i - p) % 2 == 1) {
                     for (std::size_t j = 0; i + j <= degree_; ++j) {
@@ -239,12 +242,12 @@ class Overlap {
         }
     }
 
-    // The overlap by lines of constant y: its upper half, and the lower one where that is another.
+    // Integrate over the overlap by lines of constant y: its upper half, and the lower half unless that follows by symmetry.
     void cover() {
         const double end = 2.0 * std::asin(std::sqrt(0.5 * (1.0 - f_))), top = std::sqrt((1.0 - f_) * (1.0 + f_));
         panel(std::asin(std::min(eps_, top)), end, 1.0);
         if (eps_ > 0.0) {
-            // Where the rim of one aperture meets the obscuration of the other, and both obscurations one another.
+            // Where the rim of one aperture meets the obscuration of the other, and where the two obscurations meet.
             const double last = std::asin(std::min(1.0, top / eps_));
             const double meets = std::abs(f_ - (1.0 - eps_ * eps_) / (4.0 * f_));
             std::array<double, 4> edges{0.0, std::min(last, std::acos(std::min(1.0, meets / eps_))),
@@ -256,19 +259,19 @@ class Overlap {
         }
     }
 
-    // Lines with y = radius sin(theta).
+    // Integrate over lines with y = radius sin(theta), theta from `first` to `last`.
     void panel(double first, double last, double radius) {
         if (!(last > first)) {
             return;
         }
-        // Per radian of theta, ends of lines move at most so far, and lines rise.
+        // Bounds per radian of theta: displacement of the ends of lines, and change of y.
         const double move = radius * (radius == 1.0 ? std::sin(last) : 1.0), rise = radius * std::cos(first);
         pieces((last - first) * (across_ * move + down_ * rise), [&](const Rule& rule, double start, double part) {
             rows(rule, first + start * (last - first), part * (last - first), radius);
         });
     }
 
-    // Its lines from `first` on.
+    // Lines of one piece of the rule over theta, starting at `first`.
     void rows(const Rule& rule, double first, double length, double radius) {
         for (std::size_t k = 0; k < rule.nodes; ++k) {
             const double theta = first + length * rule.x[k];
@@ -279,7 +282,7 @@ class Overlap {
                     line(y, low, high, weight);
                 }
             };
-            if (radius == 1.0) {  // beside the obscurations
+            if (radius == 1.0) {  // above the obscurations
                 between(f_ - rim, rim - f_);
                 continue;
             }
@@ -295,7 +298,8 @@ class Overlap {
     }
 
     void line(double y, double low, double high, double weight) {
-        // Turned by half a turn, an even phase gives the conjugate; mirrored, a symmetric one gives the same.
+        // Rotation by half a turn maps an even phase to the conjugate integrand; reflection in y leaves a symmetric one
+        // unchanged.
         const bool once = even_ || mirrored_;
         const double times = (once ? 2.0 : 1.0) * weight * (high - low);
         pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
@@ -338,10 +342,10 @@ class Overlap {
     std::vector<ZernikeTerm> terms_;
     std::vector<double> edge_;
     std::size_t degree_ = 1, more_ = 0;
-    std::array<Line, size> powers_{}, shifted_{};  // of the phase and of D, [power of x][power of y]
-    bool even_ = true, mirrored_ = true;  // under half a turn, and in y
+    std::array<Line, size> powers_{}, shifted_{};  // of Phi and of D, [power of x or u][power of y]
+    bool even_ = true, mirrored_ = true;  // symmetry under half a turn, and in y
     double steepest_ = 0.0, bend_along_ = 0.0, bend_across_ = 0.0;
-    double across_ = 0.0, down_ = 0.0;  // how fast D runs along u and along y, at most
+    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| and |dD/dy|
     double f_ = 0.0, re_ = 0.0, im_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// J_0 to J_3 as piecewise polynomials.
+// Bessel functions J_0 to J_3 by piecewise polynomials.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,19 @@
 
 namespace lommel {
 
-// Of type 1 and at most 1, so that on pieces of width 2 polynomials of degree 15 are off by 2^-15 / 16! < 2e-18. With the values that
-// they are made of, magnified by 1 + (2 / pi) log 16, and with Horner's sums of at most e, the error is below 96 roundings.
+// Polynomials of degree 15 on pieces of width 2. J_m is of exponential type 1 and at most 1, so interpolation errs by at most
+// 2^-15 / 16! < 2e-18 (docs/certificate.md, section 15). Rounding of the sampled values, magnified by the Lebesgue constant 1
+// + (2 / pi) log 16, and of Horner's rule, whose sums are at most e, is below 96 roundings.
 struct BesselPieces {
     static constexpr std::size_t orders = 4, coefficients = 16;
-    static constexpr double half = 1.0, error = 96.0;  // in units of roundoff
+    static constexpr double half = 1.0, error = 96.0;  // half width of a piece; error in units of roundoff
 
     double reach;
     Doubles rows;  // [piece][coefficient][order]
 
     explicit BesselPieces(double most);
 
-    // J_0(v), J_1(v), ... up to the reach, side by side. Bound by multiply-adds.
+    // J_0(v), ..., J_3(v) for v up to the reach. Limited by the throughput of multiply-adds.
     template <class I>
     LOMMEL_INLINE void operator()(I, double v, double (&out)[orders]) const {
         constexpr std::size_t lanes = I::lanes < orders ? I::lanes : orders;

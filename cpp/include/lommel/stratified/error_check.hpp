@@ -1,4 +1,4 @@
-// Error bound of the intensity of a plane at given radii, and the dependence of its pixels on the azimuth.
+// Error bounds of the intensity of a plane at given radii (docs/certificate.md, section 15), and factors of azimuthal orders.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,19 @@
 
 namespace lommel {
 
+// Error bounds of the intensity of a plane.
 struct Judged {
-    double given;  // what I is off by at the radii
-    double most;   // what its orders of the azimuth sum to anywhere, at most
-    double swing;  // how far it is from a constant
+    double given;  // error of I at the radii
+    double most;   // bound on |I| at any radius
+    double swing;  // bound on the distance of I from a constant
 
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes)
         : Judged(planes, plane, sizes, 0, planes.harmonics.size()) {}
 
-    // The same of some orders of the azimuth, the first before the last.
+    // For the harmonics first .. last - 1 only.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // Products, forms and the power, which is known to 1e-13, are a few roundings of the largest value each.
+        // Products, forms and the power, known to 1e-13, cost a few roundings of the largest value each.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +
@@ -33,12 +34,12 @@ struct Judged {
         const std::size_t turning = std::max<std::size_t>(first, 1);
         const double steady = first == 0 ? planes.bilinear(plane, anywhere, 0, 1) : 0.0;
         most = swing = planes.bilinear(plane, anywhere, turning, last);
-        // What is never negative is within half its largest value of that half.
+        // A nonnegative function is within half of its maximum of that half.
         most += steady;
         swing += 0.5 * steady;
     }
 
-    // The same of a derivative, where `of` is what was found of the field: 2 Re sum form G conj(F).
+    // For a derivative 2 Re sum form G conj(F); `of` are the sizes of the field F, `sizes` those of its derivative G.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
@@ -52,7 +53,7 @@ struct Judged {
             2.0 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return G.most[j] * F.most[l]; }, first, last);
     }
 
-    // Of this times a factor, and another times one.
+    // Bounds of factor x this + share x other.
     Judged sum(double factor, const Judged& other, double share) const {
         Judged made = *this;
         made.given = std::abs(factor) * given + std::abs(share) * other.given;
@@ -64,6 +65,7 @@ struct Judged {
    private:
     static constexpr double rounding = 4e-13;
 
+    // Moduli of the parts of a field at the radii and at any radius, and their error.
     struct Parts {
         double off;
         std::array<double, most_parts> found{}, most{};
@@ -79,7 +81,7 @@ struct Judged {
     };
 };
 
-// Pixels of a centred window from the orders of the azimuth at its radii: what each order is multiplied by.
+// Factors cos, sin of the azimuthal orders at the pixels of a centred window, to sum the orders from values at its radii.
 class Turned {
    public:
     Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {

@@ -1,4 +1,4 @@
-// Windows of pixels of planes through layers, each with its error bound: docs/certificate.md, section 15.
+// Windows of pixels of planes in a layered medium, each with its error bound (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -24,20 +24,21 @@
 
 namespace lommel {
 
+// Renders windows of planes by interpolation from few radii.
 template <class T>
 class LayeredImages {
    public:
-    // `allowed` is what interpolation may add to I, on a scale where 1 is the peak of a uniform aperture without aberration.
+    // `allowed`: interpolation error allowed for I, in units of the peak of a uniform aperture without aberrations.
     LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer,
                   const LayeredSlopes<T>& slopes)
         : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer), slopes_(slopes) {
-        // Roughly, in microseconds.
+        // Rough cost of a plane, microseconds.
         const double each = 0.5 + 1e-3 * static_cast<double>(pixels()) + 0.02 * static_cast<double>(planes.angles.count);
         threads_ = worthwhile_threads(threads, static_cast<double>(planes.count) * each);
     }
 
-    // Whether this engine has such windows; those of light that depends on the azimuth are samples. Derivatives are of windows
-    // around axes anywhere, or of averages around the middle.
+    // Return whether this engine supports the windows. Intensities that depend on the azimuth are sampled only; derivatives
+    // need windows around arbitrary axes or pixel averages around the middle.
     static bool fits(const Planes& planes, const PixelWindows& windows, bool derivatives) {
         const bool averages = windows.first.integrate;
         if (windows.centers == nullptr) {
@@ -68,7 +69,7 @@ class LayeredImages {
         const Turned turned(planes_, *layout);
         const std::size_t stride = (layout->count + 2 * Between::tile) / Between::tile * Between::tile;
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
-            constexpr std::size_t together = 6;  // twelve chains
+            constexpr std::size_t together = 6;  // twelve chains of multiply-adds
             thread_local Doubles made;
             const std::size_t rows = profiles.harmonics() * here;
             made.resize((rows + together) * stride);
@@ -85,7 +86,7 @@ class LayeredImages {
             });
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
-                // Radii are off by a few roundings of the farthest, where I changes by twice its swing at most.
+                // Radii are rounded a few times relative to the largest; |dI/dv| is at most twice the swing (Bernstein).
                 const double off =
                     between->magnification() * judged.given + between->error * judged.swing +
                     unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);
@@ -94,7 +95,7 @@ class LayeredImages {
         });
     }
 
-    // Windows whose pixels average, or whose axis is anywhere.
+    // Windows that are pixel-integrated or have an arbitrary axis, for radially symmetric intensities.
     template <class Table>
     void around(const std::shared_ptr<const Table>& table) const {
         const Profiles profiles(planes_, table, 1.0);
@@ -108,7 +109,7 @@ class LayeredImages {
                 size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
                 top = largest_value(made.values.data(), made.count);
-                // Of samples the peak is I at any radius.
+                // For samples, the intensity at any radius is a lower bound of the peak.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
                 store_window(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());
@@ -117,7 +118,7 @@ class LayeredImages {
         });
     }
 
-    // Samples around any axis of light that depends on the azimuth.
+    // Samples around any axis, for intensities that depend on the azimuth.
     void turned(const std::shared_ptr<const AnywhereTable>& table) const {
         const Profiles profiles(planes_, table, 1.0);
         const WindowSlopes<T> slopes(planes_, windows_, slopes_, table);
@@ -171,7 +172,7 @@ class LayeredImages {
 
     const Planes& planes_;
     PixelWindows windows_;
-    PixelWindow window_;  // the first
+    PixelWindow window_;  // window of the first plane
     double allowed_;
     int threads_;
     Answer<T> answer_;

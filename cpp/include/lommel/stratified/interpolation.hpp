@@ -1,4 +1,4 @@
-// Interpolation from few radii to all radii of a centred window: I is of exponential type 2, and piecewise polynomials serve.
+// Interpolation of the intensity from Chebyshev radii to all radii of a centred window, by piecewise polynomials.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@
 
 namespace lommel {
 
-struct Between : Radii {  // Chebyshev points of each piece, in v
+struct Between : Radii {  // radii: Chebyshev points of each piece, in v
     static constexpr double widest = 16.0;
     static constexpr std::size_t tile = 16;
 
-    std::shared_ptr<const Layout> layout;  // keeps the key alive
+    std::shared_ptr<const Layout> layout;  // keeps the cache key alive
     double step;
     std::size_t nodes, pieces;
-    double half, error;                // of a piece; of what is within 1 of a constant
-    std::vector<std::size_t> first;    // of the radii of each piece
-    std::vector<std::size_t> weight;   // where its weights begin
+    double half, error;                // half width of a piece; interpolation error of a function bounded by 1
+    std::vector<std::size_t> first;    // [piece]: its first radius
+    std::vector<std::size_t> weight;   // [piece]: start of its weights
     Doubles weights;                   // [piece][tile of radii][node][radius]
 
     static std::size_t pieces_of(double reach) { return static_cast<std::size_t>(std::ceil(reach / widest)); }
@@ -60,11 +60,12 @@ struct Between : Radii {  // Chebyshev points of each piece, in v
     }
 
     double magnification() const { return lebesgue(nodes); }
-    // The second barycentric formula is off by so many roundings of the largest value (N. J. Higham, IMA J. Numer. Anal. 24, 547, 2004),
-    // and the sum by as many as there are nodes.
+    // Rounding in units of the largest value: 4 n + 8 of the second barycentric formula (N. J. Higham, IMA J. Numer. Anal.
+    // 24, 547, 2004), including the sum over the nodes.
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
-    // out[plane * out_stride + radius] of some planes, from values[plane * stride + node]. Writes whole tiles, in their sequence.
+    // out[plane * out_stride + radius] from values[plane * stride + node], for `Together` planes. Writes whole tiles in
+    // order; the next piece overwrites the excess of the last tile.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I, const double* values, std::size_t stride, double* out, std::size_t out_stride) const {
         using V = typename I::pack;
@@ -103,7 +104,8 @@ struct Between : Radii {  // Chebyshev points of each piece, in v
     double middle(std::size_t s) const { return half * (2.0 * static_cast<double>(s) + 1.0); }
     double point(std::size_t j) const { return chebyshev_point(nodes - 1 - j, nodes); }
 
-    // The value of each Lagrange polynomial at x, `tile` apart: the barycentric weights are sines with alternating signs.
+    // Write the Lagrange polynomials at x, to[j * tile]. Barycentric weights of Chebyshev points are sines with alternating
+    // signs.
     void weigh(double x, double* to) const {
         double sum = 0.0;
         for (std::size_t j = 0; j < nodes; ++j) {

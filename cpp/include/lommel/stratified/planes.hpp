@@ -1,4 +1,5 @@
-// Planes of a microscope: angles of the light, phases, and the quadratic forms that turn fields into intensities.
+// Planes of a microscope: pupil angles, phases, and the Hermitian forms that give intensities (docs/certificate.md, section
+// 15).
 #pragma once
 
 #include <algorithm>
@@ -15,20 +16,22 @@ namespace lommel {
 
 constexpr std::size_t most_parts = 3;
 
-// Angles, the parts of the field along each (orders 0, 1, ... of the azimuth), and the phase, linear in depth and focus.
+// Pupil angles: amplitudes of the parts of the field (azimuthal orders 0, 1, ...) and the phase, linear in depth and focus.
 struct Angles {
     const double* rho;
     std::size_t count, parts;
-    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle], then [angle]
-    double error;                                                   // of each part of the field, proven
-    // Of derivatives by the wavenumber: the same three rates, less a constant each, and what parts themselves change by, or nothing.
+    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle]; the others [angle]
+    double error;                                                   // proven error of each part of the field
+    // For derivatives with respect to ln k: the rates of the phase minus a constant each, and the change of the parts or
+    // null.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
-    // What rounding adds: the sum over angles, the Bessel functions, and products; over the sum of magnitudes.
+    // Rounding of the sum over angles, of the Bessel functions and of the products, relative to the sum of magnitudes.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
 };
 
-// One order of the azimuth: sum over j, l of form[j][l] F_j conj(F_l), times cosine cos(order phi) + sine sin(order phi).
+// Azimuthal order of the intensity: sum over j, l of form[j][l] F_j conj(F_l), times cosine cos(order phi) + sine sin(order
+// phi).
 struct Harmonic {
     std::complex<double> form[most_parts][most_parts];
     std::size_t order;
@@ -36,13 +39,14 @@ struct Harmonic {
     double size() const { return std::hypot(cosine, sine); }
 };
 
-// What fields are differentiated by: the emitter's depth, the stage, v, and the logarithm of the wavenumber at the same v.
+// Variables of derivatives: depth of the emitter, stage focus, v, and ln k (wavenumber) at fixed v.
 enum class By { depth, focus, radius, wavenumber };
 struct Derivative {
     By by;
-    double error;  // of each part of the field's, proven
+    double error;  // proven error of each part of the differentiated field
 };
 
+// Planes: depth of the emitter, stage focus and collected power, each [plane]; the harmonics of their intensity.
 struct Planes {
     Angles angles;
     const double *depth, *focus, *power;
@@ -56,8 +60,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // exp(i psi) times each of these parts, to re and im [part * stride + angle]; the sums of their magnitudes to `sizes`. Fading waves
-    // are few.
+    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. Writes the sum of |re| + |im| of each part to `sizes`.
+    // exp() of the decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {
@@ -99,7 +103,7 @@ struct Planes {
         }
     }
 
-    // What is there, `re` and `im` times i d psi / dx added.
+    // Add i d psi / dx times (re, im) to (to_re, to_im); x is depth, focus or ln k.
     void turn(By by, std::size_t plane, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
               double* sizes) const {
         const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
@@ -125,7 +129,7 @@ struct Planes {
         }
     }
 
-    // sum over j, l of |form[j][l]| f(j, l), over the power and all orders of the azimuth that come later than `first`.
+    // sum over j, l of |form[j][l]| f(j, l), divided by the power and summed over the harmonics first .. last - 1.
     template <class F>
     double bilinear(std::size_t plane, const F& f, std::size_t first, std::size_t last) const {
         double sum = 0.0;

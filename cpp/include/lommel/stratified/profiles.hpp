@@ -1,4 +1,4 @@
-// Intensities of many planes at the radii of one table, by matrix products, and their derivatives.
+// Intensities of many planes at the radii of one table, and their derivatives, by matrix products over angles.
 #pragma once
 
 #include <algorithm>
@@ -18,31 +18,33 @@
 
 namespace lommel {
 
-// Of a plane: the largest modulus of each part of the field, at the radii and, as a bound, anywhere; of derivatives likewise.
+// Sizes of the parts F of the field of a plane, or of its derivative: found, the largest |F|^2 at the radii; most, a bound of
+// |F| at any radius.
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
 
+// Computes fields at the radii as products of waves and tabulated Bessel functions, and from them intensities.
 class Profiles {
    public:
     static constexpr std::size_t together = 3;  // planes: twelve chains of multiply-adds, as many as sixteen registers hold
-    static constexpr std::size_t group = 24;    // planes a task
+    static constexpr std::size_t group = 24;    // planes per task
 
     Profiles(const Planes& planes, const std::shared_ptr<const Radii>& radii, double step)
         : Profiles(planes, AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
                                            planes.angles.parts, planes.slopes())) {}
-    // By a table that is not kept.
+    // With a table that is not cached.
     Profiles(const Planes& planes, std::shared_ptr<const AngleTable> table) : planes_(planes), table_(std::move(table)) {}
 
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // Of each plane: the orders of the azimuth, then for each derivative those of that.
+    // Rows per plane: the azimuthal orders of the intensity, then those of each derivative.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
-    // Hands values[(plane * outputs + k) * stride + radius], and of each plane the sizes of the field and of its derivatives, to
-    // take(first, count, values, sizes), for each group of planes.
+    // Calls take(first, count, values, sizes) for each group of planes, with values[(plane * outputs + k) * stride + radius]
+    // and the sizes of the field and of its derivatives, [plane][kind].
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
     void run(int threads, const Take& take) const;
 
@@ -62,7 +64,7 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // Of the same waves, and by Bessel functions whose derivatives are at most 1.
+                // Same waves and same bounds, as |J_m'| <= 1.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }
@@ -73,7 +75,7 @@ class Profiles {
         }
     }
 
-    // Fields of some planes at two vectors of radii: bound by multiply-adds.
+    // Fields of `together` planes at two vectors of radii. Limited by the throughput of multiply-adds.
     template <class I, class V>
     LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {
@@ -140,7 +142,7 @@ class Profiles {
         }
     }
 
-    // Re sum over j, l of form[j][l] G_j conj(F_l), a Hermitian form.
+    // Re sum over j, l of form[j][l] G_j conj(F_l), using that the form is Hermitian.
     template <class V>
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {

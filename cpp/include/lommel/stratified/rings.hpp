@@ -1,5 +1,5 @@
-// Intensities of a microscope with aberrations, on circles: sums over angles and Fourier transforms over azimuthal orders, for
-// eight planes at once.
+// Intensities of a microscope with aberrations on circles around the axis, for eight planes at once: sums over pupil angles,
+// then Fourier transforms over azimuthal orders (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace lommel {
 
 constexpr std::size_t ring_planes = fft_rows;
 
-// Fields of planes: order m of field f on a circle is sum_q part[m][f][q] wave[q] J_|m|(v rho_q), over the root of the power.
+// Fields: azimuthal order m of field f on a circle is sum_q part[m][f][q] wave[q] J_|m|(v rho_q) / sqrt(power).
 struct RingLight {
     const double* bessel;  // [|m|][circle][node]
-    std::size_t orders, circles, nodes;  // m from 1 - orders to orders - 1
+    std::size_t orders, circles, nodes;  // m = 1 - orders .. orders - 1
     const std::complex<double>* parts;   // [plane, or one for all][m][field][node]
     std::size_t wavefronts, fields;
     const std::complex<double>* waves;  // [plane][node]
@@ -29,51 +29,54 @@ struct RingLight {
     std::size_t planes;
 };
 
-// A weight's polynomials in 2 t - 1, t from 0 to 1 between the two taps in the middle: [highest power first][tap].
+// Interpolation weights of the taps as polynomials of 2 t - 1, with t = 0 .. 1 between the two middle taps: [highest power
+// first][tap].
 struct RingTaps {
     static constexpr std::size_t most = 16;
     const double* polynomials;
     std::size_t terms, count;
 };
 
-// From intensities at so many angles of each circle to those anywhere: circles are filtered by those before and after them, orders
-// m = 0, 1, ... multiplied by gains[m], and both ways taps interpolate; order m is off by aliases[m].
+// Interpolation from `angles` equal angles of each circle to any position. Circles are filtered by neighbouring circles,
+// azimuthal orders m = 0, 1, ... are multiplied by gains[m], and taps interpolate along the radius and around the circle. The
+// interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;
-    const double* filter;  // of a circle, of those on either side, ...
+    const double* filter;  // weights of the circle itself, of its neighbours on either side, ...
     std::size_t filters;
     RingTaps along, around;
     const double *gains, *aliases;
     std::size_t orders;
 
     std::size_t finer() const { return 2 * angles; }
-    std::size_t row() const { return finer() + around.count + 1; }  // numbers a plane
+    std::size_t row() const { return finer() + around.count + 1; }  // angles per row, with those beyond a turn
     std::size_t before() const { return along.count / 2; }          // circles of negative radius
 };
 
-// What bounds take of each plane.
+// Maxima over a plane that enter its error bound.
 struct RingSizes {
     explicit RingSizes(std::size_t fields) : squares(fields * ring_planes) {}
-    Doubles squares;                    // the largest of each field, [field][plane]
-    double top[ring_planes] = {};       // of the intensity
-    double aliases[ring_planes] = {};   // of a circle, what its orders may be off by once they are interpolated
-    double numbers[ring_planes] = {};   // of a circle, the sum of their magnitudes
+    Doubles squares;                    // largest |E_f|^2 of each field, [field][plane]
+    double top[ring_planes] = {};       // largest intensity
+    double aliases[ring_planes] = {};   // over circles: largest sum of the errors of its orders
+    double numbers[ring_planes] = {};   // over circles: largest sum of the moduli of its orders
 };
 
+// Intensities of eight planes on circles, filtered and interpolated to twice as many angles.
 class Rings {
    public:
     Rings(const RingLight& light, const RingSteps& steps)
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Of planes from `first` on. `rows` are [circle from -before on][angle from -taps / 2 on][plane].
+    // Fill eight planes, starting at `first`. Rows: [circle, from -before()][angle, from -taps / 2][plane].
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
     const double* row(std::size_t i) const { return rows_.data() + i * steps_.row() * ring_planes; }
 
    private:
-    // Fields of all orders on all circles: [m][circle][sign of m][field][re, im][plane].
+    // Fields of all orders on all circles: found_[m][circle][sign of m][field][re, im][plane].
     void sum(std::size_t first) {
         const std::size_t here = std::min(ring_planes, light_.planes - first), nodes = light_.nodes;
         const std::size_t each = 2 * light_.fields * fft_element;
@@ -87,7 +90,7 @@ class Rings {
             }
         }
         const std::size_t all = 2 * light_.orders - 1, one = light_.fields * nodes;
-        // Of wavefronts there is one for each plane, or for all.
+        // `parts`: one wavefront for each plane, or one for all.
         const bool many = light_.wavefronts > 1;
         const std::size_t from = many ? first : 0, last = many ? here - 1 : 0, apart = many ? all * one : 0;
         for (std::size_t m = 0; m < light_.orders; ++m) {
@@ -113,10 +116,10 @@ class Rings {
         }
     }
 
-    // Of a circle's angles, and some more, lest circles fall into the same lines of a cache.
+    // Stride of circles: one angle more than there are, to spread the circles over different cache sets.
     std::size_t stride() const { return (fft_.n + 1) * ring_planes; }
 
-    // Intensities at the angles of all circles: [circle][angle][plane].
+    // Intensities at the angles of all circles: intensities_[circle][angle][plane].
     template <class I>
     LOMMEL_INLINE void squares(I isa, std::size_t here, RingSizes& sizes) {
         using V = typename I::pack;
@@ -129,7 +132,7 @@ class Rings {
         for (std::size_t c = 0; c < light_.circles; ++c) {
             double* const out = intensities_.data() + c * stride();
             for (std::size_t f = 0; f < fields; ++f) {
-                // A transform leaves its own sums where zeros have to be.
+                // Restore the zero padding, which the previous transform has overwritten.
                 std::fill_n(a_.data() + light_.orders * fft_element, (n - 2 * light_.orders + 1) * fft_element, 0.0);
                 for (std::size_t m = 0; m < light_.orders; ++m) {
                     const double* from = found_.data() + (m * light_.circles + c) * each + f * fft_element;
@@ -168,8 +171,8 @@ class Rings {
         }
     }
 
-    // Each circle filtered by those before and after it, angle by angle. One of negative radius is that of the positive one, half a
-    // turn on.
+    // Filter each circle by its neighbours, angle by angle. The circle of radius -r is that of radius r, turned by half a
+    // turn.
     template <class I>
     LOMMEL_INLINE void filter(I) {
         using V = typename I::pack;
@@ -200,8 +203,8 @@ class Rings {
         }
     }
 
-    // Two circles from j on, filtered, one as real parts and one as imaginary ones, by their orders to twice as many angles. Gains are
-    // real and the same for m and -m, so that both stay what they are.
+    // Interpolate the filtered circles j and j + 1 to twice as many angles, in one complex transform: one circle is the real
+    // part, the other the imaginary part. The gains are real and equal for m and -m, so the two stay separate.
     template <class I>
     LOMMEL_INLINE void spread(I isa, std::size_t j, RingSizes& sizes) {
         using V = typename I::pack;
@@ -216,14 +219,14 @@ class Rings {
         }
         const double* orders = fft_.whole(isa, a_.data(), b_.data());
         double* const to = orders == a_.data() ? b_.data() : a_.data();
-        // The rest is not read.
+        // Zero only what the transform reads.
         std::fill_n(to, n / 2 * fft_element, 0.0);
         std::fill_n(to + (finer_.n - n / 2) * fft_element, n / 2 * fft_element, 0.0);
         V off[packs] = {}, size[packs] = {};
         for (std::size_t m = 0; m < steps_.orders; ++m) {
             const V gain = splat<V>(steps_.gains[m] / static_cast<double>(n));
             const V alias = splat<V>(steps_.aliases[m] / static_cast<double>(n));
-            // Two transforms with the same sign turn a circle round.
+            // Two forward transforms reverse the angle, so order m goes to index -m.
             const auto put = [&](std::size_t from, std::size_t at) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t p = 0; p < packs; ++p) {
                     const V re = load<V>(orders + from * fft_element + p * I::lanes);
@@ -263,7 +266,7 @@ class Rings {
         }
     }
 
-    // Circles of negative radius, and the angles beyond a turn.
+    // Fill circles of negative radius, and the angles beyond a full turn.
     void turn() {
         const std::size_t before = steps_.before(), apart = steps_.row() * ring_planes, turn = finer_.n * ring_planes;
         const std::size_t margin = steps_.around.count / 2 * ring_planes;

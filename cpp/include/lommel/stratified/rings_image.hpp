@@ -1,4 +1,4 @@
-// Windows of pixels interpolated between circles; the weights of a pixel serve all planes.
+// Windows of pixels interpolated between circles; the weights of a pixel serve all planes (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace lommel {
 
-// Pixels `step` circles apart, around the (row, column) of each plane, or one for all.
+// Window of pixels; `step` circles per pixel. centers[axis][row, column]: the axis of each plane, or one for all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;
     std::size_t axes;
     double step;
 
-    // The largest distance of a pixel from its axis, in pixels.
+    // Largest distance of a pixel from its axis, in pixels.
     double farthest() const {
         double most = 0.0;
         for (std::size_t i = 0; i < axes; ++i) {
@@ -32,8 +32,8 @@ struct RingWindow {
     }
 };
 
-// Numbers of planes that bounds are made of, each [plane], one after the other: of each field the largest square; of circles the
-// largest intensity, what orders may be off by, their sum; and the largest pixel.
+// Quantities for the error bounds, at[quantity][plane]: largest |E_f|^2 of each field f; then, over circles, the largest
+// intensity, the largest sum of aliasing errors and the largest sum of moduli of orders; finally the largest pixel.
 struct RingNumbers {
     double* at;
     std::size_t planes, fields;
@@ -45,18 +45,18 @@ struct RingNumbers {
 template <class T>
 class RingImages {
    public:
-    static constexpr std::size_t side = 16;                               // of tiles, whose circles fit a cache
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of circles at once
+    static constexpr std::size_t side = 16;                               // side of a tile, whose circles fit in a cache
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of circles held at once
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
         : light_(light), steps_(steps), window_(window), threads_(threads) {}
 
-    // Intensities times scales[plane], none negative.
+    // Write intensities times scales[plane], clipped to values >= 0.
     void run(const double* scales, T* images, const RingNumbers& numbers) const;
 
    private:
     using Blocks = std::vector<std::unique_ptr<const Rings>>;
-    // Planes of one axis, all or one, counted from the first of these blocks.
+    // Planes from .. to - 1 that share one axis, counted from the first plane of these blocks.
     struct Group {
         std::size_t from, to;
     };
@@ -91,7 +91,7 @@ class RingImages {
         std::size_t row, angle;  // of the first taps
     };
 
-    // The polynomials at x for all taps at once.
+    // Evaluate the polynomials of all taps at x.
     template <class I>
     static LOMMEL_INLINE void weigh(I, const RingTaps& taps, double x, double* out) {
         using V = typename I::pack;
@@ -169,7 +169,7 @@ class RingImages {
         }
     }
 
-    // Some at a time, of chains that hide the latency of multiply-adds; bound by loads.
+    // Sum over `Together` circles at once: enough chains to hide the latency of multiply-adds. Limited by loads.
     template <std::size_t Together, class V>
     LOMMEL_INLINE void circles(const double* start, std::size_t apart, const double* around, const double* along,
                                V* total) const {

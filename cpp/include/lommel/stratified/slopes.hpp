@@ -1,4 +1,4 @@
-// Derivatives of windows of a microscope's planes, each with its error bound: docs/certificate.md, section 15.
+// Derivatives of windows of a microscope's planes, each with its error bound (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,17 @@
 
 namespace lommel {
 
-// A derivative of values: `factor` times that of I by the depth, the stage, or the logarithm of the wavenumber, and own[plane] times
-// I itself; or two, by the row and the column of the axis. By the wavenumber the place stays in metres, and images shrink with v,
-// where light is radially symmetric; else v stays.
+// A requested derivative: factor x dI/dx + own[plane] x I with x the depth, the focus or ln k; or (axis) two images, with
+// respect to the row and column of the axis. With respect to ln k, radially symmetric light is differentiated at fixed
+// positions in metres (v grows with k), other light at fixed v.
 struct LayeredSlope {
     enum class What { depth, focus, axis, wavenumber } what;
     double factor;
     const double* own;  // [plane]
 };
 
-// Derivatives times the scale of the values, and absolute bounds on their errors before: [image][plane][pixel], [image][plane].
+// Results: derivatives times the scale of the values, images[image][plane][pixel], and absolute error bounds before scaling,
+// errors[image][plane].
 template <class T>
 struct LayeredSlopes {
     std::vector<LayeredSlope> asked;
@@ -36,7 +37,7 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// What is known of a plane at the radii: I and its derivatives, [kind][order][radius], the sizes of their fields; I judged.
+// Profiles of a plane at the radii: I and its derivatives, values[kind][order][radius]; sizes of the fields; bounds of I.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;
@@ -44,6 +45,7 @@ struct PlaneProfiles {
     const Judged& judged;
 };
 
+// Computes the requested derivatives of the windows of planes.
 template <class T>
 class WindowSlopes {
    public:
@@ -58,7 +60,7 @@ class WindowSlopes {
         }
     }
 
-    // Of light that is radially symmetric.
+    // Derivatives of radially symmetric intensities.
     void radial(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         table_.visit([&](const auto& table) {
             std::size_t image = 0;
@@ -76,7 +78,7 @@ class WindowSlopes {
         });
     }
 
-    // Of samples of any other.
+    // Derivatives of samples of other intensities.
     void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
         for (std::size_t image = 0; image < slopes_.asked.size(); ++image) {
             const double wrong = turned_window(
@@ -88,7 +90,7 @@ class WindowSlopes {
     }
 
    private:
-    // One of the two.
+    // Pointer to one of the two kinds of tables.
     struct AnyTable {
         const AnywhereTable* anywhere = nullptr;
         const PixelTable* centered = nullptr;
@@ -117,7 +119,7 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // What a derivative is at the radii. Fields at the same place grow as v I' does, whose error grows with the radius.
+    // Values of a derivative at the radii. At fixed positions in metres v I'(v) is added, whose error grows with the radius.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -144,12 +146,13 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // What I is over is known to 1e-13, and so are rates of it.
+        // The power that I is divided by is known to 1e-13, and so are its derivatives.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }
 
-    // Averages change by what is on two sides of each pixel. Samples by I' / v, even and of type 2, at most the largest |I''|.
+    // Shift of the axis. Averages change by the difference of the averages along opposite pixel sides; samples by I' / v,
+    // which is even, of type 2 and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;
@@ -186,7 +189,7 @@ class WindowSlopes {
         }
     }
 
-    // With what storing adds.
+    // Store the error bound, including the rounding of stored values.
     void note(std::size_t image, std::size_t plane, double wrong, const double* values, std::size_t count) const {
         double most = 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {

@@ -15,15 +15,15 @@
 namespace lommel {
 
 struct AngleTable {
-    static constexpr std::size_t tile = 16;  // radii
+    static constexpr std::size_t tile = 16;  // radii per tile
 
-    std::shared_ptr<const Radii> radii;  // keeps the key alive
+    std::shared_ptr<const Radii> radii;  // keeps the cache key alive
     double step;
     std::vector<double> rho;
     std::size_t parts;
     bool slopes;
     std::size_t kinds, tiles;
-    Doubles rows;  // [tile][J_m of each part, then their derivatives by v][angle][radius]
+    Doubles rows;  // [tile][J_m of each part, then dJ_m/dv][angle][radius]
 
     AngleTable(const std::shared_ptr<const Radii>& at, double pitch, const std::vector<double>& angles, std::size_t orders,
                bool derivatives);

@@ -1,7 +1,8 @@
-// The sum over azimuthal orders, U = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
+// Sum over azimuthal orders, U = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
 //
-// A_m and B_m are polynomials on a ring of v. Angles that differ in signs and order of |x|, |y| share them, and
-// cos(m psi) and sin(m psi) up to sign, by m modulo 4. Bound by multiply-adds: 4 Degree + 10 for eight pixels and an order.
+// A_m and B_m are polynomials in v on a ring. The eight directions that differ in the signs and the order of |x|, |y| share
+// them, and share cos(m psi), sin(m psi) up to a sign that depends on m modulo 4. Limited by multiply-adds: 4 Degree + 10 per
+// order for eight pixels.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,14 @@
 
 namespace lommel {
 
-// The orders that take part, those of one remainder modulo 4 together, rising.
+// Orders in use, grouped by m modulo 4 and increasing.
 struct ActiveOrders {
     struct Order {
         std::size_t m;
-        std::size_t turns;  // of 4 psi, from the one before
+        std::size_t turns;  // steps of 4 psi from the previous order
     };
     std::array<std::vector<Order>, 4> of;
-    bool sines = false;  // whether any B_m is not negligible
+    bool sines = false;  // some B_m is not negligible
 
     void add(std::size_t m) {
         std::vector<Order>& list = of[m % 4];
@@ -37,16 +38,16 @@ struct ActiveOrders {
     }
 };
 
-// Coefficients of one ring: for each order, in the sequence of ActiveOrders, the parts re A, im A, and re B, im B if there
-// are sines, each Degree coefficients from the highest power down.
+// coefficients: of one ring; for each order, in the sequence of ActiveOrders, re A, im A and, with Sines, re B, im B; each
+// has Degree coefficients, highest power first.
 //
-// Intensities of Unroll vectors of groups at x (-1 to 1 across the ring), with cos(psi) and sin(psi), psi in the first
-// octant: out[j][u] belongs to the direction (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
+// Writes intensities of Unroll vectors of pixel groups at x (-1 to 1 across the ring) and (cos(psi), sin(psi)) = (a, b), psi
+// in the first octant: out[j][u] for the directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
 template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
 LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine, const V* sine,
                               V (*out)[Unroll]) {
     constexpr std::size_t parts = Sines ? 4 : 2;
-    // [remainder][A cos, A sin, B cos, B sin][re, im]
+    // [m modulo 4][A cos, A sin, B cos, B sin][re, im]
     V sums[4][4][2][Unroll];
     V turn_c[Unroll], turn_s[Unroll], start_c[Unroll], start_s[Unroll];
     for (std::size_t u = 0; u < Unroll; ++u) {

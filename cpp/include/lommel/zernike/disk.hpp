@@ -23,13 +23,13 @@
 
 namespace lommel {
 
-// Phase of one pupil: coefficients, radians at the edge, of terms; and its amplitude.
+// Phase of one pupil, as coefficients of terms (radians at the edge), and its amplitude.
 struct ZernikePhase {
     const TermPairs& list;
     const double* coefficients;
     Amplitude amplitude;
 
-    // Calls f(amplitude, n, |m|) for every pair of cosine and sine.
+    // Calls f(amplitude, n, |m|) for every pair of a cosine and a sine term.
     template <class F>
     void amplitudes(const F& f) const {
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -43,8 +43,8 @@ struct ZernikePhase {
         return sum;
     }
 
-    // How much larger U is at the peak of an image without aberration, likely, and with a margin: strong aberrations may make it
-    // twice as dim as is likely.
+    // Likely ratio of max |U| without aberrations to max |U|; dimmest(): the same with a margin, as strong aberrations may
+    // dim an image twice as much as predicted.
     double dimness() const {
         double variance = 0.0;
         amplitudes([&](double a, std::size_t n, std::size_t m) {
@@ -54,7 +54,7 @@ struct ZernikePhase {
     }
     double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
 
-    // What roundings of rho and of the recurrences do to the phase, in units of roundoff.
+    // Error of the phase from rounding of rho and of the recurrences, in units of roundoff (docs/certificate.md, section 7).
     double sensitivity() const {
         double sum = 0.0;
         amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
@@ -69,27 +69,27 @@ struct ZernikePhase {
     }
 };
 
-// A product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2, equal angles off the axes, so that
-// sums over the terms at those of a quadrant serve all four. Shared by all calls.
+// Product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2 and equal angles off the axes, so
+// that sums over terms in one quadrant serve all four. Cached for all calls.
 struct DiskRule {
-    std::size_t degree;  // up to which it is exact
+    std::size_t degree;  // exact up to this degree
     std::size_t rings;   // a multiple of 8
-    RowFft<double> fft;  // over the angles, (j + 1/2) 2 pi / n
+    RowFft<double> fft;  // over the angles (j + 1/2) 2 pi / n
     Doubles t, rho, weights;
     std::vector<double> cosines, sines;  // of multiples of pi / n
 
     explicit DiskRule(std::size_t exact);
 
-    // Rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
+    // Degree rounded up to what a multiple of eight rings integrates, so that slightly more aberration needs no new tables.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
 
-    // Where cos(m theta) and sin(m theta) are, at angle j.
+    // Index of cos(m theta) and sin(m theta) at angle j in the tables.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
-    // Bound on the rounding of a Fourier coefficient, in units of roundoff and of the mean modulus: the transform, half an angle
-    // more, and a cosine of two.
+    // Bound on the rounding of a Fourier coefficient, in units of roundoff times the mean modulus: the transform, the factor
+    // for the half step, and the sum of two orders for a cosine.
     double rounding() const { return fft.rounding() + 25.0; }
 
     bool is(std::size_t exact) const { return degree == exact; }
@@ -117,15 +117,15 @@ LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
 }
 #endif
 
-// Coefficients of all degrees n < degrees of the azimuthal orders m < orders, those of one order together: n = m, m + 2, ...
+// Coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order: n = m, m + 2, ...
 struct ZernikeSeries {
     std::size_t degrees = 0, orders = 0;
-    std::vector<std::size_t> start;  // of each order
-    std::vector<std::size_t> used;   // how many of its coefficients matter
-    std::array<Doubles, 4> parts;    // of cosines re and im, of sines re and im
+    std::vector<std::size_t> start;  // [order]: first coefficient
+    std::vector<std::size_t> used;   // [order]: number of coefficients in use
+    std::array<Doubles, 4> parts;    // re and im of cosines, re and im of sines
 
     std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
-    // The magnitude of a coefficient, of the cosine or the sine.
+    // Modulus of a coefficient, of the cosine (sine = 0) or the sine (1).
     double size(std::size_t at, std::size_t sine) const {
         const double re = parts[2 * sine][at], im = parts[2 * sine + 1][at];
         return std::sqrt(re * re + im * im);
@@ -148,9 +148,10 @@ struct ZernikeSeries {
     }
 };
 
+// Computes the coefficients of a pupil: azimuthal FFTs on rings, then projections onto radial polynomials.
 class ZernikeAnalysis {
    public:
-    // Fills `series` with the coefficients times (-1)^(n/2) (-i)^n, what zernike_transforms() leaves to them.
+    // Fill `series` with the coefficients times (-1)^(n/2) (-i)^n, factors that zernike_transforms() omits.
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
@@ -168,7 +169,7 @@ class ZernikeAnalysis {
     }
 
    private:
-    // What the terms of each azimuthal order add up to at each ring: [order][cosine, sine][ring].
+    // Sum the terms of each azimuthal order at each ring: [order][cosine, sine][ring].
     template <class I>
     LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
@@ -197,7 +198,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of eight rings, times their weights, [m][cos re, cos im, sin re, sin im][ring].
+    // Azimuthal Fourier coefficients of eight rings, times their weights: [m][cos re, cos im, sin re, sin im][ring].
     template <class I>
     LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
                                  std::size_t first) {
@@ -223,7 +224,7 @@ class ZernikeAnalysis {
                 }
             }
             for (std::size_t m = 0; m < orders; ++m) {
-                // Of exp(-i m theta) and exp(i m theta), the first angle being half a step.
+                // Coefficients of exp(-i m theta) and exp(i m theta); the first angle is half a step.
                 const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
                     const double* here = x + l * fft_element + k;
                     const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};
@@ -241,7 +242,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // The pupil function at all angles of a vector of rings, times their weights over the angles.
+    // Evaluate the pupil function at all angles of a vector of rings, times the weights over the angles.
     template <class I>
     LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t k, double* out) const {
         using V = typename I::pack;
@@ -265,7 +266,7 @@ class ZernikeAnalysis {
                     odd_sin = odd_sin + s;
                 }
             }
-            // theta, -theta, pi - theta, pi + theta
+            // At theta, -theta, pi - theta, pi + theta.
             const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
                                 even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
             const std::size_t places[4] = {i, n - 1 - i, n / 2 - 1 - i, n / 2 + i};
@@ -278,12 +279,12 @@ class ZernikeAnalysis {
         }
     }
 
-    // The coefficients of an order.
+    // Project onto the radial polynomials of order m.
     template <class I>
     LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t m, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
-        constexpr std::size_t most = 64;  // vectors of rings whose recurrences are kept
+        constexpr std::size_t most = 64;  // vectors of rings in one block, whose recurrences are kept
         const double* in = &rings_[m * 4 * rings];
         const std::size_t count = series.count(m), to = series.start[m];
         for (Doubles& part : series.parts) {
@@ -306,7 +307,7 @@ class ZernikeAnalysis {
                     }
                     advance(step, x[p], before[p], here[p]);
                 }
-                // Of odd orders times -i.
+                // Odd orders have a factor -i.
                 const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
                 for (std::size_t c = 0; c < 4; ++c) {
                     series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);

@@ -1,4 +1,4 @@
-// Stacks of wavefronts for the non-radial engines: on the full disk and, rescaled, on the obscuration.
+// Stacks of wavefronts for engines without radial symmetry: phases on the full disk and, rescaled, on the obscuration.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace lommel {
 
-// A window of pixels, `step` in v apart; the axis is at the given row and column, of whole or broken number.
+// Window of pixels, `step` apart in v; the axis is at (row, column), in pixels, not necessarily whole.
 struct DiskWindow {
     std::size_t height, width;
     double row, column, step;
 };
 
-// Where the answer goes. For each pupil: the image; what the intensity was multiplied by (0 on entry: divide by the largest value
-// instead); the bound on the error over a peak; and that peak, of the intensity.
+// Output for each pupil: image; scale of the intensity (0 on entry: divide by the largest value); error bound relative to a
+// peak; and that peak, as an intensity.
 template <class T>
 struct DiskAnswer {
     T* images;
     double *scales, *bounds, *peaks;
 };
 
-// The variance of a phase over the full disk, but for piston and tilt.
+// Variance of a phase over the full disk (rad^2), without piston and tilt.
 inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double* edge) {
     double sum = 0.0;
     for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -39,24 +39,25 @@ inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double
     return sum;
 }
 
+// Stack of wavefronts in Zernike terms, and conversions between tilts and shifts of their axes.
 struct DiskStack {
-    std::vector<ZernikeTerm> terms;  // those that are not zero throughout, and what the inner disk makes of them
-    std::vector<double> outer, inner;  // [pupil][term], radians at the edge; no `inner` without an obscuration
-    std::vector<std::int64_t> rows, columns;  // the pixels that axes are moved to by move_axes()
-    std::vector<double> centers;  // of each pupil row and column of the axis, by center_axes()
-    std::vector<double> lost;  // of each pupil, what roundings on the way here do to U at most
+    std::vector<ZernikeTerm> terms;  // terms that are not zero for all pupils, and those that the inner disk adds
+    std::vector<double> outer, inner;  // [pupil][term], radians at the edge; `inner` is empty without an obscuration
+    std::vector<std::int64_t> rows, columns;  // [pupil]: pixel of the axis, set by move_axes()
+    std::vector<double> centers;  // [pupil][row, column] of the axis, set by center_axes()
+    std::vector<double> lost;  // [pupil]: bound on the error of U from rounding in these conversions
     std::size_t count;
     double obscuration;
     Amplitude amplitude;
 
-    // Of `given` terms, edge[pupil][term].
+    // From edge[pupil][term] of the `given` terms.
     DiskStack(const std::vector<ZernikeTerm>& given, const double* edge, std::size_t pupils, double eps, const Amplitude& light)
         : terms(given), outer(edge, edge + pupils * given.size()), lost(pupils, 0.0), count(pupils), obscuration(eps),
           amplitude(light) {
         trim();
     }
 
-    // Takes the way from the axis of a window to that of each pupil, (row, column), as a tilt.
+    // Express the shift of each pupil's axis, centers[pupil][row, column], from that of the window as a tilt.
     void tilt_to(const double* centers, const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         for (std::size_t p = 0; p < count; ++p) {
@@ -64,7 +65,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double before = axis == 0 ? window.row : window.column;
                 const double way = (centers[2 * p + axis] - before) * window.step;
-                // Difference, product and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
+                // Difference, product and sum are rounded, relative to values that may cancel; |dU/dv| < 1/2.
                 lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
                 tilt += way;
             }
@@ -72,8 +73,8 @@ struct DiskStack {
         trim();
     }
 
-    // Takes whole pixels of tilt as a move of the axis, which is then in the middle of a pixel for each pupil; what is left of
-    // them, and of the place of the axis, is a tilt of less than a pixel.
+    // Express whole pixels of tilt as a shift of the axis, which then lies in the middle of a pixel. The remainder, including
+    // that of the axis position, is a tilt of less than a pixel.
     void move_axes(const DiskWindow& window) {
         constexpr double farthest = 1e6;
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
@@ -98,7 +99,7 @@ struct DiskStack {
         trim();
     }
 
-    // Takes all of the tilt as a move of the axis, which may then be anywhere.
+    // Express all tilt as a shift of the axis, to any position.
     void center_axes(const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         centers.clear();
@@ -114,16 +115,17 @@ struct DiskStack {
         trim();
     }
 
-    // Fills `inner`: the same phase over the radius of the obscuration, its constant among the terms.
+    // Compute `inner`: the same phase with the radius in units of that of the obscuration, including its piston.
     void shrink();
 
    private:
-    // Of U, where a tilt becomes a move: step, quotient and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
+    // Error of U when a tilt becomes a shift: step, quotient and sum are rounded, relative to values that may cancel; |dU/dv|
+    // < 1/2 (docs/certificate.md, section 7, "The axis").
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
     }
 
-    // Leaves terms out that are zero throughout.
+    // Remove terms that are zero for all pupils.
     void trim() {
         std::vector<std::size_t> used;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -149,7 +151,7 @@ struct DiskStack {
         outer.resize(count * used.size());
     }
 
-    // Where a term is, added at the end where it was not.
+    // Index of a term, which is appended if missing.
     std::size_t place(const ZernikeTerm& term) {
         const std::size_t j = static_cast<std::size_t>(std::find(terms.begin(), terms.end(), term) - terms.begin());
         if (j == terms.size()) {
@@ -164,7 +166,7 @@ struct DiskStack {
     }
 };
 
-// Pupils as callers have them, edge[pupil][term], around the axis of a window, or each around its own.
+// Pupils as given by callers, edge[pupil][term], around the axis of a window or an axis of their own.
 struct DiskPupils {
     std::vector<ZernikeTerm> terms;
     const double* edge;
@@ -172,7 +174,7 @@ struct DiskPupils {
     double obscuration;
     Amplitude amplitude;
     DiskWindow window;
-    const double* centers;  // [pupil], (row, column); null for that of the window
+    const double* centers;  // [pupil][row, column]; null for the axis of the window
 
     DiskStack stack() const {
         DiskStack made(terms, edge, count, obscuration, amplitude);

@@ -1,4 +1,4 @@
-// Error control of an image: from a preview of the field, and part by part from the values computed.
+// Error control of an image: by a preview of the field, then part by part from the computed values.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace lommel {
 
-// How bright it is at some distances, rising.
+// Preview of the brightness at increasing distances from the axis.
 struct Looks {
-    std::vector<double> v, bright;  // of each look, the largest I
+    std::vector<double> v, bright;  // bright: largest I found at each distance
 
-    // The largest of those from one distance to another, and of one more on either side.
+    // Largest brightness between two distances, including the next sample on either side.
     double brightest(double from, double to) const {
         double most = 0.0;
         for (std::size_t i = 0; i < v.size(); ++i) {
@@ -26,18 +26,19 @@ struct Looks {
     }
 };
 
-// The error of U that makes one of `all` in I where that is `intensity`, or U so many times `brighter`.
+// Error of U that causes an error `all` of I, where the intensity is `intensity` and |U| may be larger by the factor
+// `brighter`.
 inline double allowed_error(double all, double intensity, double brighter) {
     const double u = brighter * std::sqrt(intensity);
     return all / (u + std::sqrt(u * u + all));
 }
 
 struct PaintedPart {
-    double error = 0.0, top = 0.0;  // of U, proven; and the largest I
+    double error = 0.0, top = 0.0;  // proven error of U; largest computed I
     double wrong() const { return intensity_error(std::sqrt(top), error); }
 };
 
-// An image of such parts.
+// An image made of such parts.
 template <class Part>
 class PaintedParts {
    public:

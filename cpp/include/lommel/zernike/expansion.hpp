@@ -1,4 +1,5 @@
-// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance.
+// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance (docs/certificate.md, section
+// 7).
 #pragma once
 
 #include <algorithm>
@@ -15,50 +16,52 @@
 
 namespace lommel {
 
-constexpr std::size_t max_degrees = 1600;  // of a Zernike series; it takes about 30 n^2 bytes
+constexpr std::size_t max_degrees = 1600;  // of a Zernike series; n degrees take about 30 n^2 bytes
 
-// What the error of an image is spent on.
+// Error budget of an image: shares of errors and tolerances.
 struct ZernikeBudget {
-    // Of the error of U that a pupil is expanded to, on the disk and the obscured one, and on coefficients of each that turn
-    // out to be small.
+    // Shares of the error of U for the expansion of the full disk, for that of the obscuration, and for each one's
+    // coefficients that turn out to be small.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Of that of a disk, on degrees left out, which leaving out orders, too, magnifies by the Lebesgue constant of Fourier sums,
-    // below 5; on orders left out; and on the distance from polynomials, which counts twice in quadrature.
+    // Shares of the error of a disk: for degrees left out, magnified by the Lebesgue constant of Fourier sums (below 5) when
+    // orders are left out too; for orders left out; and for the distance from polynomials, which counts twice in quadrature.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
-    // Of the error of U where the image is brightest, on what all pieces leave out: coefficients of each disk, orders, and
+    // Shares of the error of U at the brightest place, left out in all pieces: coefficients of each disk, orders, and
     // interpolation across pieces.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Of what that leaves of the error of U in a piece, on orders of its own, all sines among them where these take only a
-    // part of it, and on interpolation across rings; the rest serves single precision.
+    // Shares of what remains of the error of U in a piece: its own omitted orders, all sines among them if these take only a
+    // part of that, and interpolation across rings. The rest allows for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
-    // Of the error that all pieces have, on interpolation across rings at least.
+    // Minimum share of the common error of all pieces for interpolation across rings.
     static constexpr double beside = 0.05;
-    // Of the tolerance, on U, which counts twice in I, to begin with; on every piece; and what has more is done again. The rest
-    // is a margin, for brightness is a guess.
+    // Shares of the tolerance: first error of U, which counts twice in I; error of each piece; and the limit above which a
+    // piece is repeated. The rest is a margin, as the brightness is a guess.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
     static_assert(2.0 * field <= image && image <= most && most <= 1.0);
-    // Of the tolerance where values are divided by their largest one, itself in error: 2 r / (1 - r) of values off by r.
+    // Share of the tolerance for values divided by their maximum, which is itself in error: values off by r become off by 2 r
+    // / (1 - r).
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
-    // What is asked where that did not do: parts of what was asked before, of the expansion and of a piece. Of pieces it is not
-    // the expansion that is to blame as long as this many times its error is less than theirs.
+    // Repetition: factors of the previously requested error, for the expansion and for a piece. The expansion is to blame if
+    // `blame` times its error reaches that of the piece.
     static constexpr double again = 0.1, piece_again = 0.2, blame = 3.0;
 };
 
-// How a disk is expanded: enough degrees, orders and quadrature for an error in U at every v up to a reach.
+// Expansion of a disk: degrees, orders and quadrature for a given error of U at all v up to a reach.
 struct DiskExpansion {
     std::size_t degrees, orders;
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
     std::size_t curve;
-    double saved = 0.0;  // by samples, of the logarithm that bounds the pupil function on that curve
+    double saved = 0.0;  // by samples: reduction of log M(b) on the curve
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // About how large it will be, without its samples and tables; and the work of the samples, as GrowthTable has it.
+    // Estimated size of an expansion, without making samples and tables; and the work of the samples, see
+    // GrowthTable::work().
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -79,7 +82,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Terms add up as if they were independent.
+            // Estimate: terms add in quadrature, as if independent.
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -94,8 +97,8 @@ struct DiskExpansion {
         return {plan.degrees, plan.orders, exact, samples};
     }
 
-    // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
-    // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
+    // Rounding of exp(i Phi) at the nodes reaches U at most undiminished. Roundings of the sums and recurrences are relative
+    // to each coefficient; by Cauchy over all of them their factor is sqrt(degrees^2 / 2).
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
@@ -105,7 +108,7 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // What the mean of a pupil function on a curve usually is of the most that its terms may be, as logarithms.
+    // Usual ratio of the logarithm of the sampled mean of a pupil function to that of the product of the maxima of all terms.
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {
@@ -120,7 +123,7 @@ struct DiskExpansion {
         return std::max(0.0, most);
     }
 
-    // Degrees, orders and what leaving out the others does; returns the degree that the quadrature must be exact for.
+    // Set degrees, orders and the truncation error; returns the degree for which the quadrature must be exact.
     std::size_t count(const DiskBounds& bounds, double reach, double error) {
         const std::size_t by_phase = bounds.degrees(ZernikeBudget::degrees * error);
         const std::size_t by_window = disk_window_degrees(reach, ZernikeBudget::degrees * error);
@@ -131,7 +134,7 @@ struct DiskExpansion {
         return std::max(bounds.degree(ZernikeBudget::quadrature * error), degrees) + degrees;
     }
 
-    // Vector operations of the expansion, roughly.
+    // Rough cost of the expansion in vector operations.
     double work(std::size_t exact) const {
         const double rings = 0.25 * static_cast<double>(exact), n = static_cast<double>(degrees);
         return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
@@ -143,7 +146,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     check_reach(reach);
     DiskBounds bounds = phase.bounds();
     std::size_t exact = count(bounds, reach, error);
-    // Samples cost little beside what they save of large expansions.
+    // Samples pay if the expansion is large.
     curve = bounds.likely(error, usual_share);
     if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
         saved = less_by_samples(phase);
@@ -162,7 +165,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Shortens the series of each order by what adds no more than `error` to U in all; returns what it does add.
+// Shorten the series of each order by coefficients that together add at most `error` to U; returns a bound on what they add.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;
     const double share = error / static_cast<double>(series.orders + 1);

@@ -1,4 +1,4 @@
-// Averages over pixels far from the axis, of pupils of any Zernike terms: only the edges of the aperture send light there.
+// Pixel averages far from the axis, for pupils with any Zernike terms: only the edges of the aperture send light there.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +19,23 @@
 
 namespace lommel {
 
-// The light of a pupil far from the axis. U is a sum of waves exp(+- i v) and, of an obscuration, exp(+- i eps v), whose factors are
-// series in 1 / v by Hankel's expansion and vary slowly around the axis. I is the sum of their squares, smooth, and rings, of which
-// pixels average all but a part that is bounded. docs/certificate.md, section 10.
+// Intensity far from the axis (docs/certificate.md, section 10). U is a sum of waves exp(+-i v) and, with an obscuration,
+// exp(+-i eps v). Their factors are series in 1 / v by Hankel's expansion that vary slowly with the azimuth. I is the sum of
+// the squared moduli of the waves, which is smooth, and rings, whose pixel averages are small and bounded.
 class FarLight {
    public:
-    // Of a pupil that has been expanded; degrees that add no more than `spare` to U are left out.
+    // For an expanded pupil; degrees and orders that add at most `spare` to U are left out.
     FarLight(const ZernikeField& field, double spare);
 
-    // What averages over pixels `step` wide, all points of which are v from the axis at least, are off by, for v no less than it was
-    // in the last call of fit().
+    // Error bound of averages over pixels `step` wide all of whose points are at least v from the axis; v is not below that
+    // of the last fit().
     double left_out(double step) const;
-    // Fits the smooth part from v on.
+    // Fit the smooth part from v on.
     void fit(double v);
-    // From where on averages are off by no more than `asked`, fitted from there on; beyond `most` if they are not nearer than that.
+    // Smallest v from which averages are off by at most `asked`, fitted from there on. Returns more than `most` if there is
+    // none below it.
     double nearest(double step, double asked, double most) {
-        // Not nearer than the rings of a pupil without aberration let it be.
+        // Not below the v that the rings of an unaberrated pupil require.
         double rings = 0.0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
@@ -45,7 +46,7 @@ class FarLight {
         for (double growth = 1.05; v <= most; v *= growth) {
             prepare(v);
             growth = 1.05;
-            // Twice the modulus of U is about 4 / v^(3/2).
+            // 2 |U| is about 4 / v^(3/2).
             if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * asked) {
                 fit(v);
                 const double left = left_out(step);
@@ -58,49 +59,52 @@ class FarLight {
         return v;
     }
 
-    // Averages over pixels of a row, `down` from the axis, from the one `right` of it on; both in pixels.
+    // Averages over `count` pixels of a row that is `down` from the axis, starting `right` of it; both in pixels.
     void row(double right, double down, double step, std::size_t count, double* out) const;
 
    private:
-    // Terms of Hankel's expansion, those that are more than an error, and of the polynomial that is fitted to the smooth part.
+    // Terms of Hankel's expansion; those that are summed rather than counted as error; terms of the polynomial of the smooth
+    // part.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
-    // Of the arc tangent (Abramowitz and Stegun, 4.4.49), with what rounding adds.
+    // Error of the arc tangent (Abramowitz and Stegun, 4.4.49) including rounding.
     static constexpr double angle_error = 1.2e-5;
-    // Points between which polynomials are bounded, and how much larger than there those of twice the degree may be.
+    // Number of points at which polynomials are bounded (docs/certificate.md, section 10).
     static constexpr std::size_t points = 3 * kept;
 
+    // Wave exp(i frequency v) with a factor that depends on the azimuth and on 1 / v.
     struct Wave {
         double frequency;
         std::vector<double> re, im;        // factors of v^(-3/2 - k), [k][angle]
-        std::array<double, terms> sizes;   // the largest
-        double largest = 0.0, slope = 0.0;  // for v where it is fitted: of the sum of those kept, and of v times its derivative
+        std::array<double, terms> sizes;   // [k]: largest modulus
+        double largest = 0.0, slope = 0.0;  // bounds for v in the fitted range: sum of the kept terms; v times its derivative
     };
     struct Disk {
-        double radius, weight, factor;  // the last of both of its waves
+        double radius, weight, factor;  // factor: of both waves of the disk
         std::size_t orders;
-        std::vector<double> size;  // of each degree at the edge
-        std::array<double, terms> rounding;  // of the sums over degrees
+        std::vector<double> size;  // [degree]: size at the edge
+        std::array<double, terms> rounding;  // [k]: of the sums over degrees
     };
+    // Bounds of a trigonometric polynomial in the azimuth.
     struct Harmonics {
-        double value = 0.0, slope = 0.0, bend = 0.0;  // largest, of derivatives too
+        double value = 0.0, slope = 0.0, bend = 0.0;  // largest modulus; of the first and the second derivative
     };
 
     void choose(const ZernikeSeries& series, double weight, double spare);
     void add(const ZernikeSeries& series, double radius, double weight);
-    // What pixels leave of a ring of two waves, over their product, but for its slope.
+    // Bound on the pixel average of the ring of two waves, relative to their product, without the part from its slope.
     double edges(std::size_t i, std::size_t j, double step) const {
         return std::min(1.0, 2.8284271247461903 / (step * std::abs(waves_[i].frequency - waves_[j].frequency)));
     }
-    // The error of U from v on.
+    // Bound the error of U from v on.
     void prepare(double v);
 
     double base_, from_ = 1.0, off_ = 0.0, misfit_ = 0.0;
     std::size_t orders_ = 1, angles_ = 0;
-    std::vector<double> cosine_, sine_;  // of the angles
+    std::vector<double> cosine_, sine_;  // at the angles
     std::vector<Wave> waves_;
     std::vector<Disk> disks_;
     std::array<Harmonics, smooth> harmonics_{};
-    std::vector<double> table_;  // [angle][term, and its way to the next angle], of (from / v)^term
+    std::vector<double> table_;  // [angle][coefficient, difference to the next angle], of (from / v)^power
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -122,7 +126,7 @@ LOMMEL_ONCE FarLight::FarLight(const ZernikeField& field, double spare) : base_(
     }
 }
 
-// Chooses the orders and degrees that count, of the disk whose field counts so much.
+// Choose the orders and degrees of a disk whose field is multiplied by `weight`.
 LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, double spare) {
     Disk disk{0.0, weight, 0.0, 0, std::vector<double>(series.degrees, 0.0), {}};
     std::vector<double> by_order(series.orders, 0.0);
@@ -135,7 +139,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // A degree n has 2 |J_(n+1)(v) / v| <= 1 / (n + 1) of what it is at the edge.
+    // Degree n of U is at most 2 |J_(n+1)(v) / v| <= 1 / (n + 1) times its size at the edge.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -166,10 +170,10 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             here *= (order * order - odd * odd) / (8.0 * static_cast<double>(k + 1));
         }
     }
-    // D_k(psi) = sum over n of a_k(n + 1) b_n(psi), b_n what the terms of degree n are at the edge: those of even and odd orders,
-    // which differ in sign half a turn on. [k][parity][re, im][angle]
+    // D_k(psi) = sum over n of a_k(n + 1) b_n(psi), where b_n is the sum of the terms of degree n at the edge. Even and odd
+    // orders are kept apart, as they differ in sign half a turn on: [k][parity][re, im][angle].
     std::vector<double> sums(kept * 4 * half, 0.0), cosine(half, 1.0), sine(half, 0.0);
-    std::array<double, terms> largest{};  // of those beyond
+    std::array<double, terms> largest{};  // bounds for terms from `kept` on
     for (std::size_t m = 0; m < std::min(disk.orders, degrees); ++m) {
         look();
         double at[terms][4] = {};
@@ -186,7 +190,7 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
         }
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t k = 0; k < kept; ++k) {
-                // The series has coefficients of odd orders times -i.
+                // In the series, odd orders have a factor -i.
                 const bool odd = m % 2 == 1;
                 const double cr = odd ? -at[k][1] : at[k][0], ci = odd ? at[k][0] : at[k][1], sr = odd ? -at[k][3] : at[k][2],
                              si = odd ? at[k][2] : at[k][3];
@@ -204,11 +208,11 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // A wave is exp(+- i radius v) times the sum over k of factor (+-i)^k D_k / (radius v)^k / v^(3/2); that with exp(i v) has D_k half
-    // a turn on.
+    // Waves: exp(+-i radius v) v^(-3/2) sum over k of factor (+-i)^k D_k / (radius v)^k; for exp(+i radius v), D_k is taken
+    // half a turn on.
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // A trigonometric polynomial falls no faster from its largest value than a cosine.
+    // Bound between angles: a trigonometric polynomial falls off from its maximum no faster than a cosine.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -249,8 +253,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // The remainder is below its first term where there are as many as the order, and until then what these add; or all of
-            // the field of that degree and of the terms.
+            // The remainder of Hankel's series is below its first omitted term once there are n + 1 terms; until then the
+            // omitted terms add up. Alternatively the whole field of that degree plus its terms counts.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -273,7 +277,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // At places x = from / v the sum of the squares of all waves: polynomials of x.
+    // Sum of the squared moduli of all waves, a polynomial in x = from / v.
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {
@@ -283,7 +287,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
         places[points + i] = 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(smooth));
     }
     const double turn = pi * static_cast<double>(orders_) / static_cast<double>(angles_);
-    // Polynomials (Ehlich and Zeller, 1964) and trigonometric ones between points, of the degree of waves and of their squares.
+    // Bounds between points (Ehlich and Zeller, 1964) for polynomials and trigonometric polynomials of the degree of the
+    // waves, and of their squares.
     const double once = 1.0 / (std::cos(turn) * std::cos(0.5 * pi * (kept - 1.0) / points)),
                  twice = 1.0 / (std::cos(2.0 * turn) * std::cos(pi * (kept - 1.0) / points));
     std::vector<double> most(angles_);
@@ -320,7 +325,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             power /= v;
         }
     }
-    // The polynomial through the last of these places, by divided differences.
+    // Polynomial through the last of these places, by divided differences.
     const double* const at = places.data() + points;
     std::vector<double> terms_of(smooth * angles_);
     for (std::size_t l = 0; l < angles_; ++l) {
@@ -362,7 +367,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
     });
     misfit_ = *std::max_element(most.begin(), most.end());
     misfit_ *= twice;
-    // Every other angle does. Of many orders the first ones; all that the others may be is what these leave of the mean square.
+    // Every other angle suffices. If there are many orders, only the first 96 are computed; what they leave of the mean
+    // square bounds the others.
     constexpr std::size_t lanes = 8;
     const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);
     std::vector<double> rows(half * lanes, 0.0), sums(2 * lanes * known, 0.0);
@@ -424,7 +430,7 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // What crosses the edges of a pixel, and what is left of a slope within it.
+            // Light of a ring that crosses the edges of a pixel, and what the slope of its factor leaves within it.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;
@@ -471,7 +477,7 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
                 for (std::size_t k = smooth; k-- > 0;) {
                     sum = sum * part + (sums[k] + way * sums[smooth + k]);
                 }
-                // No average is negative, and none less exact for being 0.
+                // Averages are nonnegative, so clipping at 0 does not increase the error.
                 out[first + i] = std::max(0.0, sum * cube);
             }
         }
@@ -479,8 +485,9 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
 }
 #endif
 
-// Averages over the far pixels of windows, those `most` from the axis and some nearer ones. Of each pupil: [distance in pixels from which on they are there, the others being 0; the
-// bound on their error; a guess at the largest average; the row and the column of the axis].
+// Averages over the far pixels of windows: those farther than `most` from the axis, and closer ones where possible.
+// found[pupil]: distance in pixels from which averages are present (the other pixels are 0); their error bound; a guess at
+// the largest average; row and column of the axis.
 class FarAverages {
    public:
     static constexpr std::size_t numbers = 5;
@@ -497,11 +504,11 @@ class FarAverages {
    private:
     void render(std::size_t pupil);
 
-    // The mean over all directions of averages over pixels at one distance from the axis is at most the largest average.
+    // The mean over all directions of pixel averages at one distance from the axis is at most the largest average.
     double likely_peak(const ZernikeField& field, double reach, double light) const {
         const double step = window_.step, apart = std::min(3.0, 0.5 * step);
         const std::size_t across = static_cast<std::size_t>(std::ceil(step / apart));
-        std::vector<double> within{0.0};  // light, in rings
+        std::vector<double> within{0.0};  // light within rings
         double most = 0.0;
         for (std::size_t i = 0; i < 96 && apart * static_cast<double>(i) < reach; ++i) {
             const double v = apart * (static_cast<double>(i) + 0.5);
@@ -543,7 +550,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
     const double none[] = {far + 1.0, 0.0, 0.0, row, column};
     std::copy_n(none, numbers, found);
-    // Where rays of aberrations arrive, and as far again, series in 1 / v are of no use.
+    // Series in 1 / v are of no use where aberrated rays arrive, and up to three times that distance.
     double rays = 0.0;
     outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
         const double slope = amplitude * static_cast<double>(n * n);
@@ -565,12 +572,12 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         return;
     }
     found[0] = limit;
-    found[1] = 1.000001 * tail.left_out(step);  // distances are rounded
+    found[1] = 1.000001 * tail.left_out(step);  // margin for the rounding of distances
     for (std::size_t y = 0; y < window_.height; ++y) {
         look();
         const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
         double* const values = image + y * window_.width;
-        // Pixels on the left and on the right of the others.
+        // Columns to the left and to the right of the circle of radius `limit`.
         const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
         const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
         const std::size_t left = inside(std::floor(column - half) + 1.0),

@@ -1,4 +1,4 @@
-// Field of a non-radial pupil as coefficients of its azimuthal orders, with its error bound.
+// Field of a pupil without radial symmetry, as polynomial coefficients of its azimuthal orders, with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@
 
 namespace lommel {
 
-constexpr double max_coefficients = 134217728.0;  // of all pieces of an image: 1 GiB
+constexpr double max_coefficients = 134217728.0;  // for all pieces of an image: 1 GiB
 
-// Some directions, none of them an axis of symmetry.
+// Sampling directions, none of them an axis of symmetry.
 struct Directions {
     static constexpr std::size_t count = 32;
     std::array<double, count> cosine, sine;
@@ -37,18 +37,19 @@ struct Directions {
 };
 inline const Directions directions;
 
+// Field U of one pupil: polynomials in v, on radial pieces, for each azimuthal order of both disks.
 class ZernikeField {
    public:
-    // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
-    // radius over that of the obscuration; roundings of both have `lost` so much of U already.
+    // Expand the pupil with error `error` in U for v up to `reach`. `inner`: phase within the obscuration, as a function of
+    // the radius over that of the obscuration. `lost`: error of U from rounding of both phases.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
                 double lost = 0.0, int threads = 1) {
-        // An obscuration that takes less light than the rounding is none.
+        // An obscuration whose light is below rounding is ignored.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // Radii in units of a ring are off by three roundings, the step in v by three, and |U'| < 1/2.
+        // Radii in units of a ring and the step in v are off by three roundings each, and |U'| < 1/2.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -57,7 +58,7 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
-    // The mean of I over all directions at the distance v: orders are orthogonal.
+    // Mean of I over all directions at the distance v; orders are orthogonal.
     double mean(double v) const {
         const std::vector<double>& orders = all_orders(v);
         double sum = 0.0;
@@ -67,11 +68,11 @@ class ZernikeField {
         return sum;
     }
 
-    // The largest I at some directions at the distance v, by the Bessel functions themselves.
+    // Largest I in the sampled directions at the distance v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Makes ready for evaluation; what it leaves out adds no more than about `error` to U. base() is then the error that
-    // every piece has. Of so many pieces `lit` tells those that are wanted, rising.
+    // Prepare evaluation; what is left out adds about `error` to U at most. base() is then the error common to all pieces.
+    // lit(pieces) returns the pieces in use, in increasing order.
     template <class Lit>
     void prepare(double error, int threads, const Lit& lit) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -79,7 +80,7 @@ class ZernikeField {
         base_ +=
             trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
-        // Interpolation at 8 points magnifies the errors of the piece by 2.3 at most (its Lebesgue constant).
+        // Interpolation at 8 points adds at most 2.3 times the error of the piece (the bound of its Lebesgue constant).
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
@@ -125,7 +126,7 @@ class ZernikeField {
     }
 
     std::size_t pieces() const { return rows_.size(); }
-    double width() const { return width_; }  // of a piece
+    double width() const { return width_; }  // of a piece, in v
     double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
     double obscuration() const { return obscuration_; }
@@ -133,19 +134,18 @@ class ZernikeField {
     const ZernikeSeries& outer() const { return outer_; }
     const ZernikeSeries& inner() const { return inner_; }
 
-    // A plan for piece s, which has so many groups of pixels, with an error in U of no more than `error` if base() is
-    // well below that.
+    // Plan for piece s with `groups` groups of pixels, for an error of about `error` in U if base() is well below that.
     PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
         PiecePlan made;
         const double spare = std::max(0.0, error - base_);
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        // Where base() takes nearly all, less than a part of it is not worth more rings: what is asked for is no limit.
+        // If base() takes nearly all of the error, a share of base() is allowed instead: `error` is a goal, not a limit.
         const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::beside * base_);
         while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;
         }
-        // Rings are worth while where they hold vectors full of pixels.
+        // Rings pay if they hold enough pixels to fill vectors.
         if (obscured() || groups > 20 * rings) {
             made.rings = rings;
             made.error += ring_error(width_ / static_cast<double>(rings)) * weight_;
@@ -155,7 +155,7 @@ class ZernikeField {
         return made;
     }
 
-    // Coefficients for sum_orders<16> across the whole of piece s, of pupils that are not obscured.
+    // Coefficients for sum_orders<16> across piece s; for unobscured pupils only.
     void whole(const PiecePlan& plan, std::size_t s, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;
         out.resize(plan.rows.size() * parts * degree_count);
@@ -180,7 +180,7 @@ class ZernikeField {
         if (!obscured()) {
             return;
         }
-        // The inner disk has its own pieces, in v times the obscuration; a ring may lie on two of them.
+        // The obscuration has pieces of its own, in v times the obscuration ratio; a ring may overlap two of them.
         const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
@@ -196,7 +196,7 @@ class ZernikeField {
     }
 
    private:
-    // Of the inner disk, at a place in pieces of the outer one.
+    // Piece of the obscuration at position `at`, in units of pieces of the full disk.
     std::size_t inner_piece(double at) const {
         return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
     }
@@ -205,7 +205,7 @@ class ZernikeField {
 
     double expand(const ZernikePhase& phase, double reach, double error, int threads, ZernikeSeries& series);
 
-    // A_m(v) and B_m(v), re A, im A, re B, im B for each order.
+    // A_m(v) and B_m(v): [order][re A, im A, re B, im B].
     const std::vector<double>& all_orders(double v) const {
         thread_local std::vector<double> orders;
         orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
@@ -216,10 +216,10 @@ class ZernikeField {
         return orders;
     }
 
-    // Adds weight times A_m(v) and B_m(v).
+    // Add weight x (A_m(v), B_m(v)) to orders[m].
     static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders);
 
-    // The coefficients of the pieces: [order kept][re A, im A, re B, im B][power, rising].
+    // Compute the coefficients of pieces: rows[piece][order kept][re A, im A, re B, im B][power, increasing].
     void combine_all(const ZernikeSeries& series, const Tables& tables, const std::vector<std::size_t>& pieces,
                      std::vector<Doubles>& rows, int threads) const;
 
@@ -269,7 +269,7 @@ LOMMEL_ONCE double ZernikeField::look(double v) const {
 
 LOMMEL_ONCE void ZernikeField::add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
     thread_local std::vector<double> bessel, transforms[2];
-    // Orders far above v vanish.
+    // J_{n+1}(v) is negligible for degrees far above v.
     const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
     for (std::size_t parity = 0; parity < 2; ++parity) {
         transforms[parity].assign((series.degrees + 2) / 2, 0.0);

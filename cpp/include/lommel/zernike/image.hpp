@@ -1,4 +1,5 @@
-// Image of a non-radial pupil, each radial piece to the accuracy it needs.
+// Image of a pupil without radial symmetry, each radial piece with the accuracy that it needs (docs/certificate.md, section
+// 7).
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,8 @@
 
 namespace lommel {
 
-// Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
-// Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
+// Error bound of U in single precision: rounding of coefficients, of x (powers have a slope of up to 7), of Horner's rule, of
+// cos(m psi) and sin(m psi) (m times that of psi), and of the sum.
 inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
     double sum = 0.0;
     for (const double c : coefficients) {
@@ -29,21 +30,21 @@ inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients
     return 5.97e-8 * steps * sum;
 }
 
-// The pixels within one piece of v.
+// Pixels within one piece of v.
 struct ZernikePart : PaintedPart {
-    std::size_t piece, first, last;  // and its groups of pixels
-    double allowed = 0.0;            // error of U that is asked for
+    std::size_t piece, first, last;  // index of the piece; range of its groups of pixels
+    double allowed = 0.0;            // requested error of U
     bool done = false;
     ZernikePart(std::size_t s, std::size_t from, std::size_t to) : piece(s), first(from), last(to) {}
 };
 
-// An image in the making: its pixels by pieces of v, and how well each piece is done.
+// An image in progress: its pixels by pieces of v, and the accuracy of each piece.
 //
-// An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Every piece is given an error of its own
-// from a look at some of its points, and judged by the values that it turned out to have.
+// An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Each piece is assigned an error from a
+// preview of some of its points, and is judged afterwards by its computed values.
 class ZernikeImage : public PaintedParts<ZernikePart> {
    public:
-    // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
+    // Begin an image of these pixels, `step` apart in v. Memory is kept from one image to the next.
     void begin(std::shared_ptr<const MirroredPixels> pixels, double step, int threads) {
         pixels_ = std::move(pixels);
         step_ = step;
@@ -52,14 +53,13 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     ZernikeField& field() { return field_; }
 
-    // Looks where the pupil that the field has been expanded from is bright, and gives every piece what error the tolerance allows
-    // there.
+    // Preview the brightness of the expanded pupil, and assign to each piece the error that the tolerance allows there.
     void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
         Looks seen{std::vector<double>(looks), std::vector<double>(looks)};
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
-            // Closer together near the axis, where most light is.
+            // Denser near the axis, where most light is.
             const double x = (static_cast<double>(i) + 0.5) / looks;
             seen.v[i] = near + (reach - near) * x * std::sqrt(x);
             seen.bright[i] = field_.look(seen.v[i]);
@@ -84,7 +84,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Gives those pieces less whose error of I is above `most`; returns false if the expansion is the reason.
+    // Reduce the error of pieces whose error of I is above `most`; returns false if the expansion limits it.
     bool tighten(double most) {
         bool any = false;
         for (ZernikePart& part : parts_) {
@@ -100,18 +100,19 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         return any;
     }
 
-    // Computes the pieces that are not done, writing I times `scale`.
+    // Compute the pieces that are not done, writing I times `scale`.
     template <class T>
     void paint(double scale, T* image);
 
    private:
-    // What takes I of some groups, those of each of the eight pixels of a group so many values apart.
+    // Callback that receives I of the groups first .. first + here - 1: values of each of the eight pixels of a group are
+    // `apart` apart.
     template <class Real>
     using Put = Reference<void(std::size_t first, std::size_t here, std::size_t apart, const Real* values)>;
 
     static constexpr std::size_t looks = 32;
 
-    // The first group beyond ring r - 1 of `rings` in piece s.
+    // First group beyond ring r - 1 of `rings` in piece s, between `least` and `most`.
     std::size_t boundary(std::size_t s, std::size_t r, std::size_t rings, std::size_t least, std::size_t most) const {
         const double v = field_.width() * (static_cast<double>(s) + static_cast<double>(r) / static_cast<double>(rings));
         return std::clamp(pixels_->first_at(v / step_), least, most);
@@ -168,7 +169,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // The pixels of groups [first, last), x = slope r + offset.
+    // Pixels of groups [first, last), with the ring coordinate x = slope r + offset.
     template <std::size_t Degree, std::size_t Unroll, class V, class Real>
     LOMMEL_INLINE void pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
                               const Real* coefficients, const Put<Real>& put) const {
@@ -207,7 +208,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Writes values times `scale` to where the pixels of some groups are; `top` is raised to the largest value.
+    // Write values times `scale` to the pixels of some groups; raise `top` to the largest value.
     template <class Real, class T>
     void place(std::size_t first, std::size_t count, std::size_t apart, const Real* values, double scale, T* image,
                double& top) const {

@@ -1,4 +1,4 @@
-// Images of non-radial pupils, each with its error bound.
+// Images of pupils without radial symmetry, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace lommel {
 template <class T>
 class ZernikeRenderer {
    public:
-    // After move_axes() and shrink(). Peaks receive the largest I that is known, in the image or (unless it is to divide)
-    // outside of it: what the bounds are related to.
+    // For a stack after move_axes() and shrink(). Peaks receive the largest known I, to which the bounds are related: in the
+    // image or, unless values are to be divided by their maximum, also outside of it.
     ZernikeRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
         : stack_(stack), height_(window.height), width_(window.width), step_(window.step), tol_(tol), threads_(threads),
           answer_(answer), within_(stack.amplitude.scaled(stack.obscuration * stack.obscuration)), terms_(stack.terms) {}
@@ -31,6 +31,7 @@ class ZernikeRenderer {
     }
 
    private:
+    // Destination of an image: values, scale and number of threads.
     struct Painting {
         T* values;
         double scale;
@@ -47,7 +48,7 @@ class ZernikeRenderer {
     void render(std::size_t pupil, int threads) {
         const bool divide = answer_.scales[pupil] == 0.0;
         check_phase(phase(pupil).size());
-        // Storing takes its part of the tolerance.
+        // Storing takes its share of the tolerance.
         const double rest = tol_ - (1.0 + tol_) * storing<T>(divide);
         if (rest <= 0.0) {
             throw ToleranceNotMet(storing<T>(divide));
@@ -72,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // Where all pixels are dim beside what lies between them, the first tolerance does not do.
+                // If all pixels are dim compared with places between them, the first tolerance is too coarse.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -103,8 +104,8 @@ class ZernikeRenderer {
         }
     }
 
-    // Where that is likely to take less time, the image by interpolation between circles, and its largest I. Returns the bound on
-    // the error, which is not within the tolerance where this is of no use.
+    // Compute the image by interpolation between circles if that is predicted to be faster, and its peak. Returns its error
+    // bound, which exceeds the tolerance if the method cannot be used.
     double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
                            double& peak) const {
         if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
@@ -115,7 +116,7 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        // Pixels far apart may all miss what is brightest between them: then again, as their own peak asks for.
+        // Widely spaced pixels may all miss the brightest place; then repeat with the error that their own peak requires.
         double share = 1.0;
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
@@ -129,7 +130,7 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // The window may miss the peak: looks for a larger one where rays go.
+    // The window may miss the peak: search for a larger value where rays arrive.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;
@@ -154,7 +155,7 @@ class ZernikeRenderer {
     double step_, tol_;
     int threads_;
     DiskAnswer<T> answer_;
-    Amplitude within_;  // the obscuration
+    Amplitude within_;  // amplitude on the obscuration
     TermPairs terms_;
 };
 

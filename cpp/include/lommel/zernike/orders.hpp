@@ -1,4 +1,4 @@
-// Selection of the azimuthal orders that matter, for the whole image and for each radial piece.
+// Selection of the azimuthal orders to evaluate, for the whole image and for each radial piece.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,16 @@
 
 namespace lommel {
 
-// How one piece is evaluated: which orders take part, and how many rings it is divided into (0: none).
+// Evaluation of a piece: orders in use, and number of rings (0: none, the piece is evaluated as a whole).
 struct PiecePlan {
     ActiveOrders orders;
-    std::vector<std::size_t> rows;  // where the coefficients of each order are
+    std::vector<std::size_t> rows;  // index of the coefficients of each order
     std::size_t rings = 1;
     double error = 0.0;  // bound on the error of U
 };
 
-// What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+// Bound on what an order adds to U, by |2 (n+1) J_{n+1}(v) / v| <= 1 (near) and |J_n(v)| < 0.7858 v^(-1/3) (far; Landau
+// 2000).
 struct OrderSize {
     double near = 0.0, far = 0.0;
     static double fall(double v) { return v > 0.0 ? 1.572 / (v * std::cbrt(v)) : 1e200; }
@@ -29,8 +30,8 @@ struct OrderSize {
     double at(double v) const { return fallen(fall(v)); }
 };
 
-// Adds to sizes[2 m + sine] what the cosines and the sines of each order can add on a disk of a radius that is `shrunk`, its
-// field counting by `weight`. Far away these fall with the distance times the radius.
+// Add the bounds of the cosines and sines of each order to sizes[2 m + sine], for a disk of relative radius `shrunk` whose
+// field is multiplied by `weight`. The far bound depends on v times that radius.
 inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
     const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
     for (std::size_t m = 0; m < series.orders; ++m) {
@@ -42,9 +43,10 @@ inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk,
     }
 }
 
+// Bounds of the azimuthal orders of a pupil, and the orders kept.
 class PupilOrders {
    public:
-    // Of all orders of a pupil, both disks together.
+    // Bounds of all orders of a pupil, both disks together.
     void measure(const ZernikeSeries& outer, const ZernikeSeries& inner, double obscuration) {
         sizes_.assign(2 * std::max(outer.orders, inner.orders), OrderSize());
         add_sizes(outer, 1.0, 1.0, sizes_);
@@ -53,8 +55,7 @@ class PupilOrders {
         }
     }
 
-    // Leaves out the orders that matter least, as long as they add up to no more than `error` anywhere; returns what they do
-    // add up to.
+    // Leave out the least important orders, as long as their bounds sum to at most `error`; returns the sum.
     double keep(double error) {
         std::vector<std::size_t> rising(sizes_.size() / 2);
         const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
@@ -71,7 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // Of the orders kept, all up to one that take part from v on, with all their sines or none; returns what the rest can add.
+    // From the orders kept, select all up to one that are needed from v on, with all sines or none; returns a bound on the
+    // rest.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {
@@ -100,7 +102,7 @@ class PupilOrders {
         return left;
     }
 
-    // The orders kept, by m modulo 4.
+    // Orders kept, sorted by m modulo 4.
     const std::vector<std::size_t>& kept() const { return kept_; }
 
    private:

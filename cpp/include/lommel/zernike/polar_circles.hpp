@@ -1,4 +1,5 @@
-// Polar non-uniform FFT, field on circles: sums over degrees, and Fourier transforms over azimuthal orders.
+// Polar non-uniform FFT, field on circles: sums over degrees, then Fourier transforms over azimuthal orders (certificate,
+// 11).
 #pragma once
 
 #include <algorithm>
@@ -19,19 +20,19 @@
 
 namespace lommel {
 
-// Equal angles around a circle, and the kernel that interpolates between them.
+// Equal angles around a circle, with the kernel that interpolates between them.
 struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
-    std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on its aliases
+    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    // An eighth of a turn is longer than half of the kernel.
+    // At least so many that an eighth of a turn exceeds half the width of the kernel.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // What gains make of errors of all orders below `orders`, by Cauchy at most: the root of their mean square over every other
-    // order from the highest down, which is that of all degrees. Of signs of m there are two, but of m = 0 one.
+    // Largest magnification by the gains of errors of all orders below `orders`: by Cauchy the root mean square of gains over
+    // every other order from the highest down (the orders of one degree). Orders m > 0 count twice, for both signs.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -60,18 +61,18 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 }
 #endif
 
-// Of one disk: its coefficients, for each order [n][re cos, im cos, re sin, im sin], times what it counts; and the transforms at
-// the distances, sixteen to a block, [block][n][distance], of which so many degrees matter.
+// One disk: coefficients [order][n][re cos, im cos, re sin, im sin] times the weight of the disk; transforms at sixteen
+// distances per block, table[block][n][distance], of which the first reached[block] degrees matter.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;
-    const float* singles;  // the same
+    const float* singles;  // `parts` in single precision
     const double* table;
     std::size_t degrees;
     const std::size_t* reached;
 };
 
-// Stores numbers of one precision as those of another.
+// Store a vector of one precision as numbers of another.
 template <std::size_t Lanes, class V, class To>
 LOMMEL_INLINE void convert(V from, To* to) {
     if constexpr (sizeof(V) == Lanes * sizeof(To)) {
@@ -83,19 +84,19 @@ LOMMEL_INLINE void convert(V from, To* to) {
     }
 }
 
-// Spectra of sixteen circles, eight together: what is transformed over the azimuthal orders.
+// Spectra over azimuthal orders of sixteen circles, in two groups of eight.
 template <class Fft>
 struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
-    // Sums over degrees, in the precision of `Sum`, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times
-    // gains[m], for transforms of length n. Calls seen(m, at, size) with the magnitudes of each vector of circles from `at` on, at
-    // least |c_m| + |c_{-m}|.
+    // Sum over degrees, in the precision `Sum`, to A_m and B_m. Writes c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2
+    // times gains[m], for transforms of length n. Calls seen(m, at, size) for each vector of circles, starting at `at`, with
+    // upper bounds of |c_m| + |c_{-m}|.
     template <class Sum, class I, class Seen>
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
         using V = typename RowPack<I, Sum>::type;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors: registers hold sums of two
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors at once, whose sums fit in registers
         for (auto& numbers : spectrum) {
             numbers.resize(n * fft_element);
             const auto clear = [&](std::size_t from, std::size_t to) {
@@ -174,10 +175,10 @@ struct PolarSpectra {
         convert<lanes>(im, to + fft_rows);
     }
 
-    std::vector<Aligned<float>> rounded_;  // the tables of a block
+    std::vector<Aligned<float>> rounded_;  // table of a block, in single precision
 };
 
-// Four numbers, and four columns of four as rows.
+// Four numbers; turn(): four columns of four numbers as rows.
 template <class Real>
 struct Quad {
     Real at[4];
@@ -202,20 +203,20 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 }
 #endif
 
-// What a circle is off by once it is interpolated around, and how large its numbers are.
+// Error contributions of a circle once it is interpolated around, and magnitudes of its values.
 struct PolarRowError {
-    double sums = 0.0;     // roundings before the transforms
+    double sums = 0.0;     // rounding before the transforms
     double around = 0.0;   // aliases of the orders
-    double sum = 0.0;      // over orders of the magnitudes that are transformed
-    double largest = 0.0;  // number, real or imaginary
+    double sum = 0.0;      // sum over orders of the moduli before the transform
+    double largest = 0.0;  // largest |re| or |im|
 };
 
-// Numbers [circle][angle][re, im][eight directions], the angles from -w/2 steps to one eighth of a turn and w/2 steps more.
-// Directions are those that differ in signs and order of |x|, |y|: psi + k pi/2, k = 0..3, then (k+1) pi/2 - psi.
+// Field on circles, [circle][angle][re, im][eight directions], at angles from -w/2 steps to an eighth of a turn plus w/2
+// steps. The directions differ in signs and order of |x|, |y|: psi + k pi/2, k = 0..3, then (k+1) pi/2 - psi.
 template <class Real>
 class PolarRows {
    public:
-    static constexpr std::size_t directions = 16;  // numbers
+    static constexpr std::size_t directions = 16;  // values per angle
 
     void resize(const PolarCircle& circle, std::size_t count) {
         margin_ = circle.kernel.w / 2;
@@ -224,16 +225,16 @@ class PolarRows {
     }
 
     std::size_t stride() const { return angles_ * directions; }
-    // Of a circle, at the angle of so many steps, -margin() the least.
+    // Values of circle i; the axis psi = 0 is margin() steps from the start.
     std::size_t margin() const { return margin_; }
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
-    // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
-    // points. Fills in the error of each.
+    // Transform circles 16 block .. 16 block + 15 of the tables into rows from `first` on, with orders below `orders` (at
+    // most a quarter of the points). Writes the error contributions of each circle.
     template <class Sum, class I, class Fft>
     LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
                             std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
-        // What roundings of the sums of these leave out, at most.
+        // Factor for the rounding of these sums of moduli.
         const double more = 1.0 + 2.0 * roundoff<Sum> * static_cast<double>(orders + 8);
         alignas(64) Sum around[PolarTable::block] = {}, sum[PolarTable::block] = {};
         spectra.template combine<Sum>(isa, circle.points(), circle.gains.data(), disks, block, orders,
@@ -256,7 +257,7 @@ class PolarRows {
     }
 
    private:
-    // The last pass of the transform, and its numbers to where the directions want them.
+    // Last pass of the transform; stores values in the layout of the directions.
     template <class I, class Fft>
     LOMMEL_INLINE void scatter(I, const RowFft<Fft>& fft, const Fft* from, Real* to, PolarRowError* errors) const {
         using V = typename RowPack<I, Fft>::type;
@@ -266,7 +267,7 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // X at psi_q + k pi/2 is that at (k+1) pi/2 - psi_{quarter - q}.
+        // U at psi_q + k pi/2 is also U at (k+1) pi/2 - psi_{quarter - q}.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {
@@ -306,7 +307,7 @@ class PolarRows {
         for (std::size_t q = eighth + margin_ + 1; q < quarter; ++q) {
             place(q, false, true);
         }
-        // Beyond the ends directions change places: psi_{-i} + k pi/2 is k pi/2 - psi_i.
+        // Beyond either end directions are exchanged: psi_{-i} + k pi/2 = k pi/2 - psi_i.
         for (std::size_t row = 0; row < fft_rows; ++row) {
             Real* start = to + row * stride() + margin_ * directions;
             for (std::size_t i = 0; i <= margin_; ++i) {

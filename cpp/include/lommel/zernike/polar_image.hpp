@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, image: interpolation between circles tile by tile, each with its error bound.
+// Polar non-uniform FFT, image: interpolation between circles, tile by tile, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -19,29 +19,29 @@
 
 namespace lommel {
 
-// Of the time that the series is predicted to take, what this may take where it is tried. Changed by tests alone: 0 for never.
+// The interpolation is tried if its predicted time is below this share of that of the series. Only tests change it; 0: never.
 inline double& interpolation_worth() {
     static double share = 1.0;
     return share;
 }
 
-class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
+class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
    public:
-    // Whether it is predicted to be faster than a sum over orders for each pixel, with tables of bearable size. In units of what
-    // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
-    // sums over degrees for steps of v.
+    // Return whether this is predicted to be faster than a sum over orders for each pixel, with tables of acceptable size.
+    // Unit of time: one order of one pixel. A pixel costs a fixed number of these, a circle one transform; the sums over
+    // degrees at steps of v are common to both methods.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
         return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
                     static_cast<double>(tiles.height * tiles.width), field.obscured());
     }
-    // Of an obscured pupil that sum has both disks on every ring.
+    // With an obscuration, the sum over orders has both disks on every ring.
     static bool pays(double reach, double orders, double degrees, double pixels, bool obscured) {
         const double sums = (obscured ? 1.3 : 1.0) * orders * pixels;
         return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * sums;
     }
     static double work(double reach, double orders, double pixels) { return 28.0 * pixels + 6.0 * orders * reach; }
 
-    // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
+    // Begin an image of these pixels, `step` apart in v. Memory is kept from one image to the next.
     void begin(const Tiles& tiles, double step, int threads) {
         tiles_ = &tiles;
         list_ = tiles.all();
@@ -49,7 +49,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         threads_ = threads;
     }
 
-    // Makes ready for I off by `tol` of the peak at most; returns whether there is hope for that.
+    // Compute the circles for an error of I of at most `tol` times the peak; returns false if that is unlikely to succeed.
     bool prepare(const PolarPupil& pupil, double tol) {
         if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol, threads_)) {
             return false;
@@ -58,19 +58,19 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         return true;
     }
 
-    // Computes the image, I times `scale`.
+    // Compute the image, I times `scale`.
     template <class T>
     void paint(double scale, T* image);
 
    private:
-    // Takes the pixels of a line, [pixel][direction].
+    // Callback that receives the pixels of a line, values[pixel][direction].
     template <class Real>
     using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
 
-    // Computes those of a tile.
+    // Compute the pixels of tile i.
     void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
 
-    // The taps of both kernels at eight at once.
+    // Taps of a kernel at x, a vector of them at a time.
     template <class V, class Real>
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -84,7 +84,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
-    // Those of two kernels of four taps, at a place of each.
+    // Taps of two kernels of four taps each, at one position each.
     template <class V>
     static LOMMEL_INLINE void taps(const PairedTaps& polynomials, float first, float second, float* out) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
@@ -102,7 +102,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
-    // Circles whose sums registers hold at once, of those that a pixel takes.
+    // Number of the circles of a pixel that are summed at once: the largest divisor whose sums fit in registers.
     static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
         while (of % most != 0) {
             --most;
@@ -110,7 +110,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         return most;
     }
 
-    // The pixels of a tile on some lines, in one zone.
+    // Compute the pixels of a tile on some lines, in one zone.
     template <std::size_t Between, std::size_t Around, class Real, bool Rough = false, class I>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
                               double scale, const Made<Real>& made, PaintedPart& part) const {
@@ -120,12 +120,12 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        // In what precision places are found.
+        // Precision in which positions are found.
         using Where = std::conditional_t<Rough, float, double>;
         using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),
                     per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
-        // Places are those of the first taps.
+        // Positions are those of the first tap.
         const Where row_shift = static_cast<Where>(static_cast<double>(PolarTable::before) -
                                                    static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between),
                     angle_shift = static_cast<Where>(static_cast<double>(rows.margin()) - 0.5 * Around);
@@ -139,13 +139,13 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
             const std::size_t here = static_cast<std::size_t>(line.count);
             alignas(64) Where x[2][at_once];
             alignas(64) std::conditional_t<Rough, std::int32_t, std::int64_t> place[2][at_once];
-            // Those around circles follow those between them.
+            // The taps around circles follow those between circles.
             constexpr bool paired = Between == 4;
             constexpr std::size_t most = paired ? PairedTaps::taps / 2 : Taps<Real>::taps;
             alignas(64) Real weights[at_once][2 * most], values[at_once][Tiles::directions];
             constexpr std::size_t wide = sizeof(W) / sizeof(Where);
             for (std::size_t i = 0; i < here; i += wide) {
-                // Places beyond the line's end are computed in vain.
+                // Positions beyond the end of the line are computed but not used.
                 const W across = splat<W>(static_cast<Where>(line.a)),
                         along = splat<W>(static_cast<Where>(line.b + static_cast<std::int64_t>(i))) + load<W>(counting<Where>),
                         square = across * across + along * along;
@@ -241,11 +241,11 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     template <class Real>
     static constexpr Real counting[] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-    // Whole steps below x, and 2 t - 1 of the rest t, 0 to 1; the next whole step is the place.
+    // Split x into the next whole step (place) and 2 t - 1, where t = 0 to 1 is the distance from the step below.
     template <class V, class Real, class Place>
     static LOMMEL_INLINE void split(V x, Real* rest, Place* place) {
         static_assert(sizeof(Place) == sizeof(Real));
-        // As in sincos(): the nearest integer to x - 1/2 stands in the lowest bits.
+        // As in sincos(): adding this constant leaves the nearest integer in the lowest bits.
         constexpr Real number = sizeof(Real) == 8 ? Real(6755399441055744.0) : Real(12582912.0);
         constexpr Place bits = sizeof(Real) == 8 ? static_cast<Place>(0x4338000000000000) : static_cast<Place>(0x4B400000);
         const V magic = splat<V>(number), shifted = (x + splat<V>(Real(0.5))) + magic, next = shifted - magic;
@@ -256,7 +256,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
-    // What the powers of atan(x) are divided by; single precision has those from 17 down.
+    // Coefficients of the power series of atan(x), highest first; single precision uses those from 1/17 on.
     template <class Real>
     static constexpr Real odd_shares[] = {Real(1.0 / 37.0), Real(1.0 / 35.0), Real(1.0 / 33.0), Real(1.0 / 31.0),
                                           Real(1.0 / 29.0), Real(1.0 / 27.0), Real(1.0 / 25.0), Real(1.0 / 23.0),
@@ -264,7 +264,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                                           Real(1.0 / 13.0), Real(1.0 / 11.0), Real(1.0 / 9.0),  Real(1.0 / 7.0),
                                           Real(1.0 / 5.0),  Real(1.0 / 3.0),  Real(1.0)};
 
-    // atan(b/a) for 0 <= b <= a: pi/8 and that of x = (b - t_0 a) / (a + t_0 b), |x| <= t_0 = tan(pi/8).
+    // atan(b/a) for 0 <= b <= a, as pi/8 + atan(x) with x = (b - t_0 a) / (a + t_0 b), |x| <= t_0 = tan(pi/8).
     template <class Real, class V>
     static LOMMEL_INLINE V angle(V a, V b) {
         constexpr Real middle = Real(0.41421356237309504880), eighth = Real(0.39269908169872415481);

@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// How bright it is at some distances, and how large the orders are there.
+// Brightness at some distances, and moduli of the azimuthal orders there.
 class PolarLooks : public Looks {
    public:
     static constexpr std::size_t block = LookTable::block;
@@ -48,14 +48,14 @@ class PolarLooks : public Looks {
         for (std::size_t i = 0; i < bright.size(); ++i) {
             v.push_back(LookTable::at(i));
         }
-        // Those far beyond the window only fill a block.
+        // Drop distances far beyond the window, which only fill up a block.
         while (v.size() > 2 && v[v.size() - 2] > reach) {
             v.pop_back();
         }
         bright.resize(v.size());
     }
 
-    // What circles at the looks of a block would be off by.
+    // Estimated error contributions of circles at the distances of block b.
     void rows(std::size_t b, const PolarKernels& kernels, const PolarCircle& circle, PolarRowError* out) const {
         for (std::size_t i = 0; i < block; ++i) {
             out[i] = PolarRowError();
@@ -69,7 +69,8 @@ class PolarLooks : public Looks {
             }
         }
         for (std::size_t i = 0; i < block; ++i) {
-            // What tables have divided by makes circles larger, the most at the edge of the spectrum.
+            // The tables are divided by the transform of the kernel, which enlarges values on circles, most at the edge of
+            // the spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
             const double largest = kernels.outer().largest;
             out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
@@ -77,7 +78,7 @@ class PolarLooks : public Looks {
     }
 
    private:
-    // The last pass of a transform, at two of four quadrants' ends.
+    // Last pass of a transform, at the ends of two quadrants.
     template <class I>
     static LOMMEL_INLINE void last_pass(I, const RowFft<float>& fft, const float* from, double* out) {
         using V = typename RowPack<I, float>::type;
@@ -101,7 +102,7 @@ class PolarLooks : public Looks {
     Aligned<float> sizes_;  // [block][order][look]
 };
 
-// What the azimuthal orders from each on can add to U.
+// Bounds on what the azimuthal orders from each order on add to U.
 class PolarOrders {
    public:
     explicit PolarOrders(const PolarPupil& pupil) : tails_(pupil.orders() + 1) {
@@ -115,11 +116,11 @@ class PolarOrders {
         }
     }
 
-    // At v and beyond, whose aliases between circles are `aliases` of what there is.
+    // Bound at v and beyond, including aliases between circles, which are at most `aliases` of the values.
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
-    // The fewest that leave no more than `error`.
+    // Smallest number of orders whose remainder is at most `error`.
     std::size_t least(double error, double v, double aliases) const {
         const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;

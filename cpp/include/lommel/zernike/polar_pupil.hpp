@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, pupil: parameters of the interpolation between circles, and the bound on the error of U.
+// Polar non-uniform FFT, pupil: parameters of the interpolation between circles, and the error bound of U (certificate, 11).
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,20 @@
 
 namespace lommel {
 
-// Circles pi / oversampling apart, so many taps between them and between their angles; whether pixels are summed, and circles
-// transformed, in double precision; whether places are found, and degrees summed, in single precision.
+// Interpolation style: circles pi / oversampling apart, numbers of taps between circles and around them. `doubles`: pixels
+// are summed in double precision; `exact`: circles are transformed in it. `rough`: positions are found and degrees summed in
+// single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
     bool doubles, exact, rough = false;
 
     double step() const { return pi / oversampling; }
-    // Whether taps are those of PairedTaps.
+    // Four taps between circles: the style uses PairedTaps.
     bool paired() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
-// From the most exact one to that which costs least.
+// Styles from the most accurate to the cheapest.
 inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
@@ -42,20 +43,20 @@ inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true,
                                                              {1.5, 4, 3, false, false, true},
                                                              {1.5, 4, 2, false, false, true}}};
 
-// What a pupil is made of: its disk and, of the same phase, the one within that is dark.
+// Disks of a pupil: the full one and, if there is an obscuration, the dark one within, with the same phase.
 struct PolarPupil {
     struct Disk {
         const ZernikeSeries* series;
-        double shrunk, weight;  // radius; what its field counts in that of the pupil
-        Doubles parts;          // as PolarDisk has them
+        double shrunk, weight;  // relative radius; factor of its field
+        Doubles parts;          // as PolarDisk::parts
         Aligned<float> singles;
     };
     std::vector<Disk> disks;
-    double base;  // the error of U that its expansion has, and what roundings of places make of it
+    double base;  // error of U of the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // A place between circles is off by less than 12 units, and one around them by less than 24 of a turn's angle; |U'| < 1/2
-        // along any line.
+        // Positions between circles are off by less than 12 units of v, those around them by less than 24 units of the angle;
+        // |U'| < 1/2 along any line.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -81,17 +82,17 @@ struct PolarPupil {
     }
 };
 
-// The kernels of both disks between circles of one style, and what they do to U.
+// Kernels between circles for both disks in one style, and their effect on the error of U.
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
-    double aliasing = 0.0;  // aliases
-    double growth = 0.0;    // relative, of the error of the expansion
+    double aliasing = 0.0;  // error from aliases
+    double growth = 0.0;    // relative growth of the expansion error
 
     PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // Of what is expanded the mean square of g is at most 1, but for the error of the expansion.
+            // The mean square of g is at most 1 before truncation, whose error `growth` accounts for.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -99,19 +100,20 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Roundings of sums over degrees and of tables, in A_m or B_m of all orders together: cosines and sines, both by Cauchy, a chain
-// over every other degree, and what the table leaves out and, (n+1) F_n of it, is off by. Single precision rounds both factors.
+// Rounding of sums over degrees and of tables, in A_m or B_m of all orders together. Cosines and sines, both by Cauchy: a
+// chain over every other degree, what the table leaves out, and `each`, the rounding of its (n+1) F_n. Single precision
+// rounds both factors.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
     return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
 }
 
-// Their tables, of so many blocks.
+// Tables of the disks, with enough blocks.
 struct PolarTables {
     std::vector<std::shared_ptr<const PolarTable>> tables;
     std::vector<PolarDisk> disks;
-    std::vector<double> errors;  // of U in each block, before it is transformed, by roundings
+    std::vector<double> errors;  // [block]: error of U from rounding before the transform
 
     PolarTables(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, std::size_t blocks)
         : errors(blocks, 0.0) {
@@ -129,25 +131,26 @@ struct PolarTables {
     }
 };
 
-// Bound on the error of U up to v between circles of so many orders with these errors: `left` is what orders left out can add.
+// Error bound of U up to v, by interpolation between circles of so many orders with these errors; `left`: bound on the orders
+// left out.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
-                 // With two roundings before it.
+                 // The transform, and two roundings before it.
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    // Exact circles have exact taps, rounded once.
+    // Exact circles use double-precision taps, rounded once.
     const auto off = [&](const GriddingTaps& taps) {
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
+    // Rounding: storing the circles, a product, a chain of sums for each kernel, and four of I, which count half in U.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
-    // What roundings of places in single precision make.
+    // Rounding of positions in single precision.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);
-    // A complex number is at most sqrt(2) times the larger one of its parts.
+    // A complex number is at most sqrt(2) times the larger of |re|, |im|.
     return (base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
            weights * (circle.growth(orders) * rows.sums + transform * rows.sum) +
            1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernel.weight) * rows.largest;

@@ -1,6 +1,7 @@
-// Polar non-uniform FFT, table: the transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v.
+// Polar non-uniform FFT, table: the transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v
+// (docs/certificate.md, section 11).
 //
-// It depends on the step and on the kernel alone: one table serves every pupil, wavelength and pixel.
+// The table depends on the step and the kernel alone: it serves every pupil, wavelength and pixel.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +19,11 @@
 
 namespace lommel {
 
-// A kernel between circles, `step` in v apart: its taps, and what its aliases do.
+// Kernel between circles `step` apart in v: its taps and the bound on its aliases.
 struct PolarKernel : GriddingTaps {
     double step;
-    double aliases;  // what they can add to U
-    double largest;  // 1 / transform
+    double aliases;  // bound on what aliases add to U
+    double largest;  // largest 1 / transform
     double shares;   // mean of 2 sin(a) / transform(step cos(a))
 
     PolarKernel(double apart, std::size_t taps, double beta)
@@ -42,10 +43,11 @@ struct PolarKernel : GriddingTaps {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 };
 
-// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, C the cosine for even n and the sine for odd
-// n, t the transform of the kernel: sum_j phi(v/h - j) F_n(j) is what zernike_transforms() gives, but for aliases. Sixteen
-// distances, of j rising, stand together: [block][n][distance], j = -16 the first. What a block holds depends on its place and
-// on grade(degrees) alone, so that no image depends on the tables that happen to be kept.
+// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, with C = cos for even and sin for odd n,
+// and t the transform of the kernel phi: but for aliases, sum_j phi(v/h - j) F_n(j) is the result of zernike_transforms().
+//
+// Layout [block][n][distance] with sixteen distances per block, starting at j = -16. A block depends only on its position and
+// on grade(degrees), so that images do not depend on which tables happen to be cached.
 struct PolarTable {
     static constexpr std::size_t block = 16, before = 16;
 
@@ -53,10 +55,10 @@ struct PolarTable {
     GriddingKernel kernel;
     std::size_t blocks, degrees;
     Doubles values;
-    std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
-    std::vector<double> roundings;     // of each block, what roundings add to (n+1) F_n at most
+    std::vector<std::size_t> reached;  // [block]: number of degrees that matter; the others add less than left_out
+    std::vector<double> roundings;     // [block]: bound on the rounding of (n+1) F_n
 
-    // What degrees that a block leaves out can add to U, whatever the pupil.
+    // Bound on what the degrees that a block leaves out add to U, for any pupil.
     static constexpr double left_out = 1e-13;
 
     PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
@@ -72,7 +74,7 @@ struct PolarTable {
         }
     }
 
-    // The next power of two, or half as much again.
+    // Next power of two, or 3/2 of one.
     static std::size_t grade(std::size_t degrees) {
         std::size_t made = 32;
         while (made < degrees) {
@@ -81,12 +83,12 @@ struct PolarTable {
         return made;
     }
 
-    // What roundings add to (n+1) F_n at most, `shares` being the sum of what nodes count: each node adds one; sines of their
-    // angles are off by 3 units, which arguments, of up to v, have v times, with those of v and of the product; and 170 are for the
-    // transform of the kernel, the sines of arguments and the rest.
+    // Bound on the rounding of (n+1) F_n; `shares` is the sum of the weights of the nodes. Each node adds one unit. Sines of
+    // angles are off by 3 units, which arguments of up to v multiply by v; two more per v are the rounding of v and of the
+    // product. 170 covers the transform of the kernel, the sines of arguments, and the rest.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
-    // What those of so many degrees add to U: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
+    // Error of U from the rounding of `count` degrees: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
@@ -99,10 +101,10 @@ struct PolarTable {
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 
-    // The degrees of a block that matter, and half the points of the midpoint rule in a, N, for them. On the strip |Im a| <= b the
-    // integrand, without its factors in front, is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), for t, whose zeros are
-    // real, is least on the real line. So (n+1) |F_n| is at most 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule errs by
-    // twice the integrand over exp(2 N b) - 1.
+    // Number of degrees that matter in a block, and N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b
+    // the integrand, without its leading factors, is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), since t,
+    // whose zeros are real, is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh
+    // b), and the rule errs by twice the integrand over exp(2 N b) - 1.
     struct Rule {
         std::size_t degrees, half;
 
@@ -128,7 +130,8 @@ struct PolarTable {
         }
     };
 
-    // The sine of i / turn of a turn, of which eighths are whole numbers; off by less than 3 units, as the angle is small.
+    // Sine of i / turn turns, where `turn` is a multiple of 8; off by less than 3 units, as the angle is reduced to an eighth
+    // of a turn.
     static double sine(std::size_t i, std::size_t turn) {
         const std::size_t quarter = turn / 4, part = i % quarter, least = std::min(part, quarter - part);
         const double angle = 6.283185307179586477 * static_cast<double>(least) / static_cast<double>(turn);
@@ -136,13 +139,13 @@ struct PolarTable {
         return i / quarter < 2 ? size : -size;
     }
 
-    // Returns the sum of what nodes count.
+    // Fill a block; returns the sum of the weights of the nodes.
     template <class I>
     LOMMEL_INLINE double fill(I isa, std::size_t b, const Rule& rule) {
         using V = typename I::pack;
         constexpr std::size_t packs = block / I::lanes, together = 2;
         const std::size_t nodes = rule.half, count = rule.degrees;
-        const std::size_t turn = 8 * nodes;  // in units of half an angle between nodes, a_k = (2k + 1) units
+        const std::size_t turn = 8 * nodes;  // unit: half the angle between nodes, a_k = (2k + 1) units
         std::vector<double> sines(turn);
         for (std::size_t i = 0; i < turn; ++i) {
             sines[i] = sine(i, turn);
@@ -200,7 +203,7 @@ struct PolarTable {
     }
 };
 
-// The transforms themselves, at distances that are looked at to see how bright it is there: 40 sinh(k/18), times `shrunk`.
+// Exact transforms at the sampling distances 40 sinh(k/18), times `shrunk`, which show where the image is bright.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 
@@ -216,7 +219,8 @@ struct LookTable {
         for (std::size_t i = 0; i < blocks * block; ++i) {
             look();
             const double v = shrunk * at(i);
-            // Higher ones vanish; of as many whatever is asked for, lest an image depend on the table that happens to be kept.
+            // Higher degrees vanish. Their number depends on v alone, so that images do not depend on which table happens to
+            // be cached.
             const std::size_t count = static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 15.0) / 2;
             one.resize(count);
             for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -230,7 +234,7 @@ struct LookTable {
     }
 
     static double at(std::size_t i) { return 40.0 * std::sinh(static_cast<double>(i) / 18.0); }
-    // Blocks up to one that holds a distance of at least v.
+    // Number of blocks up to one that contains a distance of at least v.
     static std::size_t blocks_to(double v) { return static_cast<std::size_t>(18.0 * std::asinh(v / 40.0) + 1.0) / block + 1; }
 
     bool is(double part, std::size_t block_count, std::size_t degree_count) const {

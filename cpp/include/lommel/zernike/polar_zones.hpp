@@ -1,4 +1,5 @@
-// Polar non-uniform FFT, zones: ranges of radii, each with the interpolation that the tolerance needs there.
+// Polar non-uniform FFT, zones: ranges of radii, each with the interpolation that the tolerance requires there
+// (docs/certificate.md, section 11).
 #pragma once
 
 #include <algorithm>
@@ -14,47 +15,50 @@
 
 namespace lommel {
 
-// What the error of a polar image is spent on.
+// Error budget of a polar image: shares of errors and tolerances.
 struct PolarBudget {
-    // Of the tolerance, on the image where it is brightest; brightness is a guess, of which U may have this many times more.
+    // Share of the tolerance for the error of the image at its brightest place; factor by which |U| may exceed its guess.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Of what that allows U to be off by: what a style may promise, and what orders left out may add to it.
+    // Shares of the error of U which that allows: for the predicted error of a style, and for orders left out.
     static constexpr double promise = 0.95, orders = 0.05;
-    // What is asked of all styles where that did not do: this part of what the brightest pixel asks for.
+    // Repetition: share of the error that the brightest pixel requires, for all styles.
     static constexpr double again = 0.7;
 };
 
+// A zone: range of radii, style of interpolation, and circles.
 struct PolarZone {
     const PolarStyle* style;
-    std::int64_t low, high;   // squares of the distances of its pixels, in pixels
-    std::size_t first, last;  // blocks of circles of the table
+    std::int64_t low, high;   // range of squared distances of its pixels, in pixels
+    std::size_t first, last;  // range of blocks of circles in the table
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
-    PairedTaps both;            // of its kernels
-    PolarRows<double> doubles;  // the circles: these or the others
+    PairedTaps both;            // taps of both kernels, for styles with four taps
+    PolarRows<double> doubles;  // circles, in one of two precisions
     PolarRows<float> floats;
-    std::vector<double> errors;  // of U, for each circle
-    double left;                 // what orders left out can add to it
+    std::vector<double> errors;  // error of U, for each circle
+    double left;                 // bound on what orders left out add to U
 
     const PolarRows<double>& rows(double) const { return doubles; }
     const PolarRows<float>& rows(float) const { return floats; }
 };
 
+// Plan of zones for an image, and their circles.
 class PolarZones {
    public:
-    // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
-    // among them at most. Returns false where the expansion, or the most exact style, is not likely to let that be.
+    // Plan zones for pixels `step` apart in v whose squared distances, in pixels, are `nearest` to `farthest`, so that I is
+    // off by at most `tol` of its largest value among them. Returns false if the expansion or the most accurate style is
+    // unlikely to achieve that.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
-    // Computes all circles.
+    // Compute all circles.
     void fill(const PolarPupil& pupil, int threads);
 
     std::size_t size() const { return count_; }
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
-    // The block with the first or the last circle, by the sign of `side`, that pixels at v take; one more, lest roundings matter.
+    // Block with the first (side < 0) or last (side > 0) circle that pixels at v use, with one circle to spare for rounding.
     static std::size_t block_at(const PolarStyle& style, double v, double side) {
         const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
         return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;
@@ -64,7 +68,7 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // The first look from which on a style does, from `end` backwards: beyond, a less exact one does.
+    // First sample, searching backwards from `end`, from which on a style meets the allowed error.
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {
@@ -82,7 +86,7 @@ class PolarZones {
             PolarRowError& row = rows[i % block];
             for (std::size_t d = 0; d < pupil.disks.size(); ++d) {
                 const PolarKernel& kernel = *kernels.disks[d];
-                // Of nodes the rule for the table takes about so many.
+                // Estimated number of nodes of the rule for the table.
                 const double v = pupil.disks[d].shrunk * looks.v[i],
                              nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
                 row.sums += polar_rounding(pupil.disks[d], style, kernel, PolarTable::rounding(kernel.shares, nodes, v));
@@ -95,7 +99,7 @@ class PolarZones {
         return 0;
     }
 
-    // Computes block i of the circles of a zone.
+    // Compute block i of the circles of a zone.
     template <class Sum, class Fft, class Real>
     static void fill(const PolarPupil& pupil, const PolarTables& tables, PolarZone& zone, PolarRows<Real>& rows,
                      std::size_t i) {
@@ -114,7 +118,7 @@ class PolarZones {
         }
     }
 
-    std::vector<PolarZone> zones_;  // kept from one image to the next, with their memory
+    std::vector<PolarZone> zones_;  // kept with their memory from one image to the next
     std::size_t count_ = 0;
 };
 
@@ -125,12 +129,12 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     const PolarOrders orders(pupil);
     const PolarLooks looks(pupil, reach, threads);
     const double all = PolarBudget::image * tol * looks.brightest(near, reach);
-    // Of U, where it is that bright.
+    // Error of U allowed where I has this value.
     const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
-    // From the one that costs least to the first that does everywhere.
+    // From the cheapest style to the first that is accurate enough everywhere.
     std::size_t most_exact = polar_styles.size(), first = looks.v.size();
     do {
         const std::size_t s = --most_exact;
@@ -144,7 +148,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     const auto end = [&](std::size_t s) {
         return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
     };
-    // Circles of a narrow zone take longer than a less exact style saves on its pixels.
+    // Drop narrow zones: their circles would cost more than a cheaper style saves on their pixels.
     for (std::size_t s = polar_styles.size(); --s > most_exact;) {
         if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
             starts[s] = starts.back();
@@ -180,7 +184,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
 
 LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
     std::vector<PolarTables> tables;
-    std::vector<std::array<std::size_t, 2>> tasks;  // zone, block
+    std::vector<std::array<std::size_t, 2>> tasks;  // [task]: zone, block
     tables.reserve(count_);
     for (std::size_t z = 0; z < count_; ++z) {
         PolarZone& zone = zones_[z];

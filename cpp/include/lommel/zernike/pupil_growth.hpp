@@ -1,5 +1,5 @@
-// Growth of a pupil function off the chords of the disk, averaged by samples: sharper than the sum of the largest values of all
-// terms.
+// Mean growth of a pupil function at complex points off the chords of the disk, by samples: sharper than the product of the
+// maxima of all terms (docs/certificate.md, section 7, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -22,31 +22,31 @@
 
 namespace lommel {
 
-// For one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) xi and, along xi',
-// sin(a + ib) cos(tau), with what the hats around them have of the mean; and directions of xi. A sample at (x, y) stands for
-// (+-x, +-y) and their conjugates, so that half a turn of directions is all of them.
+// Table for one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) along xi and
+// sin(a + ib) cos(tau) along xi'; the weights of the hat functions around the samples in the mean; and directions of xi. A
+// sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of directions suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
     std::size_t curve, side, samples, directions;
-    std::vector<std::size_t> order;  // of the pairs, those of even azimuthal orders first
-    std::size_t even;  // of which there are so many
-    Floats values;  // [sample][pair][cosine, sine], imaginary parts
+    std::vector<std::size_t> order;  // indices of the pairs, even azimuthal orders first
+    std::size_t even;  // number of these
+    Floats values;  // [sample][pair][cosine, sine]: imaginary parts
     Floats shares;  // [sample]
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
     GrowthTable(const TermPairs& list, std::size_t at);
 
-    // Between samples, and between directions.
+    // Steps between samples and between directions, in radians.
     double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
     double turn() const { return pi / static_cast<double>(directions); }
 
-    // Vector operations, roughly.
+    // Rough cost in vector operations.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(4 * list.degree + 1);
         return side * side * static_cast<double>(directions_for(list) / row_lanes) *
                (2.0 * static_cast<double>(list.pairs.size()) + 40.0);
     }
-    // Where values of terms are well within the range of floats.
+    // Return whether the values of terms are well within the range of float.
     static bool serves(const TermPairs& list, std::size_t curve) {
         return static_cast<double>(list.degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -56,7 +56,7 @@ struct GrowthTable {
     static constexpr std::size_t most_bytes = std::size_t{8} << 20;
 
    private:
-    // Sixteen for every two orders.
+    // Eight directions per half turn for every order, as sixteen for every two.
     static std::size_t directions_for(const TermPairs& list) {
         std::size_t highest = 1;
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -93,7 +93,7 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
         polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
             values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
         });
-        // Of a uniformly, of eta = cos(tau) uniformly; each stands for eight.
+        // Weights: a is uniform; eta = cos(tau) is uniform. Each sample stands for eight.
         const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
         const double along = step() * static_cast<double>(q);
         const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
@@ -111,9 +111,9 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// The logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the direction where it is largest: of the samples,
-// and what it may be more, between them, where the second derivatives are at most n^2 and m^2 times the most that terms are, and
-// by rounding.
+// Logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the direction where it is largest: `mean` from
+// samples; `margin` for values between them, by second derivatives of at most n^2 and m^2 times the maximum of each term, and
+// for rounding.
 struct SampledGrowth {
     double mean, margin;
 };
@@ -141,10 +141,10 @@ LOMMEL_INLINE SampledGrowth sampled_growth(I, const GrowthTable& table, const Te
     }
     double largest = -1e300;
     for (std::size_t first = 0; first < directions; first += lanes) {
-        // At (x, y), (-x, -y), (x, -y), (-x, y).
+        // Images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
         const auto images = [&](std::size_t s, V* image) LOMMEL_INLINE_LAMBDA {
             const float *value = &table.values[2 * s * pairs], *with = &given[first];
-            // Even and odd in x.
+            // Parts even and odd in x.
             V cosines[2] = {}, sines[2] = {};
             const auto add = [&](std::size_t odd, std::size_t end) LOMMEL_INLINE_LAMBDA {
                 for (; value < &table.values[2 * s * pairs] + 2 * end; value += 2, with += 2 * directions) {

@@ -1,4 +1,4 @@
-// Rings: parts of a radial piece on which 8 of its 16 coefficients suffice.
+// Rings: subdivisions of a radial piece on which 8 of its 16 polynomial coefficients suffice.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace lommel {
 
-constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a piece
+constexpr std::size_t ring_degree = 8;  // coefficients on a ring
 
-// Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
+// Error bound of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, like piece_error().
 inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
-// The width for such an error.
+// Width of a ring with this error bound.
 inline double ring_width(double error) { return 4.0 * std::pow(20160.0 * error, 1.0 / ring_degree); }
 
-// From values at the 8 Chebyshev points to coefficients, in double.
+// Conversion of values at the 8 Chebyshev points to monomial coefficients, in double precision.
 struct RingMatrix {
     double at[ring_degree][ring_degree];  // [power][point]
 
@@ -45,7 +45,8 @@ inline void fill_powers(double x, double* powers) {
     }
 }
 
-// The matrix from 16 coefficients of a piece to those of its interpolant at 8 points: [power][highest first].
+// Matrix onto[power][coefficient, highest first] from the 16 coefficients of a piece to those of the interpolant at 8 points
+// of a ring.
 template <class Powers>
 void resample(double* onto, const Powers& powers_at) {
     std::fill(onto, onto + degree_count * ring_degree, 0.0);
@@ -61,7 +62,8 @@ void resample(double* onto, const Powers& powers_at) {
     }
 }
 
-// Adds to, or fills, out[row][part][power] with `weight` times the coefficients of some rows of a piece, resampled.
+// Set out[row][part][power] to, or with Add increase it by, `weight` times the resampled coefficients of some rows of a
+// piece.
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
                                  std::size_t parts, double weight, double* out) {

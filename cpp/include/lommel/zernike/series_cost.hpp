@@ -1,4 +1,4 @@
-// Time that the series is likely to take, from its degrees, orders and pixels: what other methods are weighed against.
+// Predicted time of the series of section 7, from its degrees, orders and pixels, to choose between methods.
 #pragma once
 
 #include <algorithm>
@@ -12,23 +12,24 @@
 
 namespace lommel {
 
-// Nanoseconds of one processor, all tables at hand; benchmarks/choice.py fits them.
+// CPU time in nanoseconds with all tables cached; the coefficients are fitted by benchmarks/choice.py.
 struct SeriesCost {
     static constexpr double least = 27000.0;     // of any image
-    static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
-    // Errors of interpolation between circles, of no dim image. Strong aberrations may make it twice as dim as is likely.
+    static constexpr double declined = 20000.0;  // added for a refusal by the chordal rule: its estimates so far
+    // Error of interpolation between circles for a bright image. Strong aberrations may make the image twice as dim as
+    // predicted.
     static constexpr double circles = 1.2e-10;
-    // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve, and the image may have to be
-    // computed twice; and, perhaps, nothing serves.
+    // Share of the allowed error that rounding of the expansion may take: above `rounded`, circles cannot be used and the
+    // image may have to be computed twice; above `lost`, perhaps no variant succeeds.
     static constexpr double rounded = 0.17, lost = 0.25;
 
-    // Of one image.
+    // Predicted time of the image of one pupil.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
         const TermPairs terms(stack.terms);
         const std::size_t count = stack.terms.size();
         const auto from = stack.outer.begin() + static_cast<std::ptrdiff_t>(pupil * count);
         std::vector<double> phases(from, from + static_cast<std::ptrdiff_t>(count));
-        // Tilt is taken as a place of the axis: see move_axes().
+        // Tilt moves the axis: see DiskStack::move_axes().
         double at[2] = {window.row, window.column};
         for (std::size_t j = 0; j < count; ++j) {
             if (stack.terms[j].n == 1) {
@@ -50,18 +51,18 @@ struct SeriesCost {
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
         const double dim = outer.dimness(), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
-        // Eight pixels at once where the axis is in the window.
+        // Groups of eight mirrored pixels, where the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
         const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
         if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels, area > 1e-18)) {
-            // Taps, and their oversampling, are in number as the digits that are asked for.
+            // The number of taps and their oversampling grow with the number of digits required.
             const double digits = std::log10(std::max(10.0, dim / tol));
             return cost.calls_ + 24000.0 +
                    wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
         }
-        // Of an obscured pupil both disks are interpolated on every ring.
+        // With an obscuration, both disks are interpolated on every ring.
         const double within = area > 1e-18 ? 18.4 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
         const double each = tol >= 1e-6 ? 0.354 : 0.554;
         const double image = 9.7 * orders * cost.degrees_ + (2.63 + within) * reach * orders + (5.2 + each * orders) * groups;
@@ -69,7 +70,7 @@ struct SeriesCost {
     }
 
    private:
-    // What narrower vectors than those of eight doubles take, over these.
+    // Time with narrower vectors, relative to vectors of eight doubles.
     static double widths() { return std::pow(0.125 * static_cast<double>(widest_lanes(processor_level())), -0.91); }
 
     void expand(const ZernikePhase& phase, double reach, double error) {

@@ -51,8 +51,8 @@ class PieceTables final : Shared {
    public:
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
 
-    // Returns a table with at least these pieces and rows. Missing pieces are made by all threads together, and kept until all
-    // pieces of their parity exceed the limit.
+    // Returns a table with at least these pieces and rows. Missing pieces are made, shared by all threads,
+    // and kept until all pieces of their parity exceed the limit.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
         if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
             return found;

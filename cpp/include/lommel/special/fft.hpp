@@ -80,8 +80,8 @@ class RowFft {
     const std::size_t n;
 
     // Bound on the error of any X_l, in units of roundoff and of sum |x_j|: a sum of complex numbers is off by one unit, a
-    // product by sqrt(5), a tabulated root of unity by one and, in double precision, by three of its angle; radix 3 has another
-    // sum and two products in place of the last two.
+    // product by sqrt(5), a tabulated root of unity by one and, in double precision, by three of its angle; radix 3
+    // has one sum and two products more, for the two terms that it turns.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;

@@ -252,8 +252,8 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
 #endif
 
 // Runs work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: as many as
-// there are processors). `worker` is less than the number of processors, or 1 if that is less. The first exception is rethrown
-// after all threads have stopped. Between tasks all check for interruption.
+// there are processors). `worker` is at most the number of processors. The first exception is rethrown after all threads
+// have stopped. Between tasks all check for interruption.
 template <class Work>
 void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& work) {
 #if !defined(LOMMEL_SINGLE_THREADED)

@@ -124,7 +124,7 @@ template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
-// Low halves of the lanes' bits, those of a and then those of b.
+// Low halves of the lanes' bits, interleaved: in each lane that of a, then that of b.
 template <class W, class V>
 LOMMEL_INLINE W low_halves(V a, V b) {
     typedef std::uint64_t Bits __attribute__((vector_size(sizeof(V))));

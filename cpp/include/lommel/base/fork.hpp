@@ -1,4 +1,4 @@
-// Protection against fork() while a lock is held: the child has a copy of the memory and only the calling thread.
+// Protection against fork() while a lock is held: the child has a copy of the memory, but only the calling thread.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Number types in which tables are computed.
+// Floating-point type in which tables are computed.
 #pragma once
 
 #include <limits>

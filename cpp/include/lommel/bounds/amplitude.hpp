@@ -14,7 +14,7 @@ class Amplitude {
     static constexpr std::size_t most = 10;  // powers of t
 
     Amplitude() = default;
-    // From g_0, g_1, ...: `count` of them, at most 1 + most.
+    // From g_0, g_1, ...: `count` coefficients, at most 1 + most.
     Amplitude(const double* powers, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             g_[k] = powers[k];
@@ -45,7 +45,7 @@ class Amplitude {
 
     // Amplitude on an inner disk as a function of its own t; `area` is the square of its radius.
     Amplitude scaled(double area) const { return changed(1.0, area); }
-    // The amplitude to a power.
+    // The amplitude raised to a power.
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
     // Bound on the logarithm of the amplitude within the ellipse around [0, 1] whose semi-axes are half of c and of

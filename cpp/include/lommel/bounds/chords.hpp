@@ -30,9 +30,9 @@ inline std::size_t rounded_size(Sum sum, double wanted) {
 struct VBox {
     double left, right, top, bottom;
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
-    // Largest distance from (x, y).
+    // Largest distance of a point of the window from (x, y).
     double reach(double x, double y) const { return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), rise(y)); }
-    // Largest distance from y along y.
+    // Largest distance along y of a point of the window from y.
     double rise(double y) const { return std::max(std::abs(top - y), std::abs(bottom - y)); }
     bool operator==(const VBox& other) const {
         return left == other.left && right == other.right && top == other.top && bottom == other.bottom;

@@ -299,8 +299,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
     const double half = plan(w.side(), allowed);
 
-    // Multiply-adds of one image, and a share of those of the table, counted, not measured: rings so narrow that
-    // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
+    // Multiply-adds of one image and a share of those of the table, counted, not measured, for the three alternatives: rings so
+    // narrow that `radial_degree` coefficients suffice, the window as one ring, or I at the pixels.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);
@@ -309,7 +309,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight beyond those that a near cache holds takes as long as four, where it is loaded for each image.
+    // A weight beyond the near cache takes as long as four others if it is loaded anew for each image.
     const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {

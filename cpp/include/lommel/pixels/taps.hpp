@@ -15,9 +15,10 @@ namespace lommel {
 // band |w| <= 2 of an intensity.
 //
 // Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type k h; all but
-// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a trigonometric
-// polynomial of the angle it falls from its largest value no faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44,
-// 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of that: it is at most sqrt(2) times as large as at these points.
+// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a
+// trigonometric polynomial of the angle, the error falls from its largest value no faster than cos(M s) (Duffin and Schaeffer,
+// Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of that value: the maximum is at
+// most sqrt(2) times the largest value at these points.
 struct PixelTaps {
     std::size_t stride;           // samples per pixel
     std::vector<double> weights;  // of an odd number of samples about the middle of the pixel

@@ -81,7 +81,7 @@ class Tiles {
             if (square >= high) {
                 return;
             }
-            // |x| = a and |y| = b, or the other way round: two ranges of b, which may overlap.
+            // (|x|, |y|) = (a, b) or (b, a): two ranges of b, which may overlap.
             std::int64_t first[2] = {near_y_, near_x_}, last[2] = {far_y_, far_x_};
             const bool here[2] = {a >= near_x_ && a <= far_x_, a >= near_y_ && a <= far_y_};
             const std::int64_t least = std::max(tile.b, root(low - square - 1) + 1);

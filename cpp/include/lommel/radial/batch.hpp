@@ -1,5 +1,4 @@
-// Many pupils on one small window: the transforms of the Legendre polynomials at its radii, and one matrix product for all
-// fields.
+// Many pupils on one small window: transforms of the Legendre polynomials at its radii, and one matrix product for all fields.
 #pragma once
 
 #include <algorithm>
@@ -120,7 +119,7 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // A group at a time through each stage, so that one table at a time fills the first cache.
+        // Each stage runs for a whole group, so that the first-level cache holds one table at a time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

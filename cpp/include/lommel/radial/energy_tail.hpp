@@ -80,7 +80,7 @@ class EnergyTail {
         double factor = 0.0, power = 0.0;
     };
 
-    // sup of sqrt(x) |J_n(x)|, n >= 1 (Olenko, J. Math. Anal. Appl. 2006).
+    // Olenko's bound on sup sqrt(x) |J_n(x)|, n >= 1 (J. Math. Anal. Appl. 2006).
     static double envelope(std::size_t n) {
         const double third = std::cbrt(static_cast<double>(n));
         return 0.674886 * std::sqrt(third + 1.855757 / third + 1.0331501 / static_cast<double>(n));

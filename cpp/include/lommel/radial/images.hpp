@@ -105,7 +105,7 @@ class Renderer {
         if (pixels() * sizeof(T) > (std::size_t{1} << 14)) {
             return paint(profile.data(), image, 1);
         }
-        // A small image is put together in the first cache and written out in one stream, not row by mirrored row.
+        // A small image is assembled in the first-level cache and written in one stream, not by rows and mirrored rows.
         assembled.resize(pixels());
         paint(profile.data(), assembled.data(), 1);
         std::memcpy(image, assembled.data(), pixels() * sizeof(T));

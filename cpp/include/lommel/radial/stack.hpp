@@ -11,8 +11,8 @@
 
 namespace lommel {
 
-// The pupil function A exp(i Phi): coefficients of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, in radians, and the amplitude,
-// which is not copied.
+// Pupil function A exp(i Phi): coefficients (rad) of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, and the amplitude, which is
+// not copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;

@@ -36,7 +36,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
             (size[n][i] < 2.0 ? slow : fast) = true;
         }
     }
-    // A multiply-add a step depends on the one before.
+    // Each step is a multiply-add that depends on the one before.
     if (fast) {
         V turn[count], s[count], c[count];
         for (std::size_t n = 0; n < count; ++n) {

@@ -1,7 +1,7 @@
 // Fourier transforms of lengths 2^a 3^b, of eight sequences at once.
 //
-// The elements of all eight stand together: [element][eight real parts, eight imaginary parts]. Bound by loads and stores,
-// two passes of four multiply-adds per byte at best.
+// Elements of all eight are interleaved: [element][eight real parts, eight imaginary parts]. Bound by loads and stores, two
+// passes of four multiply-adds per byte at best.
 #pragma once
 
 #include <cmath>

@@ -71,7 +71,7 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
+    // Interpolates at Chebyshev points; the conversion to monomials is done in wider numbers where there are any.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {

@@ -17,7 +17,7 @@
 
 namespace lommel {
 
-// Half the distance from 1 to the next number.
+// Unit roundoff: half the distance from 1 to the next number.
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
@@ -47,8 +47,8 @@ class GriddingKernel {
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
     }
 
-    // Bound on the sum of |transform(omega + 2 pi k)| over k other than 0, over transform(omega), for omega of 0 to pi; it rises
-    // with omega.
+    // Bound on the sum over k != 0 of |transform(omega + 2 pi k)|, over transform(omega), for omega from 0 to pi; it rises with
+    // omega.
     double aliases(double omega) const {
         constexpr std::size_t counted = 64;
         double sum = 0.0;
@@ -57,7 +57,7 @@ class GriddingKernel {
             // Aliases at omega + 2 pi k are below those at 2 pi k.
             sum += size(turns - omega) + size(turns);
         }
-        // Beyond, (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2), and zeta >= w pi (k - 1/2).
+        // For further k: (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2) and zeta >= w pi (k - 1/2).
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
@@ -89,7 +89,7 @@ class GriddingKernel {
         for (std::size_t cell = 0; cell < cells; ++cell) {
             double sum = 0.0;
             for (std::size_t i = 0; i < w; ++i) {
-                // Within a cell every tap rises or falls.
+                // Within a cell every tap is monotonic.
                 const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
                 const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
                 sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));

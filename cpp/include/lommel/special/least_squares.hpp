@@ -91,7 +91,7 @@ class LeastSquares {
     std::vector<std::vector<double>> rest_;
     std::vector<double> scales_, diagonals_;
     std::vector<std::vector<double>>
-        columns_;  // above the diagonal what is left of them, from there on the vector to reflect at
+        columns_;  // R above the diagonal; from the diagonal on, the Householder vector of each reflection
 };
 
 // Finds x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in

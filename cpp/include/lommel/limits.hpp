@@ -1,5 +1,5 @@
-// Limits of arguments, exceptions for arguments beyond them, and the error of stored values that follows from that of the
-// field.
+// Limits of arguments, the exceptions thrown beyond them, and error propagation from U to stored values (certificate, section
+// 6).
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace lommel {
 
 constexpr double unit_roundoff = 1.1102230246251565e-16;
-constexpr double max_phase = 1e6;        // radians; beyond, argument reduction loses digits
-constexpr double max_reach = 1e6;        // v; beyond, I is below 1e-17 of its value in focus, and rounding of v matters
-constexpr std::size_t max_terms = 6000;  // of a Legendre series; its rule takes about 4 n^2 bytes
+constexpr double max_phase = 1e6;        // rad; beyond, argument reduction loses digits
+constexpr double max_reach = 1e6;        // v; beyond, I is below 1e-17 of the in-focus peak, and rounding of v dominates
+constexpr std::size_t max_terms = 6000;  // of a Legendre series; its quadrature table takes about 4 n^2 bytes
 constexpr std::size_t max_degree = 200;  // of a Zernike term
 
 struct LimitExceeded : std::domain_error {
@@ -44,38 +44,39 @@ inline void check_phase(double radians) {
     }
 }
 
-// Zernike term R_n^|m|(rho) times cos(m theta), or sin(|m| theta) for m < 0; it is 1 at the edge.
+// Zernike term R_n^|m|(rho) cos(m theta), or R_n^|m|(rho) sin(|m| theta) for m < 0; its radial part is 1 at the edge.
 struct ZernikeTerm {
     std::int32_t n, m;
     bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
 };
 
-// Bound of |I - I_exact| where |U| = `size` is off by `error` (docs/certificate.md, section 6).
+// Bound on |I - I_exact| for |U| <= `size` and |U - U_exact| <= `error`.
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// Error of I relative to the exact peak, whose root is at least the computed root minus `field_error`.
+// Error `wrong` of I over the exact peak, which is at least (M - e)^2: M^2 the computed peak, e = `field_error`.
 inline double over_peak(double wrong, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
     return exact > 1e-150 ? wrong / (exact * exact) : 1e300;
 }
 
-// (2 M e + e^2) / (M - e)^2: relative error of I at its peak M^2, for an error e of U (docs/certificate.md, section 6).
+// (2 M e + e^2) / (M - e)^2: error of I over its exact peak, from the error e of U and the computed peak M^2.
 inline double relative_error(double peak, double field_error) {
     return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
 }
 
-// Error of values divided by their own maximum, where both are off by `relative`: 2 r / (1 - r).
+// Error of values that are divided by their own largest one; `relative` is their error over that.
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
 
-// Error of storing values of type T, relative to the peak: at most six roundings to double for the sum of two squares, the
-// scale and the product; and one rounding to float, or two if stored values are then divided by their maximum.
+// Error over the peak added by storing values as type T: the sum of two squares, the scale and the product with it are at most
+// six roundings to double; conversion to float rounds once, or twice if values are divided by their largest one after they were
+// stored.
 template <class T>
 constexpr double storing(bool twice) {
     return 6.0 * unit_roundoff + (sizeof(T) == 4 ? (twice ? 2.0 : 1.0) * 5.9604644775390625e-08 : 0.0);
 }
 inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
-// Error bound of finished values relative to their peak: divided by their maximum or not, and if so after or before storing.
+// Error bound of finished values over their peak; `divided`: by their largest value; `after`: this is done after storing.
 template <class T>
 double finished_error(double relative, bool divided, bool after) {
     return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));

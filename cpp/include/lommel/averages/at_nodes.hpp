@@ -1,4 +1,4 @@
-// Averages over pixels from samples at nodes of their window, with the bound of certificate 10, for any aperture.
+// Pixel averages from samples at nodes of the window, for any aperture, with error bound (certificate, section 10).
 #pragma once
 
 #include <algorithm>
@@ -18,73 +18,76 @@
 
 namespace lommel {
 
-// What the best placed pixel of pitch `step` in v averages at least, over the peak of I.
+// Lower bound on the largest pixel average over the peak of I, for pixels of pitch `step` in v that may lie anywhere.
 //
-// f = 2 I - M, M the peak, is of exponential type 2 along a line through it and within M, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and
-// Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s below pi/2 from the peak I >= M cos(s)^2. The pixel around the
-// peak holds a disk of half its pitch.
+// f = 2 I - M, M the peak, is of exponential type 2 along a line through it and at most M in modulus, so f'^2 + 4 f^2 <= 4 M^2
+// (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2 from the peak I >= M cos(s)^2. The
+// pixel around the peak contains a disk whose radius is half the pitch.
 inline double least_average(double step) {
     constexpr double half_pi = 1.5707963267948966;
     const double r = std::min(0.5 * step, half_pi), sine = std::sin(r);
     return half_pi * (r * r + r * std::sin(2.0 * r) - sine * sine) / (step * step);
 }
 
-// How averages of a window of pixels are wanted. Errors are over the largest average that a pixel has anywhere, or, where values are
-// divided by their largest one, over that in the window.
+// Request for the pixel averages of a window. Errors are over the largest average of a pixel anywhere in the plane or, if
+// values are divided by their largest one, over the largest in the window.
 struct AverageRequest {
     std::size_t height, width;
-    double step;   // the pitch in v
-    double tol;    // of averages once they are stored
-    double scale;  // of the intensity; 0 divides by the largest average
+    double step;   // pixel pitch in v
+    double tol;    // tolerance of averages, storing included
+    double scale;  // factor of the intensity; 0: divide by the largest average
     double storing;
     int threads;
-    std::vector<ZernikeTerm> factors;  // by whose coefficients derivatives are wanted
+    std::vector<ZernikeTerm> factors;  // terms with respect to whose coefficients derivatives are computed
 
     std::size_t pixels() const { return height * width; }
     bool divides() const { return scale == 0.0; }
-    // What averages may be off by: values divided by their own largest one are off by twice as much.
+    // Error that averages may have before they are stored; 0.4 of it if divided by their own largest value, which doubles
+    // errors.
     double before_storing() const { return (divides() ? 0.4 : 1.0) * (tol - (1.0 + tol) * storing); }
     double once_stored(double relative) const { return stored(divides() ? normalized_error(relative) : relative, storing); }
 };
 
-// Averages in double precision and the numbers that go with them.
+// Averages in double precision, with their bounds.
 struct AverageAnswer {
-    double *values, *slopes;        // [pupil][pixel]; derivatives [term][pupil][pixel]
-    double *errors, *peaks;         // of each pupil, the former over the latter
-    double* slope_errors;           // [term][pupil], over the peaks
+    double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
+    double *errors, *peaks;         // [pupil]: error over the peak; largest average (the peak)
+    double* slope_errors;           // [term][pupil], over the peak
 };
 
-// What is known of the pupils beforehand: estimates, which no bound depends on.
+// Estimates of the pupils' light; no bound depends on them.
 struct PupilLight {
-    double strehl;        // the lowest peak over that without aberration
-    double transmission;  // over that of a clear aperture
+    double strehl;        // lowest peak of the stack over the unaberrated one
+    double transmission;  // integral of the squared amplitude over that of a clear aperture
 };
 
-// Fields that are wanted at nodes, with their error, and the precision that is enough.
+// Request for fields at nodes: the error of U that is allowed, and whether single precision is enough.
 struct NodeQuestion {
     const WindowNodes &rows, &columns;
     double tol;
     bool single;
 };
 
-// What is told of each pupil beside its averages.
+// Numbers of each pupil, beside its averages.
 struct NodeNumbers {
-    std::vector<double> error, brightest, largest, together;  // of fields at the nodes; of samples; of averages, and their sum
-    std::vector<double> slope_error, steepest;  // [term][pupil], of samples of derivatives, and the largest modulus
+    // [pupil]: error of U at the nodes; largest sample of I; largest average; sum of averages.
+    std::vector<double> error, brightest, largest, together;
+    std::vector<double> slope_error, steepest;  // [term][pupil]: error of the samples of derivatives; their largest modulus
     NodeNumbers(std::size_t pupils, std::size_t terms)
         : error(pupils), brightest(pupils), largest(pupils), together(pupils), slope_error(pupils * terms),
           steepest(pupils * terms) {}
 };
 
-// Writes averages and derivatives; throws ToleranceNotMet where fields cannot be within the tolerance.
+// Writes averages and derivatives; throws ToleranceNotMet if fields cannot be computed to the tolerance.
 using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, NodeNumbers&)>;
 
-// Averages of some pupils within the tolerance; false where the window has no nodes, or where that fails.
+// Computes the averages of some pupils within the tolerance; returns false if the window has no nodes or the tolerance is not
+// met.
 bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
                       const NodeSample& sample);
 
-// Stores averages as images, and their derivatives [term][pupil][pixel] with bounds, which compute(answer) writes in double precision;
-// nothing, and false, where it returns false.
+// Calls compute(answer), which writes averages and derivatives in double precision, and stores them as images and derivatives
+// [term][pupil][pixel] with bounds. Returns false, with nothing stored, if compute does.
 template <class T, class Compute>
 bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
                      double* slope_bounds, const Compute& compute) {
@@ -111,20 +114,21 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
                                   const AverageAnswer& answer, const NodeSample& sample) {
-    constexpr double of_samples = 0.8;  // of the tolerance
-    constexpr double sharp = 0.87, dim = 0.1;  // of the likely peak, what is reckoned with: estimates of low ones are too high
-    constexpr double of_response = 2e-3;  // of the tolerance and the least average
-    constexpr double easier = 64.0;  // times that, where it is in the mean and the peak as without aberration
-    constexpr double in_single = 2e-7;  // error of fields from which on samples are in single precision
+    constexpr double of_samples = 0.8;  // fraction of the tolerance
+    // Fraction of the estimated peak that is assumed: low estimates are mostly too high.
+    constexpr double sharp = 0.87, dim = 0.1;
+    constexpr double of_response = 2e-3;  // error of the response over tolerance times least average, before the factor below
+    constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
+    constexpr double in_single = 2e-7;  // allowed error of U from which on samples are in single precision
     const double room = asked.before_storing(), step = asked.step;
     if (!(room > 0.0)) {
         return false;
     }
-    // Of the largest average of most pupils, between the peak and what a pixel holds without aberration.
+    // Estimated largest average: between the peak (small pixels) and the largest average without aberration (large pixels).
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);
-    // Rounded, so that pupils with about the same peaks share nodes.
+    // Rounded to a power of 2, so that pupils with similar peaks share cached nodes.
     double err_response = of_response * room * lowest * std::exp2(std::floor(std::log2(easier * light.strehl)));
     NodeNumbers made(pupils, asked.factors.size());
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -134,7 +138,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             return false;
         }
         const double gain = rows->gain * columns->gain, spread = rows->spread * columns->spread;
-        // All light of an aperture is 4 pi; see below.
+        // A clear aperture's I integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
         const double all = spread * 4.0 * pi * light.transmission / (step * step);
         const double size = std::sqrt(gain * std::min(gain, all));
         const double err_field = err_samples / (size + std::sqrt(size * size + gain * err_samples));
@@ -145,7 +149,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             return false;
         }
         const double error = std::max(rows->error, columns->error), missed = (2.0 + error) * error;
-        // Of squares, weights, products within blocks, and a sum along rows.
+        // Roundings of squares, weights, sums within blocks, and sums along rows and columns (certificate, section 10).
         const double longest = static_cast<double>(std::max(rows->places.size(), columns->places.size()));
         const double rounding =
             (single ? (2.0 * static_cast<double>(node_block) + 8.0) * 0x1p-24 : 0.0) + (2.0 * longest + 11.0) * unit_roundoff;
@@ -157,7 +161,8 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             if (!(peak > 0.0)) {
                 return false;
             }
-            // Samples weighed by moduli of weights: what all pixels together make of them, but for a factor.
+            // A of the certificate: samples weighted by moduli of weights, at most gain times the brightest sample, and at most
+            // spread times the sum of all averages (times 1.01 for the rounding of that sum).
             const double weighed = std::min(gain * made.brightest[p], 1.01 * spread * made.together[p]);
             const double given = made.error[p] * (2.0 * std::sqrt(gain * weighed) + gain * made.error[p]) / peak,
                          own = (missed + rounding * weighed) / peak;
@@ -169,7 +174,8 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
         }
         if (worst <= asked.tol) {
             for (std::size_t i = 0; i < made.steepest.size(); ++i) {
-                // The transfer function of a derivative is at most twice that of the disk.
+                // The transfer function of a derivative is at most twice the autocorrelation of the disk (certificate, section
+                // 8).
                 answer.slope_errors[i] =
                     (gain * (made.slope_error[i] + rounding * made.steepest[i]) + 2.0 * missed) / answer.peaks[i % pupils];
             }

@@ -1,5 +1,5 @@
-// Averages over pixels of circular and annular pupils with any Zernike terms: of far pixels from the rim where that takes less time,
-// of all others from samples at nodes of their window.
+// Pixel averages of circular and annular pupils with any Zernike terms: pixels far from the axis from the rim, where that is
+// faster, all others from samples at nodes of the window.
 #pragma once
 
 #include <algorithm>
@@ -22,39 +22,42 @@ namespace lommel {
 
 class DiskAverages {
    public:
-    // With `if_cheaper` a series that is likely to take less time is left to do it: LimitExceeded.
+    // `if_cheaper`: throw LimitExceeded if the Zernike series of the caller is likely to be faster.
     DiskAverages(const DiskPupils& pupils, const AverageRequest& asked, bool if_cheaper)
         : pupils_(pupils), asked_(asked), if_cheaper_(if_cheaper), all_(pupils.count) {
         std::iota(all_.begin(), all_.end(), std::size_t{0});
     }
     virtual ~DiskAverages() = default;
 
-    // False where the window has no nodes, or no averages within the tolerance.
+    // Returns false if the window has no nodes or the averages are not within the tolerance.
     bool run(const AverageAnswer& answer);
 
    protected:
     using Pupils = std::vector<std::size_t>;
 
-    // Writes averages of some pupils with boxes of as many pixels around their axes: those within, [pupil][row][column] of the box, as
-    // given, and those outside; of each what the latter are off by, and the largest of them. Virtual, for tests to watch.
+    // Averages all pixels outside boxes of box x box pixels around the axes of the pupils `which`, and copies those within
+    // boxes, answer.near[pupil][row][column of the box]. Writes to answer.numbers, for each pupil, the error and the largest of
+    // the averages outside. Virtual so that tests can observe it.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:
-    static constexpr int tries = 3;  // boxes of a pupil
-    static constexpr double power = 4.0;  // of the side of a box, with which errors fall at the least
-    static constexpr double worth = 0.9;  // of the tolerance, what larger boxes aim at
-    static constexpr double farthest = 16.0;  // times the tolerance, from where on larger boxes are no surer
+    static constexpr int tries = 3;  // boxes tried for each pupil
+    static constexpr double power = 4.0;  // errors fall at least as this power of the side of a box
+    static constexpr double worth = 0.9;  // fraction of the tolerance that a larger box aims at
+    static constexpr double farthest = 16.0;  // error over the tolerance from which on a larger box is grown no faster
 
     bool from_rims(const AverageAnswer& answer);
-    // Averages of pupils around whose axes a box of the same side has nodes, all other pixels being averaged from rims; `stack` has
-    // all axes in the middle of pixels. Errors stay infinite where the box fails.
+    // Averages pupils that have boxes of the same side: pixels in the box from nodes, all others from rims. `stack` has all
+    // axes in the middle of pixels. answer.errors stays infinite if the box fails.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Whether all of some pupils have averages, in the window or in a box of it, at nodes. Alone, they may be left to a series.
+    // Averages pupils at nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`:
+    // nothing else has been computed, so that a cheaper series may take over (LimitExceeded).
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;
-    // With the axis of the window at that of all of them, or tilted to axes of their own; and with axes in the middle of pixels.
+    // Stack of pupils with the axis of the window at their common center or, if centers differ, with tilts to their own
+    // (placed); stack with each axis in the middle of a pixel (moved).
     DiskStack placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const;
     DiskStack moved(const Pupils& which) const;
     std::vector<double> centers_of(const Pupils& which) const;
@@ -151,7 +154,7 @@ LOMMEL_ONCE void DiskAverages::outside(const Pupils& which, std::size_t box, dou
 }
 
 LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, std::int64_t most) {
-    // No number compares as farther away.
+    // NaN compares false and is treated like `farthest`.
     const double off = times < farthest ? times : farthest;
     const double grown = static_cast<double>(side) * std::pow(off / worth, 1.0 / power);
     const std::int64_t next =
@@ -179,7 +182,7 @@ LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, 
     if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
         return;
     }
-    // Rounded, so that stacks with about the same peaks share tables.
+    // Rounded to a power of sqrt(2), so that stacks with similar peaks share tables.
     least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
     outside(which, of_box.height, least, {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,11 +1,12 @@
-// Nodes of a window: few samples, shared by all of its pixels, that give the average over each.
+// Nodes of a window: few samples, shared by all of its pixels, that give the average over each (certificate, section 10).
 //
-// Pixels of pitch a, their middles at X_j, fill a window of half width L. At nodes x_k within it a pixel has weights c with
+// Pixels of pitch a, with their middles at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
+// nodes x_k within the window such that
 //     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j)
-// small for |w| <= 2, where light has frequencies; there are about as many as the Shannon number of the window, 4 L / pi, less than
-// half of what a filter takes that is the same for all pixels, and reaches beyond the window. Nodes are the zeros of a prolate
-// spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315), which no bound
-// depends on; weights are by least squares.
+// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi: less than half of the
+// samples of a filter, which is the same for all pixels and reaches beyond the window. Nodes are zeros of a prolate spheroidal
+// function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this
+// choice. Weights are found by least squares.
 #pragma once
 
 #include <algorithm>
@@ -26,26 +27,28 @@
 
 namespace lommel {
 
-// An eigenvector of a symmetric matrix of three diagonals, by the number of smaller eigenvalues.
+// Eigenvector of a symmetric tridiagonal matrix; `index` is the number of smaller eigenvalues, `beside` the off-diagonal.
 //
-// Eigenvalues by bisection, for as many are below a shift as pivots are negative; the vector from the pivots of both directions, which
-// meet where they leave least (I. S. Dhillon and B. N. Parlett 2004, doi:10.1016/j.laa.2003.12.028, section 3).
+// The eigenvalue is found by bisection, the number of negative pivots of the shifted matrix being that of eigenvalues below the
+// shift; the vector from the pivots of both directions, joined where the residual is least (I. S. Dhillon and B. N. Parlett
+// 2004, doi:10.1016/j.laa.2003.12.028, section 3).
 std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index);
 
-// The positive zeros of the prolate spheroidal function of an even degree, rising. The function is a sum of even Legendre polynomials
-// whose coefficients are an eigenvector of a symmetric matrix of three diagonals (Xiao, Rokhlin and Yarvin 2001, section 3).
+// Positive zeros, ascending, of the prolate spheroidal function of an even degree. The function is a sum of even Legendre
+// polynomials whose coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section
+// 3).
 std::vector<double> prolate_zeros(std::size_t degree, double bandwidth);
 
-// Nodes along one axis of a window, and the weights of its pixels.
+// Nodes along one axis of a window, and the weights of its pixels at them.
 class WindowNodes {
    public:
-    std::vector<double> places;  // v about the middle of the window, rising, of either sign
+    std::vector<double> places;  // nodes, v from the middle of the window, ascending
     std::vector<double> weights;  // [pixel][node]
-    double error;  // bound on the mean error of the response, that the largest transfer function of a disk weighs
-    double gain;  // largest sum of magnitudes of the weights of a pixel
-    double spread;  // largest modulus of a weight over the sum of those of all pixels at its node
+    double error;  // bound on the mean error of the response under the transfer function of the disk, E (1 + epsilon / 2)
+    double gain;  // G: largest sum over nodes of the moduli of a pixel's weights
+    double spread;  // beta: largest modulus of a weight at a node over the sum of all pixels' weights there
 
-    // So many nodes, even.
+    // `count`: number of nodes, even.
     WindowNodes(double step, std::size_t pixels, std::size_t count);
 
     static constexpr std::size_t most_bytes = std::size_t{1} << 24;
@@ -55,7 +58,7 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Cosines and sines of nodes on one side, and what pixels should make of them, [frequency][node or pixel].
+    // Cosines (0) and sines (1) at nodes x > 0, and the wanted response of pixels: [frequency][node] and [frequency][pixel].
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -66,8 +69,8 @@ class WindowNodes {
     std::size_t pixels_;
 };
 
-// Those for pixels of a pitch in v whose response is off by an error in the mean at most; null where the window is too large, or its
-// pixels so small that weights of either sign would magnify errors.
+// Nodes for pixels of pitch `step` (v) whose response has at most the mean error `error`; null if the window is too large, or
+// its pixels so small that weights of either sign would magnify errors.
 class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;
@@ -81,10 +84,10 @@ class ChosenNodes {
     std::size_t bytes() const { return 64; }
 
    private:
-    static constexpr double largest = 450.0;  // bandwidth 2 L: larger windows have filters
-    static constexpr double enough = 2.0, highest = 5.0;  // gains up to which no more nodes are tried, and that serve
-    static constexpr double worth = 0.85;  // of a gain, for which two more nodes are taken
-    static constexpr std::size_t tried = 8;  // numbers of nodes, two more each
+    static constexpr double largest = 450.0;  // bandwidth 2 L above which filters are used instead
+    static constexpr double enough = 2.0, highest = 5.0;  // gain at which no more nodes are tried; largest gain accepted
+    static constexpr double worth = 0.85;  // two more nodes are taken if they lower the gain by this factor
+    static constexpr std::size_t tried = 8;  // numbers of nodes tried, each larger by 2
 
     double step_;
     std::size_t pixels_;
@@ -98,7 +101,7 @@ inline std::shared_ptr<const WindowNodes> window_nodes(double step, std::size_t 
 #if defined(LOMMEL_DEFINES)
 namespace prolate {
 
-// Pivots of Gauss's elimination of a symmetric matrix of three diagonals less a shift, none of them 0.
+// Pivots of Gaussian elimination of a symmetric tridiagonal matrix minus shift; pivots of 0 are replaced by 1e-290.
 inline std::vector<double> pivots(const std::vector<double>& diagonal, const std::vector<double>& beside, double shift) {
     const auto not_zero = [](double pivot) { return pivot == 0.0 ? 1e-290 : pivot; };
     std::vector<double> found{not_zero(diagonal[0] - shift)};
@@ -108,7 +111,7 @@ inline std::vector<double> pivots(const std::vector<double>& diagonal, const std
     return found;
 }
 
-// A sum of even Legendre polynomials, by Clenshaw's rule.
+// Sum of even Legendre polynomials, evaluated by Clenshaw's recurrence.
 class EvenSeries {
    public:
     explicit EvenSeries(const std::vector<double>& even) {
@@ -129,7 +132,7 @@ class EvenSeries {
 
    private:
     struct Step {
-        double term, once, twice;  // of the sum, and of the recurrence P_k+1 = once x P_k - ..., one order later
+        double term, once, twice;  // coefficient; P_k+1 = once x P_k - .. and, one order later, the factor of P_k
     };
     std::vector<Step> steps_;
 };
@@ -192,13 +195,13 @@ LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwid
     }
     const prolate::EvenSeries series(terms);
     std::vector<double> zeros;
-    const std::size_t points = 3 * degree;  // four or more from one zero to the next
+    const std::size_t points = 3 * degree;  // at least four from one zero to the next
     double low = 0.0, below = series(0.0);
     for (std::size_t i = 1; i < points; ++i) {
         const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
         const double value = series(x);
         if (std::signbit(value) != std::signbit(below)) {
-            // By the rule of false position, which is exact enough: no bound depends on where nodes are.
+            // False position: accurate enough, as no bound depends on where the nodes are.
             double left = low, right = x, at_left = below, at_right = value;
             const auto middle = [&] { return (left * at_right - right * at_left) / (at_right - at_left); };
             for (int step = 0; step < 3; ++step) {
@@ -240,7 +243,8 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const std::size_t nodes = x.size();
     const std::vector<double> band = band_points(half);
     const TransferRule rule(band.size());
-    // Weights that are even make the real part of r, which is even, and odd ones its imaginary part: of each, nodes on one side.
+    // Weights even about the middle give the real part of r, which is even in w; odd ones the imaginary part. Each is a
+    // least-squares problem for the nodes on one side.
     const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
     const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
     std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
@@ -285,7 +289,8 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
     const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
     const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // One of the two factors of an average is off by this in the mean, the other at most by `largest`.
+    // Product of two responses: one factor has the mean error `mean`, the other at most the error `largest` (certificate,
+    // section 10).
     error = (1.0 + 0.5 * largest) * mean;
     spread = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace lommel {
 
-// Memory that begins at a cache line, so that no vector of a table lies across two.
+// Allocator that aligns to cache lines, so that no vector of a table crosses two of them.
 template <class T>
 struct AlignedAllocator {
     using value_type = T;

@@ -21,8 +21,8 @@
 
 namespace lommel {
 
-// One thread's turn to make something that takes long. Those who wait for theirs can be stopped, which a mutex does not
-// let them; and a child finds it free whoever had it.
+// Lock for making a table, which takes long. Waiting threads can be interrupted, unlike with a mutex, and a forked child finds
+// it free, whichever thread had it.
 class Turn {
    public:
     class Taken {
@@ -48,11 +48,12 @@ class Turn {
     std::atomic<bool> taken_{false};
 };
 
-// What is shared has a mutex, held for the moment of a look or a change, never while something is made (who makes may wait
-// for Python's lock, which who forks holds); and a turn for that. All of them are made when the program is loaded, and listed.
+// Base of the caches that all calls share. A mutex guards each look-up or change, but is not held while a table is made: the
+// thread that makes it may wait for Python's lock, which a forking thread holds. Making is guarded by a Turn. All caches are
+// made when the program is loaded, and listed.
 class Shared : protected ForkAware {
    public:
-    // Bytes that all of them keep now, and the sum of their limits; a table larger than its limit is kept until the next one.
+    // Bytes kept by all caches, and the sum of their limits; a table larger than its limit is kept until the next one is made.
     static std::size_t bytes_kept() {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, Shared* one) { return sum + one->kept(); });
@@ -61,7 +62,7 @@ class Shared : protected ForkAware {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, const Shared* one) { return sum + one->limit(); });
     }
-    // Drops every table. Calls that use one at the moment keep it until they return, and may put one back that they made.
+    // Drops every table. Running calls keep those they use until they return, and may put back one that they are making.
     static void clear_all() {
         for (Shared* one : all()) {
             one->clear();
@@ -97,8 +98,8 @@ class Shared : protected ForkAware {
 LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
 #endif
 
-// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, for images may take
-// two in turn, of the aperture and of its obscuration. A table is made from its key, and says whether it serves another by is().
+// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, as images may use
+// two in turn, of the aperture and of its obscuration. A table is made from its key; is() tells whether it serves a key.
 template <class Table>
 class Cache final : Shared {
    public:
@@ -145,7 +146,7 @@ class Cache final : Shared {
     }
     std::size_t limit() const override { return Table::most_bytes; }
     void clear() override {
-        Tables dropped;  // destroyed after the mutex is free
+        Tables dropped;  // destroyed after the mutex is released
         const Lock lock(mutex_);
         recent_.swap(dropped);
     }

@@ -10,9 +10,9 @@
 
 namespace lommel {
 
-// Tiles of one parity of row and column do not meet: threads may write to them side by side. Those of the next wait for the
-// neighbours that come before them and for no others, so that a thread that the system interrupts holds few up; and sums are
-// in the same sequence however many threads there are.
+// Tiles with the same parities of row and column do not overlap: threads may write to them concurrently. Tiles of the next
+// parity wait only for those neighbours that come before them, so that a thread that the system interrupts delays few others;
+// and sums are taken in the same sequence whatever the number of threads.
 class Checkerboard {
    public:
     Checkerboard(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {
@@ -25,7 +25,7 @@ class Checkerboard {
         }
     }
 
-    // Calls work(row, column) for all tiles, on at most `threads` threads.
+    // Calls work(row, column) for every tile, on at most `threads` threads.
     template <class Work>
     void each(int threads, const Work& work) const {
         std::vector<std::atomic<bool>> done(tiles_.size());
@@ -58,7 +58,7 @@ class Checkerboard {
 
     std::size_t place(const Tile& tile) const { return tile.row * columns_ + tile.column; }
 
-    // Calls wait(place) for the neighbours that are written to before a tile; they come before it among the tasks.
+    // Calls wait(place) for the neighbours that must be written before a tile; they come before it in the order of tasks.
     template <class Wait>
     void before(const Tile& tile, const Wait& wait) const {
         const std::size_t bottom = std::min(rows_, tile.row + 2), right = std::min(columns_, tile.column + 2);

@@ -1,4 +1,4 @@
-// Protection against fork() while a lock is held: the child has a copy of the memory and only the calling thread.
+// Protection against fork() while a lock is held: the child has a copy of the memory, but only the calling thread.
 #pragma once
 
 #include <vector>
@@ -6,7 +6,7 @@
 #include "lommel/base/lock.hpp"
 #include "lommel/base/once.hpp"
 
-// Where there is one thread, it has done what it began.
+// With a single thread no lock is held during fork().
 #if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
 #include <pthread.h>
 #define LOMMEL_FORKS
@@ -14,8 +14,8 @@
 
 namespace lommel {
 
-// Whoever derives from this is told of every fork. For objects that are made when the program is loaded, when there is one
-// thread, and last as long as the process.
+// Base of objects that are notified of every fork. They must be made when the program is loaded, while there is one thread, and
+// last as long as the process.
 class ForkAware {
    public:
     ForkAware(const ForkAware&) = delete;

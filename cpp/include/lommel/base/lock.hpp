@@ -1,8 +1,8 @@
-// Locks, which are empty where the platform has no threads.
+// Locks, which do nothing on platforms without threads.
 #pragma once
 
-// Defined by whoever wants all work done in the thread that calls, or here where the target has no threads. No header of the
-// core then needs <thread>, <mutex>, <condition_variable> or <pthread.h>, and only one thread may call.
+// LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call; defined by the user, or here if
+// the target has no threads. No header of the core then needs <thread>, <mutex>, <condition_variable> or <pthread.h>.
 #if !defined(LOMMEL_SINGLE_THREADED) && (!defined(__STDCPP_THREADS__) || (defined(__wasm__) && !defined(_REENTRANT)))
 #define LOMMEL_SINGLE_THREADED
 #endif

@@ -1,5 +1,5 @@
-// Header-only or compiled once: where LOMMEL_COMPILED is defined, headers only declare large non-template functions, and a unit
-// of cpp/compiled defines LOMMEL_DEFINES before the headers whose functions it compiles.
+// Header-only or compiled once: if LOMMEL_COMPILED is defined, headers only declare large non-template functions, and a unit of
+// cpp/compiled defines LOMMEL_DEFINES before it includes the headers whose functions it compiles.
 #pragma once
 
 #if defined(LOMMEL_COMPILED)

@@ -34,7 +34,7 @@ inline int processors() { return 1; }
 inline std::size_t workers(int) { return 1; }
 inline void give_way() {}
 #else
-// While another thread is waited for that is at work.
+// Yields the processor while waiting for another thread that is running.
 inline void give_way() { std::this_thread::yield(); }
 
 // Processors this process may run on.
@@ -48,16 +48,16 @@ inline int processors() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// How many threads, the caller's included, that many that are granted (0: any number) come to.
+// Number of threads, including the caller's, for a limit of `threads` (0: no limit).
 inline std::size_t workers(int threads) {
     return static_cast<std::size_t>(threads > 0 ? std::min(threads, processors()) : processors());
 }
 
-// Threads that help callers, fewer than there are processors: made when they are first wanted, and asleep between calls. A
-// child begins with none.
+// Threads that help callers, fewer than there are processors: made when first needed, and asleep between calls. A forked child
+// begins with none.
 class Helpers final : ForkAware {
    public:
-    // What a caller shares out: run(worker) with workers from 1 on, which throws nothing.
+    // Work that a caller shares: run(worker), with workers from 1 on; it must not throw.
     struct Offer {
         Reference<void(std::size_t)> run;
         Watch* watch;
@@ -66,7 +66,7 @@ class Helpers final : ForkAware {
         std::condition_variable left{};
     };
 
-    // Asks so many for help. What is offered must stay until withdraw() has returned.
+    // Requests up to `wanted` helpers. `one` must exist until withdraw() has returned.
     void offer(Offer& one, int wanted) {
         {
             const Lock lock(mutex_);
@@ -80,8 +80,8 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Returns when nobody is at work on an offer, and nobody will be. The caller alone is asked to stop: it goes on looking,
-    // and calls fail() in a catch clause.
+    // Returns once no helper works on an offer, and none will. Only the caller can be interrupted: it keeps checking, and calls
+    // fail() from a catch clause.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };
@@ -109,7 +109,7 @@ class Helpers final : ForkAware {
     }
 
    private:
-    // Signals are for the threads that there were before.
+    // Signals are blocked in helpers, so that they are delivered to the threads that existed before.
     bool make() {
 #if defined(LOMMEL_FORKS)
         sigset_t all, before;
@@ -121,7 +121,7 @@ class Helpers final : ForkAware {
             std::thread([this] { serve(); }).detach();
             ++made_;
         } catch (...) {
-            granted = false;  // those that the system granted, and the caller, do the work
+            granted = false;  // the threads that were granted, and the caller, do the work
         }
 #if defined(LOMMEL_FORKS)
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -129,7 +129,7 @@ class Helpers final : ForkAware {
         return granted;
     }
 
-    // For less time than it takes to fall asleep and to wake.
+    // Waits for done() for less time than falling asleep and waking take.
     template <class Done>
     static void await(const Done& done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
@@ -138,7 +138,7 @@ class Helpers final : ForkAware {
         }
     }
 
-    // Who wakes wakes two more, so that the caller need not wake all.
+    // Each thread that is woken wakes two more, so that the caller need not wake all.
     void wake(int wanted) {
         for (int i = 0; i < std::min(2, wanted); ++i) {
             wake_.notify_one();
@@ -183,12 +183,12 @@ class Helpers final : ForkAware {
         if (in_child) {
             made_ = at_work_ = open_ = 0;
             offers_.clear();
-            new (&wake_) std::condition_variable;  // nobody waits for it any more
+            new (&wake_) std::condition_variable;  // no thread of the child waits for it
         }
         mutex_.unlock();
     }
 
-    Mutex mutex_;  // of all here, and of what is in an offer
+    Mutex mutex_;  // guards all members and those of offers
     std::condition_variable wake_;
     std::vector<Offer*> offers_;
     int made_ = 0, at_work_ = 0;
@@ -196,14 +196,14 @@ class Helpers final : ForkAware {
 };
 inline Helpers& helpers = *new Helpers;
 
-// parallel_for() with helpers.
+// parallel_for() with helper threads.
 using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    // Tasks are in so many stretches, one after the other. In each a worker begins with a range of its own and then helps the
-    // others: what neighbours touch, and the next call touches again, stays in the caches of one processor. The caller goes
-    // through all in order, so that tasks may wait for those before them.
+    // Tasks are divided into `stretches` consecutive stretches. In each, a worker begins with a range of its own and then helps
+    // others: data that neighbouring tasks share, and that the next call uses again, stays in the caches of one processor. The
+    // caller takes tasks in order, so that tasks may wait for earlier ones.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;
@@ -218,7 +218,7 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
     }
     std::atomic<bool> failed{false};
     std::exception_ptr failure;
-    Mutex mutex;  // of the failure
+    Mutex mutex;  // guards the first exception
     const auto fail = [&] {
         failed = true;
         const Lock lock(mutex);
@@ -251,9 +251,9 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
 #endif
 #endif
 
-// Runs work(worker, task) for every task below `tasks`, each once, on at most `threads` threads including the
-// caller's (0: as many as there are processors). `worker` is below the number of processors and 1.
-// The first exception is passed on after all threads have stopped. All look between tasks.
+// Runs work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: as many as
+// there are processors). `worker` is at most the number of processors. The first exception is rethrown after all threads
+// have stopped. Between tasks all check for interruption.
 template <class Work>
 void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& work) {
 #if !defined(LOMMEL_SINGLE_THREADED)

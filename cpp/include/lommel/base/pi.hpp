@@ -1,4 +1,4 @@
-// Half a turn, in radians.
+// pi.
 #pragma once
 
 namespace lommel {

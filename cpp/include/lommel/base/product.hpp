@@ -1,5 +1,5 @@
-// Matrix products. BLAS libraries start threads of their own, and their sums may depend on the number of threads; these do
-// neither.
+// Matrix products. Unlike those of BLAS libraries, they start no threads of their own, and their sums do not depend on the
+// number of threads.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace lommel {
 
-// out[row * sums + j] = sum over i of given[row * count + i] matrix[i * sums + j].
+// Computes out[row * sums + j] = sum over i of given[row * count + i] matrix[i * sums + j].
 void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads,
              double* out);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
                          int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
-    // For many rows a panel of columns is copied: read with the stride of the matrix, it takes a page for each row of that.
+    // For many rows a panel of columns is copied: read with the stride of the matrix, each of its rows would take a page.
     const bool copied = rows > 2 * together;
     const std::size_t tall = copied ? 8 * together : together, panels = (sums + step - 1) / step;
     const std::size_t parts = copied ? panels : 1, each = panels / parts;
@@ -27,7 +27,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
     const int worth = worthwhile_threads(threads, microseconds);
     parallel_for((rows + tall - 1) / tall * parts, worth, [&](std::size_t, std::size_t task) {
         const std::size_t first = task / parts * tall, some = std::min(tall, rows - first);
-        // Rows and columns that are not there are zero.
+        // Missing rows and columns are zero.
         const std::size_t held = (some + together - 1) / together * together;
         const bool full = held == some;
         Doubles packed(copied || sums < panels * step ? count * step : 0), values(full ? 0 : held * count),
@@ -46,7 +46,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using V = typename decltype(isa)::pack;
                 constexpr std::size_t lanes = decltype(isa)::lanes;
-                // Chains of multiply-adds, as many as registers hold, so that the panel is read as seldom as may be.
+                // As many chains of multiply-adds as registers hold, to read the panel as seldom as possible.
                 constexpr std::size_t chains = lanes == 8 ? together : together / 2;
                 for (std::size_t row = 0; row < some; row += chains) {
                     for (std::size_t j = 0; j < step; j += 2 * lanes) {

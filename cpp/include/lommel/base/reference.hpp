@@ -6,7 +6,7 @@ namespace lommel {
 template <class Signature>
 class Reference;
 
-// Of something that outlives it: an argument, never a member that is kept.
+// The callable must outlive it: for arguments, not for members that are kept.
 template <class Result, class... Arguments>
 class Reference<Result(Arguments...)> {
    public:

@@ -29,7 +29,8 @@
 
 namespace lommel {
 
-// Whether the compiler has vectors; without them, as where LOMMEL_WITHOUT_VECTORS is defined, loops do what they do.
+// LOMMEL_VECTORS: the compiler supports vector types. Without them, or with LOMMEL_WITHOUT_VECTORS, plain loops take their
+// place.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(LOMMEL_WITHOUT_VECTORS)
 #define LOMMEL_VECTORS 1
 #if defined(__x86_64__)
@@ -37,7 +38,7 @@ namespace lommel {
 #endif
 #endif
 
-// Rows of tables are this long at least, whatever the width of the vectors.
+// Least length of rows of tables, whatever the width of vectors.
 constexpr std::size_t row_lanes = 8;
 
 #ifdef LOMMEL_VECTORS
@@ -46,14 +47,14 @@ template <std::size_t Lanes>
 struct Vector {
     typedef double pack __attribute__((vector_size(8 * Lanes)));
     typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
-    typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many
-    typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many
-    typedef std::uint32_t turns __attribute__((vector_size(8 * Lanes)));  // multiples of 2^-32 turns
+    typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many lanes
+    typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many lanes
+    typedef std::uint32_t turns __attribute__((vector_size(8 * Lanes)));  // in units of 2^-32 turns
 };
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // GCC converts halves
+    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // GCC would convert it in halves
         V wide;
         asm("vcvtps2pd %1, %0" : "=v"(wide) : "vm"(p));
         return wide;
@@ -62,12 +63,12 @@ LOMMEL_INLINE V converted(Narrow p) {
     return __builtin_convertvector(p, V);
 }
 
-// x - 0 is x, and compilers know it; a list of x's they would insert one by one.
+// All lanes set to x. Compilers know that x - 0 is x; they would insert an initializer list lane by lane.
 template <class V, class Real>
 LOMMEL_INLINE V splat(Real x) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // GCC takes vectors that the function this is written in does not have apart, even where it is inlined into one that
-    // has them, and puts broadcasts, unlike sums and products, back together by many steps. Portable kernels have none as long.
+    // GCC splits vectors wider than those of the function this is written in, even if it is inlined into one that has them, and
+    // reassembles broadcasts, unlike sums and products, in many steps. Portable kernels have no such vectors.
     if constexpr (sizeof(V) > 16) {
         V v;
         if constexpr (sizeof(Real) == 4) {
@@ -80,7 +81,7 @@ LOMMEL_INLINE V splat(Real x) {
 #endif
     return x - V{};
 }
-// Loaded once, where GCC, of such vectors, loads anew for each use.
+// v, kept in a register: GCC reloads such vectors for each use.
 template <class V>
 LOMMEL_INLINE V loaded(V v) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
@@ -91,7 +92,7 @@ LOMMEL_INLINE V loaded(V v) {
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // Of floats, which GCC compares and masks.
+    // GCC compiles this to a comparison and a mask for floats.
     if constexpr (sizeof(V) > 16 && sizeof(a[0]) == sizeof(float)) {
         V v;
         asm("vmaxps %2, %1, %0" : "=v"(v) : "v"(a), "v"(b));
@@ -104,12 +105,12 @@ template <class V>
 LOMMEL_INLINE V smaller(V a, V b) {
     return a < b ? a : b;
 }
-// a where x is below the limit, else b.
+// Lanewise x < limit ? a : b.
 template <class V>
 LOMMEL_INLINE V below(V x, V limit, V a, V b) {
     return x < limit ? a : b;
 }
-// 2^k, from 1.5 * 2^52 + k.
+// 2^k, given 1.5 * 2^52 + k.
 template <class B, class V>
 LOMMEL_INLINE V power_of_two(V shifted) {
     B bits;
@@ -118,12 +119,12 @@ LOMMEL_INLINE V power_of_two(V shifted) {
     std::memcpy(&shifted, &bits, sizeof shifted);
     return shifted;
 }
-// a where the bit of the integer in `at` is set, else b.
+// Lanewise a if the bit `bit` of the integer `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
-// The low halves of the bits of a and of b, in turn.
+// Low halves of the lanes' bits, interleaved: in each lane that of a, then that of b.
 template <class W, class V>
 LOMMEL_INLINE W low_halves(V a, V b) {
     typedef std::uint64_t Bits __attribute__((vector_size(sizeof(V))));
@@ -138,7 +139,7 @@ LOMMEL_INLINE W low_halves(V a, V b) {
     std::memcpy(&w, &both, sizeof w);
     return w;
 }
-// Of 32 bits, with a sign.
+// Converts 32-bit integers, taken as signed, to floats.
 template <class V, class W>
 LOMMEL_INLINE V signed_floats(W w) {
     typedef std::int32_t Whole __attribute__((vector_size(sizeof(W))));
@@ -146,12 +147,12 @@ LOMMEL_INLINE V signed_floats(W w) {
     std::memcpy(&whole, &w, sizeof whole);
     return __builtin_convertvector(whole, V);
 }
-// a in the lanes where `at` is not 0, else b.
+// Lanewise a if `at` is not 0, else b.
 template <class W, class V>
 LOMMEL_INLINE V choose_lanes(W at, V a, V b) {
     return at != 0 ? a : b;
 }
-// With the bits changed that `bits` has.
+// v with its bits XORed with `bits`.
 template <class V, class W>
 LOMMEL_INLINE V flipped(V v, W bits) {
     W w;
@@ -160,7 +161,7 @@ LOMMEL_INLINE V flipped(V v, W bits) {
     std::memcpy(&v, &w, sizeof v);
     return v;
 }
-// Floats whose bits are those of the whole numbers that x is cut off to.
+// Floats whose bit patterns are the integers to which x is truncated.
 template <class V>
 LOMMEL_INLINE V from_bits(V x) {
     typedef std::int32_t Whole __attribute__((vector_size(sizeof(V))));
@@ -183,11 +184,12 @@ LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
     return places >> 32;
 #endif
 }
-// Two floats from c + at[0] on and two from c + at[1] on; of eight, as many from c + at[4] and c + at[5] on. By hand as in splat().
+// Loads two floats from c + at[0] and two from c + at[1]; for eight lanes also two each from c + at[4] and c + at[5]. In
+// assembly for the reason given in splat().
 template <class V>
 LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
     typedef double Two __attribute__((vector_size(16)));
-    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // their places, which are not negative, loaded at once
+    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // loads both indices, which are not negative, at once
         std::uint64_t places;
         std::memcpy(&places, at + i, sizeof places);
         typedef double Second __attribute__((aligned(4), may_alias));
@@ -217,7 +219,7 @@ LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Those of two such vectors that stand first and second in each pair.
+// Separates the first and the second elements of the pairs of two such vectors.
 template <class V>
 LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     if constexpr (sizeof(V) == 16) {
@@ -232,7 +234,7 @@ LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     }
 #endif
 }
-// Four floats from c + at[0] on and, of eight, as many from c + at[4] on.
+// Loads four floats from c + at[0] and, for eight lanes, four from c + at[4].
 template <class V>
 LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
     V v;
@@ -250,7 +252,7 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Those of four vectors that stand first, second, third, and fourth in each four.
+// Transposes blocks of four: out[k] holds the k-th elements of the fours of all four vectors.
 template <class V>
 LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
     if constexpr (sizeof(V) == 16) {
@@ -287,7 +289,8 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
     constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
-    // By hand as in splat(), and of pairs of floats for doubles: nothing permutes four doubles by a register.
+    // In assembly for the reason given in splat(), with pairs of floats as doubles: no instruction permutes four doubles by a
+    // register.
     if constexpr (sizeof(V) > 16) {
         constexpr std::int64_t pair = std::int64_t{1} << 32;
         alignas(64) static constexpr Lane sequence[] = {
@@ -449,7 +452,7 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
 
 #endif
 
-// Lane i of the result is lane Order::at(i, lanes).
+// Permutes lanes: lane i of the result is lane Order::at(i, lanes) of v.
 template <class Order, class Real, class V>
 LOMMEL_INLINE V permuted(V v) {
     return permuted<Order, Real>(v, std::make_index_sequence<sizeof(V) / sizeof(Real)>());
@@ -465,7 +468,7 @@ template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
-// Asks for what is loaded soon.
+// Prefetches memory that is accessed soon.
 LOMMEL_INLINE void prefetch(const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);
@@ -473,7 +476,7 @@ LOMMEL_INLINE void prefetch(const void* at) {
     static_cast<void>(at);
 #endif
 }
-// As many values as doubles, whatever they are.
+// Loads as many values as a vector of doubles has lanes, converted to double.
 template <class I>
 LOMMEL_INLINE typename I::pack widened(const float* from) {
     return converted<typename I::pack>(load<typename Vector<I::lanes>::narrow>(from));
@@ -491,7 +494,8 @@ LOMMEL_INLINE double lane_sum(V v) {
     return sum;
 }
 
-// What a kernel is compiled for: its vectors, and how many of them its registers hold in each of three arrays.
+// Instruction set that a kernel is compiled for: its vectors, and the number of them that its registers hold in each of three
+// arrays.
 template <std::size_t Lanes, std::size_t Unroll>
 struct Isa {
     using pack = typename Vector<Lanes>::pack;
@@ -503,11 +507,11 @@ struct Isa {
 using Avx512 = Isa<8, 4>;
 using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
-constexpr std::size_t widest_step = 32;  // most values a kernel handles, and so may touch past the end, at once
+constexpr std::size_t widest_step = 32;  // most values that a kernel handles at once, and so may access past the end
 
 enum class Level { portable, avx2, avx512 };
 
-// Lowers what is used, for tests and comparisons.
+// Upper limit of the level in use; lowered for tests and comparisons.
 inline std::atomic<Level>& level_limit() {
     static std::atomic<Level> limit{Level::avx512};
     return limit;
@@ -544,9 +548,9 @@ LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
 }
 #endif
 
-// Runs a kernel compiled for a level of instructions that this processor has, which it is told by an Isa. The kernel and all that
-// it calls must be inlined, or they keep the baseline instructions. It is compiled twice wherever this is written, for AVX2 and for
-// the baseline: a kernel that depends on its caller's types is handed a Reference instead.
+// Runs a kernel compiled for a level of instructions that this processor has, and passes it the matching Isa. The kernel and
+// all that it calls must be inlined, or they keep the baseline instructions. Each use compiles the kernel twice, for AVX2 and
+// for the baseline; a kernel that would depend on its caller's types takes a Reference instead.
 template <class Kernel>
 LOMMEL_INLINE void dispatch([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86
@@ -560,7 +564,7 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
     dispatch(processor_level(), kernel);
 }
 
-// Compiled for AVX-512 as well: for kernels that it makes much faster. Most others gain a twentieth, and do without.
+// As dispatch(), compiled for AVX-512 as well: for kernels that gain much from it. Most others gain about 5 %.
 template <class Kernel>
 LOMMEL_INLINE void dispatch_widest([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86
@@ -575,7 +579,7 @@ LOMMEL_INLINE void dispatch_widest(const Kernel& kernel) {
     dispatch_widest(processor_level(), kernel);
 }
 
-// Doubles in a vector of a kernel run by dispatch_widest().
+// Number of doubles in a vector of a kernel run by dispatch_widest().
 constexpr std::size_t widest_lanes(Level level) {
     return level == Level::avx512 ? Avx512::lanes : level == Level::avx2 ? Avx2::lanes : Portable::lanes;
 }

@@ -8,14 +8,14 @@
 
 namespace lommel {
 
-// Microseconds of work that are worth a thread: it takes some 30 to wake, and more where the other processors are busy.
-// Lowered by tests, to have threads at all.
+// Work, in microseconds, that justifies a thread: waking one takes about 30, more if the other processors are busy. Tests lower
+// it, to use threads at all.
 inline double& work_per_thread() {
     static double microseconds = 100.0;
     return microseconds;
 }
 
-// As many of the threads that are granted (0: any number) as the work is worth.
+// Number of threads that the work justifies, at most `threads` (0: no limit).
 inline int worthwhile_threads(int threads, double microseconds) {
     const int worth = static_cast<int>(std::min(1024.0, std::max(1.0, microseconds / work_per_thread())));
     return std::min(threads > 0 ? threads : worth, worth);
@@ -28,7 +28,7 @@ void for_pupils(std::size_t count, int threads, const Render& render) {
     parallel_for(count, threads, [&](std::size_t, std::size_t pupil) { render(pupil, one ? threads : 1); });
 }
 
-// Calls work(first, last) for blocks of pupils that take so long each.
+// Calls work(first, last) for blocks of pupils; each pupil takes `microseconds`.
 template <class Work>
 void for_blocks(std::size_t count, int threads, double microseconds, const Work& work) {
     constexpr std::size_t block = 64;
@@ -36,7 +36,7 @@ void for_blocks(std::size_t count, int threads, double microseconds, const Work&
                  [&](std::size_t, std::size_t b) { work(b * block, std::min(count, (b + 1) * block)); });
 }
 
-// Calls paint(first, last) for the rows of an image in blocks that are worth a task.
+// Calls paint(first, last) for the rows of an image in blocks that are large enough for a task.
 template <class Paint>
 void for_rows(std::size_t rows, std::size_t width, int threads, const Paint& paint) {
     const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / width);

@@ -9,9 +9,9 @@
 
 namespace lommel {
 
-struct Stopped {};  // thrown by look() where the caller wants no more
+struct Stopped {};  // thrown by look() if the caller wants to stop
 
-// For as long as it lives, the thread that made it asks every 50 ms whether to stop, and with it all threads that help it.
+// While it exists, the thread that made it asks every 50 ms whether to stop, for itself and for all threads that help it.
 class Watch {
    public:
     using Ask = bool (*)();
@@ -27,9 +27,9 @@ class Watch {
 
     static constexpr std::chrono::milliseconds interval{50};
 
-    // The one that watches over this thread, or none.
+    // Watch of this thread, or null.
     static Watch* mine() { return seat().watch; }
-    // A thread that helps has it told by the one that asks.
+    // Sets the watch of a helper thread, which does not ask itself but heeds the answer.
     static void help(Watch* watch) { seat() = {watch, false}; }
 
     static void look() {
@@ -40,7 +40,7 @@ class Watch {
     }
 
    private:
-    // In milliseconds. The coarse clock, where there is one, costs a tenth of the fine one.
+    // Time in milliseconds. The coarse clock, where available, costs a tenth of the fine one.
     static std::int64_t now() {
 #if defined(CLOCK_MONOTONIC_COARSE)
         std::timespec t;
@@ -83,10 +83,10 @@ class Watch {
     std::atomic<bool> stopped_{false};
 };
 
-// Costs some 10 ns: for loops whose steps take microseconds.
+// Checks for interruption. Costs about 10 ns: for loops whose steps take microseconds.
 inline void look() { Watch::look(); }
 
-// For loops whose steps take less: looks each time that `work`, in operations, has come to some microseconds.
+// Checks for interruption in loops with shorter steps: each time that `work`, in operations, adds up to some microseconds.
 class Glance {
    public:
     void operator()(std::size_t work = 1) {

@@ -1,4 +1,4 @@
-// Amplitude across the pupil, exp of a polynomial in t = rho^2, and its growth off the interval [0, 1].
+// Amplitude across the pupil, the exponential of a polynomial in t = rho^2, and its growth off the interval [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace lommel {
 
-// exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian is g_1 alone, an even illumination nothing.
+// exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian has g_1 alone, uniform illumination no terms.
 class Amplitude {
    public:
     static constexpr std::size_t most = 10;  // powers of t
 
     Amplitude() = default;
-    // From g_0, g_1, ...: `count` of them, at most 1 + most.
+    // From g_0, g_1, ...: `count` coefficients, at most 1 + most.
     Amplitude(const double* powers, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             g_[k] = powers[k];
@@ -29,11 +29,11 @@ class Amplitude {
 
     bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
     bool operator==(const Amplitude& other) const { return g_ == other.g_; }
-    // The highest power that is there, and the factor of one.
+    // Highest power K with g_K != 0, and g_k.
     std::size_t powers() const { return terms_; }
     double power(std::size_t k) const { return g_[k]; }
 
-    // At t = rho^2, in the precision of t.
+    // Amplitude at t = rho^2, in the precision of t.
     template <class Real>
     Real at(Real t) const {
         Real sum = static_cast<Real>(g_[terms_]);
@@ -43,9 +43,9 @@ class Amplitude {
         return std::exp(-sum);
     }
 
-    // That of an inner disk, over its own radius: t becomes area t.
+    // Amplitude on an inner disk as a function of its own t; `area` is the square of its radius.
     Amplitude scaled(double area) const { return changed(1.0, area); }
-    // The amplitude to a power.
+    // The amplitude raised to a power.
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
     // Bound on the logarithm of the amplitude within the ellipse around [0, 1] whose semi-axes are half of c and of
@@ -62,7 +62,7 @@ class Amplitude {
         return sum;
     }
 
-    // What relative roundings of t and of the steps of Horner's rule do to the exponent, in units of roundoff.
+    // Rounding of the exponent in units of roundoff, from relative roundings of t and of the steps of Horner's rule.
     double sensitivity() const {
         double sum = 0.0;
         for (std::size_t k = 0; k <= terms_; ++k) {
@@ -71,7 +71,7 @@ class Amplitude {
         return sum;
     }
 
-    // Adds what the derivatives of the exponent over their factorials are at most on [0, 1]: those from the first to `count` - 1.
+    // Adds to slopes[k], 1 <= k < count, a bound on the k-th derivative of the exponent over k! on [0, 1].
     void add_slopes(double* slopes, std::size_t count) const {
         for (std::size_t j = 1; j <= terms_; ++j) {
             double binomial = std::abs(g_[j]);
@@ -82,7 +82,7 @@ class Amplitude {
         }
     }
 
-    // Adds the derivatives of the exponent at t over their factorials, as many as `count`.
+    // Adds to series[k], k < count, the k-th derivative of the exponent at t over k!.
     template <class Number>
     void add_series(double t, Number* series, std::size_t count) const {
         for (std::size_t j = 0; j <= terms_; ++j) {
@@ -94,10 +94,10 @@ class Amplitude {
         }
     }
 
-    // What the exponent is at most on [0, 1], by size.
+    // Bound on the modulus of the exponent on [0, 1].
     double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
 
-    // Whether it is at most 1 on [0, 1], but for rounding, as far as samples show.
+    // Whether the amplitude is at most 1 on [0, 1], up to rounding, as far as samples show.
     bool passive() const {
         const bool falls = std::all_of(g_.begin(), g_.end(), [](double g) { return g >= 0.0; });
         for (std::size_t j = 0; j <= 16 && !falls; ++j) {
@@ -109,12 +109,11 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // int exp(-g) dt over the annulus, the peak without aberration: exact if closed(), else an estimate, by 16 nodes of Gauss
-    // and Legendre.
+    // int A dt over the annulus, the unaberrated peak of |U|: exact if closed(), else an estimate by 16 Gauss-Legendre nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
-            // Below, quotients of what has few digits left; there the integral rounds to that of even light.
+            // Smaller g would give quotients of subnormal numbers; there the integral rounds to that of uniform light.
             const double falling = std::abs(g) > 1e-300 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
             return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
         }
@@ -156,11 +155,11 @@ class Amplitude {
         }
     }
 
-    std::size_t terms_ = 0;  // the highest power that is there
+    std::size_t terms_ = 0;  // highest power
     std::array<double, most + 1> g_{}, a_{};
 };
 
-// Of pupils that are lit evenly.
+// Uniform illumination.
 inline constexpr Amplitude even_light{};
 
 }  // namespace lommel

@@ -1,4 +1,4 @@
-// Number of nodes of the chordal Gauss rule for a tolerance, and the bound on its error (docs/certificate.md).
+// Number of nodes of the chordal Gauss rule for a tolerance, and the bound on its error: certificate, section 8.
 #pragma once
 
 #include <algorithm>
@@ -16,46 +16,46 @@ namespace lommel {
 constexpr double single_roundoff = 5.9604644775390625e-08;
 constexpr std::size_t max_chords = 1024;  // chords of the disk, and nodes on each
 
-// The two sums of the rule: over chords, and over the nodes of each.
+// The two sums of the rule: over chords, and over the nodes of each chord.
 enum class Sum { chords, nodes };
 
-// Numbers of either in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
+// Sizes of either sum in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
 inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
     const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
     return (n + step - 1) / step * step;
 }
 
-// The window in v: its corners.
+// Window of an image in v, by its sides.
 struct VBox {
     double left, right, top, bottom;
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
-    // Largest distance from (x, y).
+    // Largest distance of a point of the window from (x, y).
     double reach(double x, double y) const { return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), rise(y)); }
-    // And along y.
+    // Largest distance along y of a point of the window from y.
     double rise(double y) const { return std::max(std::abs(top - y), std::abs(bottom - y)); }
     bool operator==(const VBox& other) const {
         return left == other.left && right == other.right && top == other.top && bottom == other.bottom;
     }
 };
 
-// On one curve, e^exponent / e^{2 n b} bounds the error in U of a sum of size n, but for a factor close to 1.
+// Error bound on one curve: e^exponent / e^{2 n b} bounds the error of U by a sum of size n, up to a factor close to 1.
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
 
-    // Without rounding.
+    // Bound on the error of U without rounding.
     double bound(Sum sum, std::size_t n) const {
         const double twice = 2.0 * static_cast<double>(n), b = chord_curves.b[curve];
         const double least = std::exp(std::min(exponent - twice * b, 690.0));
         return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
     }
-    // Of the integrand times a Zernike term of degree n.
+    // Bound for the integrand times a Zernike term of degree n.
     ChordLine times(std::size_t n) const {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // The size for an error, roughly; and one that is in use, above max_chords where it takes more.
+    // Approximate size of a sum for an error; least size in use that meets it, more than max_chords if none does.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -66,7 +66,7 @@ struct ChordLine {
     }
 };
 
-// One disk with its phase and its window: a bound on the logarithm of the error of either sum on each curve.
+// Error bounds for one disk with its phase and its window: on each curve, the logarithm of the error of either sum.
 class ChordBound {
    public:
     ChordBound(const TermPairs& terms, const Amplitude& light, const VBox& window)
@@ -85,7 +85,7 @@ class ChordBound {
             const ZernikeTerm& term = terms_.terms[j];
             size_ += std::abs(coefficients[j]);
             bent_ += std::abs(coefficients[j]) * static_cast<double>(term.n * term.n);
-            // A tilt moves the image: it is taken together with v.
+            // A tilt moves the image, so it is combined with v.
             (term.m > 0 ? tilt_x : tilt_y) += term.n == 1 ? coefficients[j] : 0.0;
         }
         std::fill(amplitudes_.begin(), amplitudes_.end(), 0.0);
@@ -95,12 +95,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // Across chords both coordinates are complex, along them one.
+        // Across chords both coordinates are complex, along them only one.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // What phase and window are at most on a curve, and their second derivatives along it and across it.
+    // Bounds on a curve of the imaginary part of phase and kernel, and of its second derivatives (C of the certificate).
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -116,11 +116,11 @@ class ChordBound {
         return total;
     }
 
-    // With a logarithm of the integrand's size on a curve.
+    // Error bound from a logarithm of the integrand's size on a curve.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // The line by which least is enough for an error, if phase and window were `share` of their size: downhill, for what is
-    // needed has one minimum, being a convex function over b.
+    // Line on the curve that needs least for an error if phase and window had `share` of their size. Found by descent, as the
+    // size needed is convex in b and has one minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -145,7 +145,7 @@ class ChordBound {
     double size() const { return size_; }
     double variance() const { return variance_; }
 
-    // The rounding of the phase, of the kernel and of two sums; and of nodes and terms, where their tables are made in double.
+    // Rounding of the phase, of the kernel and of constants of the sums; and of nodes and terms if their tables are in double.
     double rounding() const {
         const double terms = static_cast<double>(terms_.terms.size() + terms_.degree);
         return unit_roundoff * (36.0 + (terms + 7.0) * size_ + 3.0 * reach_[0] + (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_[0]));
@@ -154,18 +154,18 @@ class ChordBound {
         return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // What is added where sums are in single precision, and phases are sums of so many terms in units of 2^-32 turns.
+    // Rounding if sums are in single precision and phases are sums of `terms` terms in units of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }
 
-    // What is added where the integrand is multiplied by a term of degree n.
+    // Rounding added if the integrand is multiplied by a term of degree n.
     static double factor_rounding(std::size_t n, bool single) {
         const double square = static_cast<double>(n * n);
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    // Tables of the whole window hold so many nodes of all chords.
+    // Throws LimitExceeded with the size that fits; `most_nodes`: limit of nodes of all chords in tables of the whole window.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
         std::string said = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
@@ -173,7 +173,7 @@ class ChordBound {
                            (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                            std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // The largest share of the window, or of both, in hundredths, with a margin.
+        // Largest share of the window, or of phase and window, in hundredths, with a margin.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {
@@ -199,15 +199,15 @@ class ChordBound {
     }
 
    private:
-    // Beyond, the growth of the highest degrees is cut off.
+    // Beyond this curve the growth of the highest degrees is cut off.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }
 
     const TermPairs& terms_;
     VBox window_;
-    ChordCurves::Values still_[2];  // of each sum, without phase and window
-    std::vector<double> amplitudes_;  // of each degree
+    ChordCurves::Values still_[2];  // [sum]: exponent without phase and window
+    std::vector<double> amplitudes_;  // [degree]
     double size_ = 0.0, bent_ = 0.0, variance_ = 0.0, reach_[2] = {0.0, 0.0};
     std::size_t start_[2] = {ChordCurves::count / 2, ChordCurves::count / 2};
 };

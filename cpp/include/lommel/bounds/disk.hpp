@@ -1,4 +1,4 @@
-// How far off the chords of the disk any pupil function grows, M(b), and what that bounds; derived in docs/certificate.md.
+// Growth M(b) of a pupil function off the chords of the disk, and the bounds that follow from it: certificate, section 7.
 //
 // On the line of points cos(phi) xi + eta sin(phi) xi', xi and xi' orthonormal and |eta| <= 1, a Zernike polynomial of
 // degree n is a real trigonometric polynomial of degree n in phi, at most 1. At phi = a + ib its imaginary part is
@@ -22,20 +22,20 @@
 
 namespace lommel {
 
-// Terms with the cosines and sines of the same n and |m|, which turn together: their amplitude is the hypotenuse.
+// Terms, with cosine and sine of the same n and |m| paired: the amplitude of a pair is the hypotenuse of both.
 struct TermPairs {
     static constexpr std::size_t none = ~std::size_t{0};
     struct Pair {
-        std::size_t n, m, cosine, sine;  // places among the terms, or none
+        std::size_t n, m, cosine, sine;  // indices of terms, or none
         double square(const double* c) const {  // of the amplitude
             return (cosine == none ? 0.0 : c[cosine] * c[cosine]) + (sine == none ? 0.0 : c[sine] * c[sine]);
         }
     };
 
     std::vector<ZernikeTerm> terms;
-    std::vector<Pair> pairs;  // by rising degree
-    std::size_t curved;       // the first of them that is neither constant nor tilt
-    std::size_t degree = 1;   // the highest
+    std::vector<Pair> pairs;  // by ascending degree
+    std::size_t curved;       // index of the first pair that is neither constant nor tilt
+    std::size_t degree = 1;   // highest degree
 
     explicit TermPairs(const std::vector<ZernikeTerm>& list);
 };
@@ -54,7 +54,7 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// The values of b that are tried, and what depends on nothing else.
+// The values of b that are tried, and functions of them.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
@@ -84,7 +84,7 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
 // Made when the program is loaded: a fork must not find it half done.
 inline const ChordCurves chord_curves;
 
-// Where the least of values is: its size in eight chains that compilers vectorise, then its place.
+// Index of the least value: its size in eight chains that compilers vectorise, then its index.
 LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     std::array<double, 8> low;
     std::copy_n(values.begin(), 8, low.begin());
@@ -101,14 +101,14 @@ LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
 struct ChordGrowth {
     ChordCurves::Values size{};
 
-    // A term of degree n whose value is at most `amplitude`: cosine and sine are one term.
+    // Adds a term of degree n with at most this amplitude; cosine and sine are one term.
     LOMMEL_INLINE void add(double amplitude, std::size_t n) {
         const ChordCurves::Values& growth = chord_curves.growth.at(n);
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             size[k] += amplitude * growth[k];
         }
     }
-    // The amplitude: on the line rho^2 = cos(phi)^2 + eta^2 sin(phi)^2 stays within the ellipse of cosh 2b around [0, 1].
+    // Adds the amplitude: on the line rho^2 = cos(phi)^2 + eta^2 sin(phi)^2 stays in the ellipse of cosh 2b around [0, 1].
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);
@@ -118,7 +118,7 @@ struct ChordGrowth {
     // Bound on the sum of coefficients from n on, each at most e^(size - n b).
     double tail(std::size_t n) const;
 
-    // About the least n for which tail() is of this logarithm.
+    // Approximate least n for which the logarithm of tail() is at most `logarithm`.
     double fewest(double logarithm) const;
 
     // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
@@ -130,21 +130,21 @@ class DiskBounds {
    public:
     DiskBounds() { chords_.size = chord_curves.constant; }
 
-    // A term of degree n and azimuthal order m.
+    // Adds a term of degree n and azimuthal order m.
     void add(double amplitude, std::size_t n, std::size_t m) {
         chords_.add(amplitude, n);
         turns_.add(amplitude, m);
     }
     void add(const Amplitude& light) { chords_.add(light); }
 
-    // Bound on what the degrees from n on add to U at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on the contribution to U of the degrees from n on, at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
-    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    // Bound on the contribution to U of the azimuthal orders from m on: on a ring the pupil function is analytic in theta, so
+    // its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // The curve by which fewest degrees are enough for an error, if it were `share` of the logarithm that terms make at most.
+    // Curve that needs fewest degrees for an error if the logarithm of M were `share` of the bound by the terms.
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -152,7 +152,7 @@ class DiskBounds {
         }
         return least_at(degrees);
     }
-    // About what degrees(), orders() and degree() are, at a small part of their price.
+    // Estimates of degrees(), orders() and degree(), at a small part of their cost.
     double likely_degrees(double error) const { return chords_.fewest(std::log(error)); }
     double likely_orders(double error) const { return turns_.fewest(std::log(0.5 * error)); }
     double likely_degree(double error) const {
@@ -162,11 +162,11 @@ class DiskBounds {
         }
         return n;
     }
-    // Where it has been found that on a curve chords have so much less of the logarithm.
+    // Lowers the logarithm of M on a curve, once a smaller value has been proven.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
+    // Fewest degrees and orders whose tails are at most `error`, and least degree for which distance() is.
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }
@@ -216,7 +216,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // A logarithm only where it may matter: first of the least exponent.
+    // Logarithms are taken only where they may matter, first at the least exponent.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

@@ -1,4 +1,4 @@
-// How many terms and nodes an accuracy takes: bounds on Bernstein ellipses.
+// Number of terms and nodes for an accuracy: bounds on Bernstein ellipses (certificate, sections 1 and 2).
 //
 // In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around
 // [0, 1] it is at most exp g(eta), g = max_theta |Im Phi|. Legendre coefficients then fall like exp(-n eta) and Gauss
@@ -23,7 +23,7 @@
 
 namespace lommel {
 
-// The ellipses that are tried, and angles around them.
+// Ellipses that are tried, and angles around them.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -55,7 +55,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 // Made when the program is loaded: a fork must not find it half done.
 inline const EllipseGrid ellipse_grid;
 
-// Im P_1, Im P_2, ... at those angles of each ellipse: a MiB, which few wavefronts need.
+// Im P_1, Im P_2, ... at the angles of each ellipse: 1 MiB, needed only for more than two terms.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
@@ -92,7 +92,7 @@ class Ellipses {
    public:
     static constexpr std::size_t count = EllipseGrid::count;
 
-    // Of t^power A exp(i Phi), with the coefficients of P_1(2t - 1), P_2, ... in radians and the amplitude A.
+    // Bounds for t^power A exp(i Phi), given the coefficients of P_1(2t - 1), P_2, ... in rad and the amplitude A.
     Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
         measure(phase, terms);
         for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
@@ -103,7 +103,7 @@ class Ellipses {
         }
     }
 
-    // Of every pupil between two, coefficient by coefficient: g is convex, so the corners of their box bound it.
+    // Bounds for all pupils with coefficients between `least` and `most`: g is convex, so the corners of their box suffice.
     Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
@@ -131,7 +131,7 @@ class Ellipses {
             const double q = grid.decay[i];
             return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
         };
-        // The sum is more than 1; its logarithm only where it may matter, which is hardly anywhere but where the rest is least.
+        // The sum in whole() is above 1; its logarithm is taken only where it may matter, mostly at the least exponent.
         const double rest = least([&](std::size_t i) { return exponent[i]; });
         const auto first = static_cast<std::size_t>(std::find(exponent.begin(), exponent.end() - 1, rest) - exponent.begin());
         double best = whole(first);
@@ -143,10 +143,10 @@ class Ellipses {
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
 
-    // Fewest terms for which tail() is at most `error`, and what it is.
+    // Fewest terms for which tail() is at most `error`, and its value.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        // From below: sums >= 1 / (1 - q), order >= 1.
+        // A lower bound on their number: the sum is at least 1 / (1 - q), order at least 1.
         const double needed =
             least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
@@ -177,7 +177,7 @@ class Ellipses {
     }
 
    private:
-    // The least over all ellipses, in eight chains lest each step wait for the one before.
+    // Least value over all ellipses, in eight independent chains.
     template <class F>
     static double least(const F& of) {
         static_assert(count % 8 == 0);
@@ -194,7 +194,7 @@ class Ellipses {
 
     void measure(const double* phase, std::size_t terms);
 
-    // max over c = cos of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
+    // Maximum over c in [0, 1] of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
     static LOMMEL_INLINE double largest(double a, double b) {
         const double ratio = a / std::max(b, 1e-300), c = 2.0 / (ratio + std::sqrt(ratio * ratio + 8.0));
         return std::sqrt(1.0 - c * c) * (a + b * c);
@@ -205,8 +205,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach: high orders vanish near the
-// axis.
+// Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach (certificate, section 1, "By
+// the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -214,20 +214,20 @@ inline double beyond_window(double m, double step, double power, double reach) {
     if (m <= reach) {
         return 1e300;
     }
-    // log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
+    // Logarithm of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
     const double x = reach / m, root = std::sqrt(std::max(0.0, 1.0 - x * x)), rate = std::log((1.0 + root) / x);
     const double top = m * (root - rate);
     const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
-    // Near m = v the bound is not yet rising with v.
+    // Near m = v Kapteyn's bound over v does not yet rise with v.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
-    // 2/v |J_m(v)| grows with v up to the reach, for m > v.
+    // For m > v, 2/v |J_m(v)| rises with v up to the reach.
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// What the terms of a Legendre series from so many on, J_{2n+1}, can add to U whatever the pupil: |beta_n| <= sqrt(2n+1) by
-// Parseval. And the fewest terms for which that is at most `error`.
+// Bound on the contribution to U of the terms n >= `terms` of a Legendre series, J_{2n+1}, for any pupil: |beta_n| <=
+// sqrt(2n+1) by Parseval. And the fewest terms for which it is at most `error`.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -235,7 +235,7 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// What the degrees of a Zernike series from so many on, (n+1) J_{n+1}, can add, and the fewest of them.
+// The same for the degrees n >= `degrees` of a Zernike series, (n+1) J_{n+1}.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }
@@ -246,7 +246,7 @@ inline std::size_t disk_window_degrees(double reach, double error) {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
     if (terms <= 2) {
-        // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
+        // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maximum is known in closed form.
         const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t i = 0; i < count; ++i) {
@@ -268,7 +268,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
+        // Bound between grid points of a trigonometric polynomial of this degree (Ehlich and Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

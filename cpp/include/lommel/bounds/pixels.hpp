@@ -1,6 +1,6 @@
-// What is proven about averages over pixels. All of it is about a function f on the plane that depends on the distance
-// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I over half its largest
-// value, or a derivative of I over its own. docs/certificate.md, section 9.
+// Error bounds of averages over pixels (certificate, section 9), for a function f on the plane that depends on the distance
+// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I over half its largest value,
+// or a derivative of I over its own bound.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace lommel {
 
-// The Lebesgue constant of Chebyshev's points of the first kind.
+// Bound on the Lebesgue constant of Chebyshev points of the first kind.
 inline double lebesgue(std::size_t points) { return 1.0 + 0.63661977236758134 * std::log(static_cast<double>(points)); }
 
-// log n!, to rounding: from n = 16 on by Stirling's series, whose next term is below 1 / (1188 n^9). The one of the library leaves
-// a sign behind, for which threads race.
+// log n!, to rounding: from n = 16 on by Stirling's series, whose next term is below 1 / (1188 n^9). std::lgamma sets a global
+// sign, on which threads race.
 inline double log_factorial(double n) {
     if (n < 16.0) {
         double product = 1.0;
@@ -26,13 +26,13 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Interpolation at so many Chebyshev points over a width of 2 `half`, by the derivative |f^(n)| <= 2^n.
+// Error of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative |f^(n)| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// As many times that where f is taken as a function of the square of r, over a width of 4 R `half` of this for r >= R.
+// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R half in r^2.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -42,8 +42,8 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Interpolation at so many Chebyshev points over a width of 2 `half`: by the derivative, or by the size of
-// f on the ellipse of least bound. Of an even function over [-half, half] half the points are mirror images.
+// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative or from the size of f
+// on the ellipse of least bound. For an even function on [-half, half] half of the points are mirror images.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
         return 0.0;
@@ -58,7 +58,7 @@ inline double interpolation_error(double half, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// The product of two Gauss rules of so many points for the average over a square of this side.
+// Error g(a, q) of the product of two Gauss rules for the average over a square.
 inline double gauss_error(double side, std::size_t points) {
     if (side <= 0.0) {
         return 0.0;
@@ -69,8 +69,8 @@ inline double gauss_error(double side, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Interpolation along the angle of what is at most e^(reach sinh b) where the angle is complex, b its imaginary part: with all
-// orders below `order`, of which one in `apart` is there.
+// Error of interpolation along the angle of a function of at most e^(reach sinh b) at angles of imaginary part b, with all
+// orders below `order`; only every `apart`-th order occurs.
 inline double turning_error(double reach, double order, double apart) {
     if (order <= reach) {
         return 1e300;
@@ -80,12 +80,12 @@ inline double turning_error(double reach, double order, double apart) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Of the average over a square of this side at so many angles, as a polynomial in the cosine of four times the angle.
+// Error t(a, J) of the average over a square at `angles` angles, as a polynomial in the cosine of four times the angle.
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Of the difference of averages along two of its sides, as odd orders at so many angles.
+// Error of the difference of averages along two sides of a square, from odd orders at `angles` angles (section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

@@ -8,7 +8,8 @@
 
 namespace lommel {
 
-// attempt() computes and returns the bound on the error; more(bound) asks for more, or says that no more can be asked for.
+// Calls attempt(), which computes and returns its error bound, until this is at most `tol`; returns it. more(bound) makes the
+// next attempt more exact, or returns false if it cannot.
 template <class Attempt, class More>
 double settle(double tol, const Attempt& attempt, const More& more) {
     for (;;) {
@@ -23,7 +24,7 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// The least n >= `least` for which enough(n), which holds for all larger ones; `most` where it does for none below.
+// Least n >= `least` with enough(n), which must be monotonic; `most`, about, if there is none below.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {

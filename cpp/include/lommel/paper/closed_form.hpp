@@ -1,5 +1,5 @@
-// The paper's closed form, as printed or refined: the power series of J0 up to a transition, beyond it an asymptotic form whose
-// amplitude and phase are quadratics on pieces, every piece an elementary end-point term and a Fresnel integral.
+// The paper's closed form, as printed or refined: the power series of J0 up to a transition and an asymptotic form beyond it,
+// whose amplitude and phase are quadratic on pieces; every piece is an elementary end-point term and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -23,38 +23,38 @@
 
 namespace lommel {
 
-// alpha R^2 + beta R on [edges[i], edges[i + 1]), R from 0 to 1, where 2 exp(i (Phi - that)) is turns[i], of each of a stack of pupils,
-// one after the other.
+// Pieces of the phases of a stack, [pupil][piece]: alpha R^2 + beta R on [edges[i], edges[i + 1]), R from 0 to 1, and turns[i]
+// = 2 exp(i (Phi - alpha R^2 - beta R)).
 struct PhasePieces {
     const double *edges, *alpha, *beta;
     const std::complex<double>* turns;
     std::size_t count;
 };
 
-// x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] from starts[i] up to starts[i + 1], the last one without end; and so many
-// `terms` of the power series up to the first.
+// x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] from starts[i] to starts[i + 1], the last piece without end; before the
+// first, `terms` terms of the power series.
 struct BesselPieces {
     const double* starts;
-    const std::complex<double>* coefficients;  // three a piece
+    const std::complex<double>* coefficients;  // three per piece
     std::size_t count, terms;
 };
 
-// By the terms of a series, or by a table, or, where there is neither, to rounding.
+// Form of the Fresnel integral: `terms` terms of a series, or a table, or, without either, to rounding.
 struct FresnelForm {
     std::size_t terms;
     FresnelTable table;
 };
 
-// int_low^high R^m exp(i (a R^2 + b R)) dR, out[m * count + i], at each of so many b, low and high.
+// Computes out[m * count + i] = int_low^high R^m exp(i (a R^2 + b R)) dR, for `count` values of b, low and high.
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR, out[pupil * count + i], at rising v.
+// Computes U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR at ascending v: out[pupil * count + i].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselPieces& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
-// U at rising v, out[pupil * n + i], from so many coefficients of the powers of x, from -1 to 1, on each of `count` pieces of the v axis
-// from `start` on.
+// Computes U at ascending v, out[pupil * n + i], from polynomials in x, from -1 to 1, with `terms` coefficients on each of
+// `count` pieces of the v axis from `start` on.
 void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
                        double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
 
@@ -94,7 +94,7 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // From the piece of the nearest lane to that of the farthest.
+            // Loops from the piece of the nearest lane to that of the farthest.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }
@@ -123,8 +123,8 @@ class ClosedFormField {
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
     };
 
-    // Within the transition, by Gauss quadrature of the power series on panels of at most four radians, or, where the phase hardly varies
-    // and the terms are few, by as many nodes as these take.
+    // Adds the part within the transition, by Gauss quadrature of the power series on panels of at most 4 rad or, if the phase
+    // hardly varies and the terms are few, with as many nodes as these need.
     template <class I>
     LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
                                   typename I::pack high, typename I::pack& re, typename I::pack& im) const {
@@ -163,7 +163,7 @@ class ClosedFormField {
         }
     }
 
-    // Beyond it R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
+    // Adds the part beyond the transition: R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,
@@ -190,7 +190,7 @@ class ClosedFormField {
     const Rule<12> many_;
 };
 
-// Calls use(auxiliary) with the one that is meant.
+// Calls use(auxiliary) with the form that is requested.
 template <class Use>
 void with_auxiliary(const FresnelForm& form, const Use& use) {
     if (form.table.samples > 0) {
@@ -202,7 +202,7 @@ void with_auxiliary(const FresnelForm& form, const Use& use) {
     }
 }
 
-// The values from `first` on; behind them the last of them again.
+// Loads values from `first` on; lanes beyond the last value repeat it.
 template <class I>
 LOMMEL_INLINE typename I::pack lanes_from(const double* values, std::size_t first, std::size_t last) {
     if (first + I::lanes <= last) {
@@ -226,7 +226,7 @@ LOMMEL_INLINE void store_lanes(typename I::pack re, typename I::pack im, std::si
 
 LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
                                std::size_t count, std::complex<double>* out) {
-    // Not dispatched: images do not come from here.
+    // Not dispatched, as images do not use it.
     using I = Portable;
     with_auxiliary(form, [&](const auto& auxiliary) {
         for (std::size_t i = 0; i < count; i += I::lanes) {
@@ -248,7 +248,7 @@ LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils
     const double work = static_cast<double>(pupils * count * (phase.count + bessel.count - 1));
     with_auxiliary(form, [&](const auto& auxiliary) {
         const ClosedFormField field(bessel, auxiliary);
-        // Some 0.1 microseconds for each radius and piece.
+        // Estimate: 0.1 microseconds for each radius and piece.
         parallel_for(pupils * blocks, worthwhile_threads(threads, 0.1 * work), [&](std::size_t, std::size_t task) {
             const std::size_t pupil = task / blocks, first = task % blocks * block, last = std::min(count, first + block);
             const PhasePieces own{phase.edges, phase.alpha + pupil * phase.count, phase.beta + pupil * phase.count,
@@ -284,7 +284,7 @@ LOMMEL_ONCE void polynomial_fields(const std::complex<double>* pieces, std::size
             using V = typename I::pack;
             const V middle = splat<V>(start + (static_cast<double>(s) + 0.5) * width), slope = splat<V>(2.0 / width);
             for (std::size_t i = first; i < last; i += I::unroll * I::lanes) {
-                // Two chains of multiply-adds a vector: enough vectors at once hide their latency.
+                // Two chains of multiply-adds for each vector; several vectors at once hide their latency.
                 V x[I::unroll], re[I::unroll], im[I::unroll];
                 for (std::size_t j = 0; j < I::unroll; ++j) {
                     x[j] = (lanes_from<I>(v, i + j * I::lanes, last) - middle) * slope;

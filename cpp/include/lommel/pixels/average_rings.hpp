@@ -1,5 +1,5 @@
-// Averages around an axis anywhere, of pixels too far from it for one polynomial: of each ring of equal width polynomials of the distance
-// and harmonics, with weights that depend on pitch and reach only. docs/certificate.md, section 9.
+// Averages around an axis anywhere, for windows too large for one polynomial: on each of equally wide rings polynomials of the
+// distance times harmonics, with weights that depend on pitch and reach only (certificate, section 9).
 #pragma once
 
 #include <algorithm>
@@ -18,24 +18,25 @@
 namespace lommel {
 
 struct AverageRings : PixelRings {
-    // Beyond, I at all the radii takes longer than what else there is.
+    // Beyond, I at all radii takes longer than other methods.
     static constexpr double most_reach = 2000.0;
-    // About so many products make the weights: rings, angles and points of each, and places in a pixel and nodes for these. More would
-    // cost as much as many images by other ways.
+    // Approximate number of products that make the weights: rings, angles and points of each, places in a pixel and nodes for
+    // these.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);
     }
+    // More would take longer than many images by other methods.
     static constexpr double most_work = 2e7;
 
-    double step;  // the pitch in v
-    double farthest;  // middles of pixels from the axis, in pixels
-    int level;  // errors are about 10^-level; `error` says what they are
+    double step;  // pixel pitch in v
+    double farthest;  // largest distance of a pixel centre from the axis, in pixels
+    int level;  // errors are about 10^-level; the bound is `error`
     double width;  // of a ring, in v
 
     AverageRings(double pitch, double pixels, int digits, int threads);
 
-    // As of an AnywhereTable.
+    // As AnywhereTable::outermost().
     double outermost() const { return rings.back().nodes.high; }
     std::size_t bytes() const {
         return sizeof(double) * (weights.size() + radii.size()) + sizeof(std::int32_t) * places.size();
@@ -48,8 +49,8 @@ struct AverageRings : PixelRings {
         return cache<AverageRings>.get(pitch, pixels, digits, threads);
     }
 
-    // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in units of
-    // roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    // Computes the pixels of a window, in whole vectors, from I at the radii; returns the rounding of evaluating the
+    // polynomials, in units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 };
 
@@ -58,7 +59,7 @@ LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, 
     : step(pitch), farthest(pixels), level(digits) {
     const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
     width = 2.0 * half;
-    const std::size_t outputs = radial_degree * harmonics;  // whole blocks
+    const std::size_t outputs = radial_degree * harmonics;  // a multiple of whole blocks
     static_assert(radial_degree % block_outputs == 0);
     std::vector<double> radius;
     std::size_t entries = 0;
@@ -78,7 +79,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
                                         double* out) const {
     std::vector<std::int32_t> ring_of, place_of;
     std::vector<std::size_t> starts, next;
-    constexpr std::size_t whole = 2 * row_lanes;  // values are summed so many together, or a part of them
+    constexpr std::size_t whole = 2 * row_lanes;  // values are summed in groups of this many, or of a divisor
     const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
     const std::size_t outputs = radial_degree * harmonics;
     scratch.resize(2 * pixels + 3 * room);
@@ -97,7 +98,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
     for (std::size_t i = 0; i < pixels; ++i) {
         ++next[static_cast<std::size_t>(ring_of[i])];
     }
-    // The values of a ring follow each other; what fills its last vectors is on its middle.
+    // Values of a ring are contiguous; padding of its last vectors is at its middle, x = 0.
     starts.assign(rings.size() + 1, 0);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const std::size_t end = starts[r] + next[r];
@@ -113,7 +114,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
         cosine[place] = angle[i];
         place_of[i] = static_cast<std::int32_t>(place);
     }
-    constexpr std::size_t block = 4;  // rings a task
+    constexpr std::size_t block = 4;  // rings per task
     std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
     parallel_for(penalties.size(), threads, [&](std::size_t, std::size_t task) {
         thread_local Doubles own;

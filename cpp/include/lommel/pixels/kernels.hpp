@@ -15,13 +15,12 @@ using RadialDegree = std::integral_constant<std::size_t, 16>;
 constexpr std::size_t radial_degree = RadialDegree::value;  // Chebyshev coefficients across a ring
 constexpr std::size_t block_outputs = 16;  // values that share a block of weights
 
-// Positions are padded to so many.
+// Number of positions is padded to a multiple of this.
 constexpr std::size_t position_step = 2 * row_lanes;
 
-// row[0 .. count): the weights of the nodes in sum over i of share[i] f(z[i]), f interpolated at the nodes: Lagrange's
-// polynomials, as products from both ends, which lose nothing to cancellation. `scale` holds 1 / their values at their own
-// nodes. z and share are padded, with a share of 0; scratch holds 3 count vectors. Bound by the latency of products, of
-// which four chains overlap.
+// Computes row[0 .. count): weights of the nodes in sum_i share[i] f(z[i]), f interpolated at the nodes, from Lagrange's
+// polynomials as products from both ends, which do not cancel. `scale` holds 1 / their values at their own nodes. z and share
+// are padded, with a share of 0; scratch holds 3 count vectors. Bound by the latency of products, of which four chains overlap.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {
@@ -31,7 +30,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     std::fill_n(sums, count * lanes, 0.0);
     const std::size_t half = count / 2;
     for (std::size_t i = 0; i < positions; i += 2 * lanes) {
-        V twice[2], below[2], above[2];  // products of what lies before a node, and behind it
+        V twice[2], below[2], above[2];  // products of factors of the nodes before, and after a node
         for (std::size_t u = 0; u < 2; ++u) {
             twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
             below[u] = load<V>(share + i + u * lanes);
@@ -71,7 +70,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     }
 }
 
-// sums[p][0 .. block_outputs) of `Together` pupils: their intensities at the nodes times a block of weights
+// Computes sums[p][offset .. offset + block_outputs) of `Together` pupils: intensities at the nodes times a block of weights
 // [node][block_outputs]. Bound by reading the weights, once for all pupils.
 template <std::size_t Together, class I>
 LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, const double* const* intensity,
@@ -114,7 +113,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// The sum of |coefficient| times penalty.
+// Returns the sum of |coefficient| times penalty.
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;
@@ -126,8 +125,8 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, of `degree` coefficients each: of
-// T_k(x), or of the odd ones, T_(2k+1)(r) / r with x = 2 r^2 - 1.
+// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, with `degree` coefficients each: of
+// T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
 template <std::size_t Orders, std::size_t Vectors, bool Odd = false, class Degree, class V>
 LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
     V now[Orders][Vectors], before[Orders][Vectors] = {}, twice[Vectors];
@@ -147,7 +146,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
             }
         }
     };
-    // Two steps at once, so that nothing is moved from now to before.
+    // Two steps per iteration, so that `now` need not be copied to `before`.
     std::size_t k = degree - 2;
     for (; k > 1; k -= 2) {
         step(k, now, before);
@@ -165,7 +164,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
     }
 }
 
-// Values of `count` pixels, in whole steps of four vectors, of one harmonic. Bound by arithmetic.
+// Computes `count` pixels, in whole steps of four vectors, for one harmonic. Bound by arithmetic.
 template <class I>
 LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients, const double* x, std::size_t count,
                                double* out) {
@@ -182,7 +181,7 @@ LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients
     }
 }
 
-// Each harmonic of two vectors of pixels, in turn, to take(values).
+// Passes each harmonic of two vectors of pixels, in turn, to take(values).
 template <bool Odd, class I, class Degree, class V, class Take>
 LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
                                  const Take& take) {
@@ -196,7 +195,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         j += orders;
     };
     // `some` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
-    // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
+    // A single order would be one chain of dependent operations; four at once need more than sixteen registers.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
             some(std::integral_constant<std::size_t, 4>{});
@@ -214,7 +213,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
     }
 }
 
-// Values of `count` pixels of a ring from coefficients [harmonic][degree]: x from -1 to 1 across the ring, the cosine of four
+// Computes `count` pixels of a ring from coefficients [harmonic][degree]: x from -1 to 1 across the ring, cosine that of four
 // times the angle. Bound by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
@@ -223,7 +222,7 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
         const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};
         const V angle[2] = {load<V>(cosine + i), load<V>(cosine + i + I::lanes)};
-        // T_j of the cosine: of the last order, and of the one before.
+        // T_j(cosine) of this and of the previous order.
         V now[2], before[2], sum[2];
         for (std::size_t u = 0; u < 2; ++u) {
             now[u] = splat<V>(1.0);
@@ -243,8 +242,8 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
     }
 }
 
-// The sums over odd orders of coefficients times T_(2k+1)(r) / r and cos((2j+1) angle) / cos(angle), to `across`, and the same for
-// the angle from the other axis, to `down`; `cosine` is that of twice the angle. Bound by arithmetic.
+// Computes the sums over odd orders 2j+1 of coefficients times T_(2k+1)(r) / r and cos((2j+1) angle) / cos(angle), `across`,
+// and the same for the angle from the other axis, `down`; `cosine` is that of twice the angle. Bound by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                      const double* cosine, std::size_t count, double* across, double* down) {

@@ -1,4 +1,4 @@
-// Distinct radii of a grid around the middle of a pixel or of an edge or a corner, and the index of the radius of each pixel.
+// Distinct radii of a grid around the centre of a pixel, of an edge or of a corner, and the index of each pixel's radius.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace lommel {
 
-// Radii, rising; padded so that the widest kernel can read anywhere. In units of their own.
+// Ascending radii, padded so that the widest kernel can read anywhere; their unit is the owner's.
 struct Radii {
     Doubles radii;
-    std::size_t count = 0;  // radii that are not padding
+    std::size_t count = 0;  // without padding
     double reach() const { return radii.back(); }
 };
 
@@ -31,12 +31,12 @@ struct Layout : Radii {  // distinct radii in pixels
     std::size_t width() const { return columns.count; }
     std::size_t bytes() const { return sizeof(double) * radii.size() + 2 * of_few_.size() + 4 * of_many_.size(); }
 
-    // Of the radius of the pixel at these distances.
+    // Rank of the radius of the pixel at these distances.
     std::size_t rank(std::size_t dy, std::size_t dx) const {
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Rows at distances [first, last), on both sides, of an image from its values at the radii.
+    // Writes the rows at distances [first, last), on both sides of the axis, from values at the radii.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 
@@ -46,13 +46,14 @@ struct Layout : Radii {  // distinct radii in pixels
     static std::shared_ptr<const Layout> get(const FoldedSide& down, const FoldedSide& across) {
         return cache<Layout>.get(down, across);
     }
-    // Around the middle of pixel (height / 2, width / 2).
+    // Around the centre of pixel (height / 2, width / 2).
     static std::shared_ptr<const Layout> get(std::size_t height, std::size_t width) {
         return get(FoldedSide(height), FoldedSide(width));
     }
 
    private:
-    // [distance along y][distance along x]: rank of each pixel's radius, in one of both. What caches have lost is read in half the time.
+    // [distance along y][distance along x]: rank of each pixel's radius, in one of the two; 16 bits halve the time of reads
+    // from memory.
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };

@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is taken as a polynomial in the
-// square of the distance, which is to interpolate it as an even function on both sides.
+// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is a polynomial in the squared
+// distance, which interpolates the even function on both sides.
 struct RingNodes {
     double low, high;
     bool even;
@@ -34,7 +34,7 @@ struct RingNodes {
         error = off(count);
     }
 
-    // At least so many.
+    // A copy with at least `least` points.
     RingNodes of(std::size_t least) const {
         RingNodes more = *this;
         more.count = std::max(count, least);
@@ -44,7 +44,7 @@ struct RingNodes {
     double radius(std::size_t i) const {
         return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));
     }
-    // Where distances, given by their squares, lie between -1 and 1.
+    // Maps squared distances to [-1, 1], where the points are.
     LOMMEL_INLINE void squeeze(double* squares, std::size_t length) const {
         if (even) {
             const double slope = high > 0.0 ? 2.0 / (high * high) : 0.0;
@@ -60,8 +60,8 @@ struct RingNodes {
     }
 };
 
-// Gauss's nodes and what each counts, padded to vectors: in a square, whose weights sum to 1, or on two of its sides, the average
-// along that before its middle less the average along that behind it.
+// Gauss nodes and weights, padded to vectors: of a square, with weights that sum to 1; or of two opposite sides, for the
+// average along the side before the middle less that along the side behind it.
 struct Points {
     std::size_t padded;
     Doubles across, down, share;

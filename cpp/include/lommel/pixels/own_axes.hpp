@@ -1,5 +1,5 @@
-// Windows with an optical axis of their own for each pupil: samples or averages as polynomials of the distance from the axis,
-// with weights that depend on pitch and reach only. docs/certificate.md, section 9.
+// Windows with an axis of its own for each pupil: samples or averages as polynomials of the distance from the axis, with
+// weights that depend on pitch and reach only (certificate, section 9, "An axis for each pupil").
 #pragma once
 
 #include <algorithm>
@@ -19,24 +19,24 @@
 
 namespace lommel {
 
-struct AnywhereTable : Radii {  // where I is wanted, in v
-    // Beyond, polynomials are so long that tables of the window itself take less.
+struct AnywhereTable : Radii {  // radii at which I is needed, in v
+    // Beyond, polynomials are so long that tables for one window are faster.
     static constexpr double most_reach = 110.0;
 
-    double step;     // the pitch in v
-    bool integrate;  // as of a PixelWindow
-    double farthest;  // middles of pixels from the axis, in pixels
-    int level;        // errors are about 10^-level; `error` says what they are
+    double step;     // pixel pitch in v
+    bool integrate;  // as PixelWindow::integrate
+    double farthest;  // largest distance of a pixel centre from the axis, in pixels
+    int level;        // errors are about 10^-level; the bound is `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
-    Doubles weights, penalty;  // [block of outputs][node][output]; roundings that each coefficient takes part in
-    double error, of_nodes = 1.0, of_grid, rounding;  // as of a PixelTable
+    Doubles weights, penalty;  // [block of outputs][node][output]; roundings in each coefficient
+    double error, of_nodes = 1.0, of_grid, rounding;  // as PixelTable's
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 
     double magnification() const { return of_grid * of_nodes; }
-    // Corners of pixels from the axis, in v.
+    // Largest distance from the axis of any point of a pixel, in v.
     double outermost() const { return step * (farthest + (integrate ? 0.70710678118654752 : 0.0)); }
-    // What errs by `error` for I does so by this much more for v I', the rate at which an image grows.
+    // Factor from the error of values of I to that of values of v I', the change of an image when it grows (section 15).
     double growth() const { return 2.0 * (outermost() + static_cast<double>(std::max({count, degree, gauss, 4 * harmonics}))); }
     std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
     bool is(double pitch, bool averages, double pixels, int digits) const {
@@ -47,8 +47,8 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
     }
 
-    // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in
-    // units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    // Computes the pixels of a window, in whole vectors, from I at the radii; returns the rounding of evaluating the
+    // polynomials, in units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -67,7 +67,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
                 cosine[i] = cosine_of_four(dx, dy, square);
             }
         });
-        // What fills the last vectors is a pixel too.
+        // Padding repeats the first pixel.
         std::fill(x + pixels, x + room, x[0]);
         std::fill(cosine + pixels, cosine + room, cosine[0]);
         if (harmonics > 1) {
@@ -110,7 +110,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // The square of a distance is off by fifteen units of the farthest one's half, and T_k by k^2 as much.
+            // Squared distances are off by 15 units of half the largest, T_k by k^2 times that.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);
@@ -129,7 +129,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
     degree = std::max<std::size_t>(2, places.count);
     of_grid = by_angle * lebesgue(degree);
-    // What samples take I at is what they are.
+    // Samples need no other radii than the interpolation points themselves.
     const RingNodes nodes =
         integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
     for (std::size_t i = 0; i < nodes.count; ++i) {

@@ -1,4 +1,5 @@
-// Polynomials through 16 Chebyshev points, cut into those of fewer terms on equal parts. docs/certificate.md, section 9.
+// Polynomials through 16 Chebyshev points, cut into polynomials of fewer terms on equal parts (certificate, section 9,
+// "Samples").
 #pragma once
 
 #include <algorithm>
@@ -17,17 +18,17 @@
 
 namespace lommel {
 
-// What is linear in values at those points on [-1, 1] that rise, for some places x > 0: of the even part of the polynomial and of the
-// odd one, whose sum is that at x, and whose difference is that at -x, or the other way about.
+// Linear maps of values at 16 ascending Chebyshev points of [-1, 1] to outputs at places x > 0, of the even and of the odd part
+// of the interpolating polynomial: their sum is the output at x, their difference that at -x, up to sign.
 struct Halves {
     static constexpr std::size_t points = 16, half = points / 2, together = 8;
     std::size_t count, pitch;
-    Doubles even, odd;  // [point][output], of `pitch` outputs
+    Doubles even, odd;  // [point][output], padded to `pitch` outputs
 
     explicit Halves(std::size_t outputs)
         : count(outputs), pitch((outputs + together - 1) / together * together), even(half * pitch), odd(half * pitch) {}
 
-    // The even and the odd part of the values themselves, times a number.
+    // Even and odd part of the values, times `by`.
     struct Values {
         double even[half], odd[half];
         Values(const double* values, double by) {
@@ -39,7 +40,7 @@ struct Halves {
         }
     };
 
-    // Hands over outputs from `start` on, as many as are `together`, of both parts.
+    // Passes the outputs of both parts to take(start, even, odd), `together` at a time.
     template <class I, class Take>
     LOMMEL_INLINE void each(I, const Values& values, const Take& take) const {
         using V = typename I::pack;
@@ -62,24 +63,25 @@ struct Halves {
         }
     }
 
-    // The m-th derivatives at x of the even and of the odd part of what is 1 at one of the points above the middle, 0 at the others.
+    // m-th derivatives at x of the even and odd parts of the Lagrange polynomials of the points above the middle.
     void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
 };
 
-// Of so many equal parts of [-1, 1] the coefficients of the polynomial through `Terms` Chebyshev points of each, for places that go from
-// -1/2 to 1/2 in it.
+// Coefficients of the polynomials through `Terms` Chebyshev points of each of `count` equal parts of [-1, 1], in a place that
+// runs from -1/2 to 1/2 in each.
 template <std::size_t Terms>
 struct Parts {
-    static constexpr std::size_t most = 64;  // as any, an even number
+    static constexpr std::size_t most = 64;  // largest number of parts, an even one
     std::size_t parts;
-    double sizes = 0.0;  // of coefficients, as many times the largest value
-    Halves halves;       // [part above the middle, power]
+    double sizes = 0.0;  // sum over powers of the largest 1-norm of coefficients
+    Halves halves;       // outputs [part above the middle][power]
 
     explicit Parts(std::size_t count);
 
     bool is(std::size_t count) const { return parts == count; }
     std::size_t bytes() const { return sizeof(double) * (halves.even.size() + halves.odd.size()); }
-    // How far a polynomial that is 1 at most may be from those of its parts: by its derivative, which Markov's inequality bounds.
+    // mu of the certificate: largest distance of a polynomial within 1 from those of its parts, by Markov's bound on its
+    // derivative.
     double bent() const {
         const double degree = static_cast<double>(Halves::points - 1);
         double size = 2.0;
@@ -92,7 +94,7 @@ struct Parts {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
     static std::shared_ptr<const Parts> get(std::size_t count) { return cache<Parts>.get(count); }
 
-    // Coefficients of all parts of a piece, [part][power]; raises what is the largest of each so far.
+    // Computes coefficients of all parts of a piece, to[part][power]; raises largest[power] to their moduli.
     template <class I, class To>
     LOMMEL_INLINE void cut(I isa, const Halves::Values& values, To* to, double* largest) const {
         constexpr std::size_t lanes = std::min(I::lanes, Terms);
@@ -123,9 +125,9 @@ struct Parts {
     }
 };
 
-// How much the polynomial bends: bounds on its second derivative and on its fourth.
+// Bounds on the second and on the fourth derivative of the polynomial of a piece.
 struct Bends {
-    static constexpr std::size_t second = 32, fourth = 16;  // Chebyshev points at which they are taken
+    static constexpr std::size_t second = 32, fourth = 16;  // numbers of Chebyshev points at which they are evaluated
     static_assert(second / 2 % Halves::together == 0 && fourth / 2 % Halves::together == 0);
 
     struct Sizes {
@@ -157,14 +159,14 @@ struct Bends {
     }
 };
 
-// With what values at n Chebyshev points, which rise, are taken to coefficients of 1, x, x^2, ...: [point][power].
+// Matrix [point][power] from values at ascending Chebyshev points to monomial coefficients.
 template <std::size_t Count>
 std::array<double, Count * Count> through_points() {
     const ChebyshevToMonomials<Count, wide> taken;
     std::array<double, Count * Count> made{};
     for (std::size_t i = 0; i < Count; ++i) {
         double values[Count] = {};
-        values[Count - 1 - i] = 1.0;  // of points that fall
+        values[Count - 1 - i] = 1.0;  // points there descend
         taken(values, 1, made.data() + i * Count);
     }
     return made;
@@ -225,7 +227,8 @@ LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[hal
 
 LOMMEL_ONCE Bends::Bends() {
     const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
-        // No polynomial of degree d is more than 1 / cos(pi d / 2 n) times what it is at n > d Chebyshev points (Ehlich and Zeller).
+        // A polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev points (Ehlich and
+        // Zeller).
         const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
         const double by = 1.0 / std::cos(0.5 * pi * share);
         for (std::size_t at = 0; at < count / 2; ++at) {

@@ -1,4 +1,4 @@
-// Radial profiles as images, and intensities as stored values.
+// Expansion of radial profiles to images, and storing of intensities.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace lommel {
 
-// One side of a window whose axis is in the middle of a pixel or between two: the last pixel up to the axis, the first from there on.
+// Side of a window whose axis is at the centre of a pixel or midway between two. `low`: last pixel up to the axis, `high`:
+// first pixel from it on.
 struct FoldedSide {
     std::size_t count, low, high;
 
@@ -27,20 +28,21 @@ struct FoldedSide {
     explicit FoldedSide(std::size_t pixels) : count(pixels), low(pixels / 2), high(low) {}
 
     bool operator==(const FoldedSide& o) const { return count == o.count && low == o.low && high == o.high; }
-    std::size_t between() const { return high - low; }  // 1 where the axis is between two pixels
-    // Distances that differ: 0, 1, ... pixels from the first on either side.
+    std::size_t between() const { return high - low; }  // 1 if the axis is between two pixels
+    // Number of distinct distances: 0, 1, ... pixels from `high`, or from `low` downwards.
     std::size_t distances() const { return std::max(low + 1, count - high); }
-    // The first pixel that is so far away, and whether there is another, at high + distance.
+    // First pixel at a distance, and whether there is a second, high + distance.
     std::size_t first(std::size_t distance) const { return distance <= low ? low - distance : high + distance; }
     bool twice(std::size_t distance) const {
         return distance <= low && high + distance < count && high + distance > low - distance;
     }
 };
 
-// The distinct radii of a quadrant of rows x columns distances, squared: all pixels (dy, dx) with the same
-// dy^2 + dx^2 share one value. With y (y + 1) + 1/4 the square of y + 1/2 where the axis is between two rows, numbers are
-// dy^2 + dx^2 less 1/4, or half of that less 1/2 where it is so both ways, which is even. A bit for each number up to the largest square, and how many are set before: linear in that, without
-// sorting, and small enough for the first cache, where a rank for each number is not.
+// Distinct squared radii of a quadrant of rows x columns distances; all pixels with the same dy^2 + dx^2 share one value. If
+// the axis is between two rows, y (y + 1) + 1/4 is the square of y + 1/2, so numbers are dy^2 + dx^2 less 1/4, or, if it is
+// between rows and columns, half of dy^2 + dx^2 - 1/2, which is even. One bit for each number up to the largest, and the count
+// of bits before each word: linear in the largest number, without sorting, and small enough for the first-level cache, which a
+// rank for each number is not.
 class SquaredRadii {
    public:
     SquaredRadii(const FoldedSide& rows, const FoldedSide& columns)
@@ -48,7 +50,7 @@ class SquaredRadii {
           words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
         for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            // (x, y) for (y, x) where both are there.
+            // If rows and columns are alike, (x, y) stands for (y, x).
             for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
                 const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;
@@ -67,7 +69,7 @@ class SquaredRadii {
         return odd_y_ + odd_x_ == 2 ? 2.0 * s + 0.5 : s + 0.25 * static_cast<double>(odd_y_ + odd_x_);
     }
 
-    // The numbers, rising, to take(rank, number).
+    // Passes the numbers, ascending, to take(rank, number).
     template <class Take>
     void each(const Take& take) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -80,10 +82,10 @@ class SquaredRadii {
         });
     }
 
-    // The rank of each pixel's radius.
+    // Writes the rank of each pixel's radius.
     template <class Rank>
     void ranks(Rank* index) const {
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where there are vectors
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where vectors are available
             for (std::size_t y = 0; y < rows_; ++y) {
                 look();
                 for (std::size_t x = 0; x < cols_; ++x) {
@@ -108,7 +110,7 @@ class SquaredRadii {
     std::vector<Word> words_;
 };
 
-// The squared radii around the middle of a pixel in rising order; `index` receives the rank of each pixel's.
+// Squared radii around the centre of a pixel, ascending; `index` receives the rank of each pixel's.
 std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
@@ -120,7 +122,7 @@ LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size
 }
 #endif
 
-// The largest of values >= 0, in eight chains that compilers vectorise.
+// Largest of values >= 0, in eight chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     double top[8] = {};
     std::size_t i = 0;
@@ -144,7 +146,7 @@ LOMMEL_ONCE double largest_value(const double* values, std::size_t count) {
 }
 #endif
 
-// Values times a scale, as the answer stores them; they may be replaced.
+// Stores values times a scale; `out` may be `values`.
 template <class From, class T>
 void store_scaled(const From* values, double scale, std::size_t count, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -153,7 +155,7 @@ void store_scaled(const From* values, double scale, std::size_t count, T* out) {
         }
     });
 }
-// The same, none below `least`: no intensity is negative, and none less exact for being raised to 0.
+// As store_scaled(), clamped to `least`: intensities are not negative, so that clamping to 0 does not increase their error.
 template <class T>
 void store_least(const double* values, double scale, std::size_t count, T least, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -170,8 +172,8 @@ extern template void store_least<float>(const double*, double, std::size_t, floa
 extern template void store_least<double>(const double*, double, std::size_t, double, double*);
 #endif
 
-// A row to both sides of its middle. Not inlined: where its callers have other things in registers, it loads its end from memory
-// for each pixel.
+// Writes a row to both sides of its middle. Not inlined: in callers with few free registers its end would be loaded for each
+// pixel.
 template <class T, class Rank>
 LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_t count, T* right, T* left) {
     for (std::size_t dx = 0; dx < count; ++dx) {
@@ -181,13 +183,13 @@ LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_
     }
 }
 
-// Rows at distances [first, last), on both sides, of one image from the values at the distinct radii. Each row is gathered once and
-// its mirror image copied: bound by the loads of the gather and by memory writes.
+// Writes the rows at distances [first, last) on both sides of the axis from the values at the distinct radii. Each row is
+// gathered once and its mirror image copied: bound by the loads of the gather and by memory writes.
 template <class T, class Rank>
 LOMMEL_INLINE void scatter_rows(const T* profile, const Rank* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
     const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
-    constexpr std::size_t ahead = 6;  // rows: those of large images are in memory, not in a cache
+    constexpr std::size_t ahead = 6;  // rows to prefetch ahead: those of large images are in memory, not in a cache
     for (std::size_t dy = first; dy < last; ++dy) {
         const Rank* from = index + dy * columns.distances();
         T* row = out + rows.first(dy) * width;

@@ -1,4 +1,4 @@
-// Rows of pixels around an axis anywhere: which part of which piece of the distance each pixel is in, and where in it.
+// Rows of pixels around an axis anywhere: the part of a piece of the distance that each pixel is in, and its place in it.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// A window, or the quarter of one that has its axis in the middle of a pixel or between two: of each distance from the axis along
-// its sides one row and one column.
+// A window or, if its axis is at the centre of a pixel or midway between two, the quarter with one row and one column for each
+// distance from the axis.
 class FoldedWindow {
    public:
     explicit FoldedWindow(const PixelWindow& w) : part(w), folds_(w.folds()) {
@@ -35,7 +35,7 @@ class FoldedWindow {
 
     bool folds() const { return folds_; }
 
-    // A row of the part to wherever it stands in the image.
+    // Copies a row of the part to all its places in the image.
     template <class T>
     LOMMEL_NOINLINE void unfold(std::size_t row, const T* values, T* image) const {
         T* const line = image + rows_.first(row) * columns_.count;
@@ -53,21 +53,21 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// The place of a pixel counts parts of pieces: the middle of the first is 0. It goes by a root of the square of the distance near the
-// axis, and is linear in that from one zone to the next, each twice as far out.
+// The place of a pixel is counted in parts of pieces, 0 at the middle of the first. It is linear in the distance near the axis,
+// and in the squared distance on each of the zones beyond, which are each twice as far out as the last.
 class SampleRows {
    public:
-    struct Zone {  // of squares of distances, in squares of pieces: from where on, and the place
+    struct Zone {  // squared distance where it begins, in squared pieces; line of places
         double begin, slope, shift;
     };
-    using Zones = std::array<Zone, 40>;  // up to max_reach at most; the last one begins at infinity
+    using Zones = std::array<Zone, 40>;  // reach up to max_reach; the last one begins at infinity
 
-    static constexpr std::size_t longest = 128;  // pixels of a row that are handed over together
+    static constexpr std::size_t longest = 128;  // largest number of pixels of a row passed together
     static constexpr std::size_t most_lanes = 16;
 
-    // Of pixels one beside the other in a row the part in which each is, less `base`, both times what parts are apart, and where in it,
-    // from -1/2 to 1/2. There is room behind them for whole vectors, in parts that are there. Those of a run that is `straight` are two
-    // apart.
+    // Adjacent pixels of a row: for each the index of its part less `base`, both times the stride of parts in the coefficients,
+    // and its place in the part, from -1/2 to 1/2. Arrays are padded to whole vectors, with existing parts. `straight`: parts
+    // are lines, with stride 2.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
@@ -80,13 +80,14 @@ class SampleRows {
     SampleRows(const PixelWindow& window, double width, const Zones& zones)
         : window_(window), pieces_(window.step / width), zones_(zones) {}
 
-    // Has places in whole multiples of a part over a power of two, for pixels in single precision, where they are off by about `room` in
-    // v at most then; returns what they are off by at most, in parts.
+    // Computes places in single precision as whole multiples of 2^-bits parts, if they are then off by less than about `room`
+    // in v; returns their largest error in parts (0: not used).
     double by_integers(double room);
-    // Has runs of pixels in single precision straight where all are so many pieces from the axis; returns how far out others may be.
+    // Marks runs in single precision as straight if all their pixels are at least `pieces` pieces from the axis; returns the
+    // largest distance of others, in pieces.
     double straight_from(double pieces);
 
-    // Hands over the pixels of rows [begin, end).
+    // Passes the pixels of rows [begin, end) to take(run).
     template <class Real, std::uint32_t Apart, class Take>
     LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
         constexpr std::size_t block = most_lanes;
@@ -95,7 +96,7 @@ class SampleRows {
         alignas(64) Real x[longest];
         Lines lines;
         Glance glance;
-        // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
+        // All rows of some columns in turn, so that a row mostly uses the pieces of the row before.
         for (std::size_t start = 0; start < window_.width; start += tile_) {
             const std::size_t here = std::min(tile_, window_.width - start), padded = (here + block - 1) / block * block;
             for (std::size_t i = 0; i < padded; ++i) {
@@ -106,14 +107,14 @@ class SampleRows {
             Row ahead = seen(begin, least, most, {});
             for (std::size_t row = begin; row < end; ++row) {
                 glance(4 * padded);
-                // While the pixels of this row are made, what the next one needs is on its way.
+                // Prepares the next row's scalars while the pixels of this row are computed.
                 const Row seen_here = ahead;
                 ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
                 const auto [square, low, high, first, other, straight] = seen_here;
                 const Zone &zone = zones_[low], &next = zones_[low + 1];
                 const std::uint32_t apart = straight ? 2 : Apart;
                 const auto split = [&, apart = apart](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
-                    const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
+                    const double whole = (where + 0x1.8p52) - 0x1.8p52;  // nearest integer
                     at[i] = static_cast<std::int32_t>(apart) * static_cast<std::int32_t>(whole);
                     x[i] = static_cast<Real>(where - whole);
                 };
@@ -161,9 +162,9 @@ class SampleRows {
     }
 
    private:
-    // A row: the square of its distance, the zones of the nearest and of the farthest pixel, and the places of the nearest by the first
-    // of these and by the next. The root and the lines of the zones touch each other, and the curve that they make bends one way: it is
-    // the least.
+    // A row: its squared distance; the zones of its nearest and of its farthest pixel; the places of the nearest by the first
+    // of these zones and by the next. Zones are tangent to each other and their curve is concave, so the least of their lines
+    // is the place.
     struct Row {
         double square = 0.0;
         std::size_t low = 0, high = 0;
@@ -182,12 +183,12 @@ class SampleRows {
         return r;
     }
 
-    // Of some columns what their squares add to the places of two zones, as integers.
+    // For some columns: what their squared distances add to the places by two zones, as integers.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
         float scale = 1.0f;
-        int bits = 0;  // behind the point
+        int bits = 0;  // fraction bits
 
         LOMMEL_INLINE void prepare(const double* squares, std::size_t padded, double least, double most, double slope,
                                    double other_slope) {
@@ -201,9 +202,8 @@ class SampleRows {
             }
         }
 
-        // From the places of the pixel nearest to the axis, by both zones or one; returns the part from which they are counted, one
-        // before its own or two, times what parts are apart, 2 or 4. None is less than that one's, nor more than `span` beyond, where it
-        // counts.
+        // Splits places into parts and positions, starting from the places of the nearest pixel by one or both zones. Returns
+        // the part from which indices are counted, one or two before the nearest pixel's, times the stride of parts, 2 or 4.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t apart,
                                            std::int32_t* at, float* x) const {
@@ -221,7 +221,7 @@ class SampleRows {
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };
-    // Places up to 1.5 span + 3, which fit in 32 bits with so many behind the point, and those in single precision.
+    // Number of fraction bits: places up to 1.5 span + 3 fit 32 bits, and fractions single precision.
     static int fraction_bits(double span) { return 31 - std::max(7, std::ilogb(1.5 * span + 4.0)); }
 
     LOMMEL_INLINE double squared(double pixels) const { return pieces_ * pixels * (pieces_ * pixels); }
@@ -236,11 +236,11 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // a pixel has
+    double pieces_;  // pieces per pixel
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;
-    double straight_ = HUGE_VAL;  // from here on, in squares of distances
+    double straight_ = HUGE_VAL;  // least squared distance of straight runs
 };
 
 #if defined(LOMMEL_DEFINES)

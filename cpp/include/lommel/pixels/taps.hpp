@@ -11,22 +11,24 @@
 
 namespace lommel {
 
-// Taps c_k on samples h apart whose response C(w) = sum_k c_k cos(k h w) is that of a pixel, sinc(a w / 2), up to the end of the
-// band of an intensity, |w| = 2.
+// Taps c_k on samples h apart whose response C(w) = sum_k c_k cos(k h w) approximates that of a pixel, sinc(a w / 2), in the
+// band |w| <= 2 of an intensity.
 //
 // Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type k h; all but
-// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a trigonometric
-// polynomial of the angle it falls from its largest value no faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44,
-// 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of that: it is at most sqrt(2) times as large as at these points.
+// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a
+// trigonometric polynomial of the angle, the error falls from its largest value no faster than cos(M s) (Duffin and Schaeffer,
+// Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of that value: the maximum is at
+// most sqrt(2) times the largest value at these points.
 struct PixelTaps {
-    std::size_t stride;           // samples a pixel
+    std::size_t stride;           // samples per pixel
     std::vector<double> weights;  // of an odd number of samples about the middle of the pixel
     double error;                 // bound on |C(w) - sinc(a w / 2)| for |w| <= 2
-    double gain;                  // sum of the magnitudes of the weights: what errors of samples are multiplied by at most
+    double gain;                  // sum of moduli of the weights: largest factor on errors of samples
 
     std::size_t margin() const { return weights.size() / 2; }
 
-    // The shortest ones for pixels of pitch `step` in v, samples at most `widest` apart, off by `allowed`.
+    // The shortest taps for pixels of pitch `step` in v, with samples at most `widest` apart, whose response errs by at most
+    // `allowed`.
     PixelTaps(double step, double allowed, double widest) : stride(across(step, widest)), error(0.0), gain(0.0) {
         const double h = step / static_cast<double>(stride);
         const std::size_t most = stride + 62;
@@ -47,7 +49,7 @@ struct PixelTaps {
             fit.add(factors);
             if (half >= stride / 2 + 2) {
                 judge(fit.solution(), basis, wanted);
-                // Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
+                // With few samples beyond the edge of a large pixel weights become large and would magnify errors.
                 if (error <= allowed && gain <= 1.5) {
                     break;
                 }
@@ -83,9 +85,9 @@ struct PixelTaps {
     }
 };
 
-// What the best placed pixel of pitch `step` in v averages at least, over the peak of I. f = 2 I - M, M the peak, is of exponential
-// type 2 along a line through it and within M, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer): at a distance s below pi/2 from the
-// peak I >= M cos(s)^2. The pixel around the peak holds a disc of half its pitch.
+// Lower bound on the largest average of a pixel of pitch `step` in v over the peak of I. f = 2 I - M, M the peak, is of
+// exponential type 2 along a line through it and at most M in modulus, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer): at a
+// distance s <= pi/2 from the peak I >= M cos(s)^2. The pixel around the peak contains a disc whose radius is half its pitch.
 inline double least_average(double step) {
     constexpr double quarter = 1.5707963267948966;
     const double r = std::min(0.5 * step, quarter), sine = std::sin(r);

@@ -1,4 +1,4 @@
-// Tiles of sixteen by sixteen pixels around the axis, with their images under reflections and rotations by 90 degrees.
+// Tiles of 16 x 16 pixels around the axis, with their images under reflections and rotations by 90 degrees.
 #pragma once
 
 #include <algorithm>
@@ -14,17 +14,17 @@
 
 namespace lommel {
 
-// A pixel is (right, down) from the axis; a >= b >= 0 are |right| and |down| or the other way round. Pixels that differ in that
-// only are evaluated together, in eight directions: of the angle psi = atan(b / a) those at psi + k pi/2, k = 0..3, and those
-// at (k+1) pi/2 - psi.
+// A pixel is at (right, down) from the axis; a >= b >= 0 are |right| and |down| in either order. Pixels with the same (a, b)
+// are evaluated together, in eight directions: with psi = atan(b / a), at the angles psi + k pi/2, k = 0..3, and (k+1) pi/2 -
+// psi.
 class Tiles {
    public:
     static constexpr std::int64_t side = 16;
     static constexpr std::size_t directions = 8;
     struct Tile {
-        std::int64_t a, b;  // the least
+        std::int64_t a, b;  // least of its pixels
     };
-    // Pixels of one a, b from so many on.
+    // Pixels of the same a, with `count` values from b on.
     struct Line {
         std::int64_t a, b, count;
     };
@@ -36,13 +36,13 @@ class Tiles {
         near_x_ = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
     }
 
-    const std::int64_t height, width, row, column;  // of the image, and of the axis (which may be outside)
+    const std::int64_t height, width, row, column;  // of the image; pixel of the axis, which may be outside
 
-    // Squares of the distances of the nearest and of the farthest pixel.
+    // Squared distances of the nearest and of the farthest pixel.
     std::int64_t nearest() const { return near_x_ * near_x_ + near_y_ * near_y_; }
     std::int64_t farthest() const { return far_x_ * far_x_ + far_y_ * far_y_; }
 
-    // Those with pixels in the image.
+    // All tiles with pixels in the image.
     std::vector<Tile> all() const {
         std::vector<Tile> made;
         const std::int64_t low = std::min(near_x_, near_y_) / side * side, high = std::max(far_x_, far_y_);
@@ -58,7 +58,7 @@ class Tiles {
         return made;
     }
 
-    // Whether all pixels of a tile are in the image in all directions, and whether one is in one of them.
+    // Whether a tile is in the image in all directions; whether a pixel is in the image in one direction.
     bool whole(const Tile& tile) const {
         const std::int64_t most = tile.a + side - 1;
         return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
@@ -69,7 +69,7 @@ class Tiles {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
-    // Calls f(line) for the lines of a tile whose distances have squares in [low, high).
+    // Calls f(line) for the lines of a tile whose squared distances are in [low, high).
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {
         const std::int64_t end_a = tile.a + side - 1, end_b = tile.b + side - 1;
@@ -81,7 +81,7 @@ class Tiles {
             if (square >= high) {
                 return;
             }
-            // |x| = a and |y| = b, or the other way round: two ranges of b, which may overlap.
+            // (|x|, |y|) = (a, b) or (b, a): two ranges of b, which may overlap.
             std::int64_t first[2] = {near_y_, near_x_}, last[2] = {far_y_, far_x_};
             const bool here[2] = {a >= near_x_ && a <= far_x_, a >= near_y_ && a <= far_y_};
             const std::int64_t least = std::max(tile.b, root(low - square - 1) + 1);
@@ -91,7 +91,7 @@ class Tiles {
                 last[i] = here[i] ? std::min(last[i], most) : -1;
             }
             if (first[1] <= last[1] && first[0] <= last[0]) {
-                // Pixels between them are computed in vain.
+                // The gap between the two ranges is computed, too, and not used.
                 first[0] = std::min(first[0], first[1]);
                 last[0] = std::max(last[0], last[1]);
                 last[1] = -1;
@@ -104,12 +104,12 @@ class Tiles {
         }
     }
 
-    // Values of one tile, of each direction those of pixels (a, b) line by line: of the same a, b rising.
+    // Values of one tile, [direction][a - tile.a][b - tile.b].
     template <class T>
     struct Buffer {
         alignas(64) T squares[directions][side * side];
 
-        // Of the pixels of a line of a tile, `values` [pixel][direction].
+        // Stores values[pixel][direction] of a line of a tile.
         template <class Real>
         void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { put(isa, tile, line, values); });
@@ -148,7 +148,7 @@ class Tiles {
         }
     };
 
-    // Asks for the memory that copy() writes to.
+    // Prefetches the memory that copy() writes.
     template <class T>
     LOMMEL_INLINE void prefetch(const Tile& tile, const T* image) const {
         for (std::size_t d = 0; d < squares(tile); ++d) {
@@ -156,10 +156,11 @@ class Tiles {
         }
     }
 
-    // Copies a tile to where its pixels stand in the image.
+    // Copies a tile to its eight places in the image.
     template <class T>
     void copy(const Tile& tile, Buffer<T>& buffer, T* image) const {
-        // Of the square in the image: whether a rises along its lines, and whether lines and places on them fall.
+        // For each direction's square in the image: whether it is transposed (a ascends along its rows), its rows descend, its
+        // columns descend.
         constexpr bool turned[directions] = {true, false, true, false, false, true, false, true},
                        up[directions] = {false, false, true, true, false, false, true, true},
                        left[directions] = {false, true, true, false, false, true, true, false};
@@ -194,11 +195,11 @@ class Tiles {
     }
 
    private:
-    // Of the image, that a tile makes: on the diagonal two directions make one.
+    // Number of squares of a tile in the image: on the diagonal two directions share one.
     static std::size_t squares(const Tile& tile) { return tile.a == tile.b ? directions / 2 : directions; }
 
-    // Calls f(line, at, first, end) for lines of a square with places [first, end) in the image; the square's own begins there at
-    // `at`, maybe outside.
+    // Calls f(line, at, first, end) for each line of a square that has columns [first, end) in the image; `at` is the image
+    // index of the line's first column, which may be outside.
     template <class F>
     LOMMEL_INLINE void on_lines(const Tile& tile, std::size_t d, const F& f) const {
         const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;
@@ -211,7 +212,7 @@ class Tiles {
         }
     }
 
-    // Inlined: GCC leaves calls out of what only prefetches.
+    // Inlined, as GCC drops calls to functions that only prefetch.
     template <class T>
     LOMMEL_INLINE void prefetch(const Tile& tile, std::size_t d, const T* image) const {
         on_lines(tile, d, [&](std::int64_t, std::int64_t at, std::int64_t first, std::int64_t end) LOMMEL_INLINE_LAMBDA {
@@ -220,7 +221,7 @@ class Tiles {
         });
     }
 
-    // Columns as lines and, if `left`, each from its end on.
+    // Transposes a square and, if `left`, reverses its rows.
     template <class T>
     static void turn(const T* from, bool left, T* to) {
         constexpr std::size_t n = side;
@@ -238,7 +239,7 @@ class Tiles {
             }
         }
     }
-    // Lines from their ends on.
+    // Reverses the rows of a square.
     template <class T>
     static void mirror(const T* from, T* to) {
         constexpr std::size_t n = side;

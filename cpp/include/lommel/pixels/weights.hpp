@@ -1,4 +1,4 @@
-// Weights that turn I at the radii of a ring into averages over squares.
+// Weights that turn I at the radii of a ring into averages over pixels.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// rows[output][node]: the weights of the sum over points around the place at radius(output) and angle(output).
+// Computes rows[output][node]: weights of the average over the points around the place at radius(output), angle(output).
 template <class I, class Radius, class Angle>
 LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& around, std::size_t outputs, const Radius& radius,
                                 const Angle& angle, double* rows) {
@@ -41,10 +41,10 @@ LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& aro
     }
 }
 
-// The least angle of which this is the cosine of four times.
+// Angle in [0, pi/4] whose fourfold has this cosine.
 inline double quarter_angle(double cosine) { return 0.25 * std::acos(std::max(-1.0, std::min(1.0, cosine))); }
 
-// From values at Chebyshev points to the coefficients of their polynomial: [degree][point].
+// Matrix [degree][point] from values at Chebyshev points to Chebyshev coefficients.
 inline Doubles cosine_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
@@ -57,7 +57,8 @@ inline Doubles cosine_transform(std::size_t points) {
     return matrix;
 }
 
-// From values of an odd function at the positive ones of twice as many Chebyshev points to the coefficients of T_1, T_3, ...
+// Matrix from the values of an odd function at the positive ones of 2 `points` Chebyshev points to its coefficients of T_1,
+// T_3, ...
 inline Doubles odd_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
@@ -69,7 +70,7 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Applies a square matrix to each of so many sets of rows; sets are `apart` rows from each other, their rows `stride`.
+// Multiplies each of `sets` sets of rows by a square matrix; sets begin `apart` rows, their rows `stride` rows from each other.
 LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride, std::size_t length,
                              Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
@@ -92,7 +93,7 @@ LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_
     }
 }
 
-// As weighted_sums() reads them: [block of outputs][node][output].
+// Reorders rows for weighted_sums(): [block of outputs][node][output].
 inline void block_rows(const double* rows, std::size_t outputs, std::size_t length, double* out) {
     for (std::size_t o = 0; o < outputs; ++o) {
         double* block = out + o / block_outputs * block_outputs * length + o % block_outputs;

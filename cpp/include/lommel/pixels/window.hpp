@@ -1,4 +1,4 @@
-// Positions of the pixels of a window around an axis anywhere, and which of them share a value.
+// Positions of a window's pixels around an axis anywhere, and groups of pixels that share a value.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace lommel {
 
 struct PixelWindow {
     std::size_t height, width;
-    double center_y, center_x, step;  // the axis in pixels, 0 the middle of the first; the pitch in v
+    double center_y, center_x, step;  // axis in pixels, 0 at the centre of the first pixel; pitch in v
     bool integrate;                   // average over the pixels, or sample their centres
 
     bool operator==(const PixelWindow& o) const {
@@ -24,7 +24,7 @@ struct PixelWindow {
                integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
-    // The distances of the middles of pixels from the axis, in pixels: none is less or more.
+    // Least and largest distance of the pixel centres from the axis, in pixels (bounds).
     void reach(double (&ends)[2]) const {
         const auto near = [](double center, std::size_t side) {
             return std::max(0.0, std::max(-center, center - static_cast<double>(side - 1)));
@@ -35,7 +35,7 @@ struct PixelWindow {
         ends[0] = std::hypot(near(center_y, height), near(center_x, width));
         ends[1] = std::hypot(far(center_y, height), far(center_x, width));
     }
-    // How many pixels at most are nearer than so many pixels to the axis.
+    // Upper bound on the number of pixels closer to the axis than `away` pixels.
     double within(double away) const {
         const auto along = [&](double center, std::size_t side) {
             const double last = static_cast<double>(side - 1);
@@ -43,13 +43,13 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // As render.hpp has it.
+    // Sides folded about the axis, see render.hpp; they exist if folds().
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 
-    // Calls f(i, dx, dy, dx^2 + dy^2) for the pixels in turn, in pixels from the axis.
+    // Calls f(i, dx, dy, dx^2 + dy^2) for each pixel i in row order, in pixels from the axis.
     template <class F>
     LOMMEL_INLINE void each(const F& f) const {
         for (std::size_t row = 0, i = 0; row < height; ++row) {
@@ -62,17 +62,17 @@ struct PixelWindow {
     }
 };
 
-// The cosine of four times the angle of (x, y), the sum of whose squares is known.
+// cos(4 theta) for the angle theta of (x, y); square = x^2 + y^2.
 LOMMEL_INLINE double cosine_of_four(double x, double y, double square) {
     const double product = x * y / std::max(square, 1e-300);
     return 1.0 - 8.0 * product * product;
 }
 
-// Those of a stack of pupils, all around the axis of the first or each around its own.
+// Windows of a stack of pupils: around one axis, or each around its own.
 struct PixelWindows {
     PixelWindow first;
-    const double* centers = nullptr;  // [pupil](row, column)
-    double farthest = 0.0;            // a pixel from its axis, in pixels, or more: a whole number
+    const double* centers = nullptr;  // [pupil](row, column); null: the axis of `first`
+    double farthest = 0.0;            // largest distance of a pixel from its axis, rounded up to whole pixels
 
     PixelWindows(const PixelWindow& shared) : PixelWindows(shared, nullptr, 1) {}
     PixelWindows(const PixelWindow& like, const double* each, std::size_t pupils) : first(like), centers(each), farthest(1.0) {
@@ -93,7 +93,7 @@ struct PixelWindows {
     }
 };
 
-// Distances from the axis along one side of a window: the distinct ones, rising, and which one each pixel has.
+// Distances from the axis along one side of a window: the distinct ones, ascending, and the rank of each pixel's.
 struct Fold {
     std::vector<double> distances;
     std::vector<std::int32_t> rank;
@@ -112,11 +112,11 @@ struct Fold {
     }
 };
 
-// Pixels that differ: those at (a, b) and (b, a) from the axis have one value, where the window has both.
+// Groups of pixels with the same value: those at (a, b) and (b, a) from the axis, if the window has both.
 struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // [distance along y][distance along x]
-    std::vector<double> v, cosine;    // of each group: its distance, and the cosine of four times its angle
+    std::vector<double> v, cosine;    // [group]: distance in v; cosine of four times the angle
     PixelWindow window;
 
     explicit PixelGroups(const PixelWindow& w) : rows(w.height, w.center_y), columns(w.width, w.center_x), window(w) {
@@ -139,7 +139,7 @@ struct PixelGroups {
         }
     }
 
-    // Numbers the groups anew.
+    // Replaces each group's number i by place[i].
     void renumber(const std::vector<std::int32_t>& place) {
         Glance glance;
         for (std::int32_t& group : index) {
@@ -148,7 +148,7 @@ struct PixelGroups {
         }
     }
 
-    // Rows [first, last) of distances along y, of one image.
+    // Writes the rows of an image whose distances along y have ranks in [first, last).
     template <class T>
     void paint(const T* values, std::size_t first, std::size_t last, T* out) const;
 };

@@ -1,4 +1,4 @@
-// Images of pixel averages, or with the axis anywhere, each with its error bound.
+// Images of pixel averages, or of samples about an axis anywhere, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace lommel {
 
-// sup|U| of an aperture, or no more than its error above, and about the light that passes it over pi.
+// Bounds of an aperture: `area`, sup|U| or at most its error above; `light`, about the transmitted light over pi.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -30,14 +30,14 @@ struct Aperture {
     Aperture(double eps, const Amplitude& amplitude)
         : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
-    // sup of int t^power exp(i Phi) J0 dt.
+    // Bound on int t^power exp(i Phi) J0 dt.
     double moment(std::size_t power) const {
         const double k = static_cast<double>(power);
         return std::min(area, (1.0 - std::pow(obscuration, 2.0 * (k + 1.0))) / (k + 1.0));
     }
 
    private:
-    // No closed form, no exact value: U on the axis and its error instead.
+    // Closed form if there is one, else the computed U on the axis plus its error.
     static double bright(double eps, const Amplitude& amplitude);
 };
 
@@ -58,15 +58,15 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // The bounds are related to what the largest value over the plane, or in the window where values are divided by that,
-    // is at least.
+    // Error bounds are over a lower bound on the largest value in the plane or, if values are divided by their largest one, in
+    // the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
-    // Whether averages had best be those of finer samples, which nothing that is here does with less.
+    // Whether filters of finer samples are faster for averages than all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Whether derivatives had: of averages by the light that crosses edges, they take weights.
+    // Whether filters are faster for derivatives: beside averages from the light that crosses edges, these take weights.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -75,19 +75,19 @@ class PixelRenderer {
             box.hold(stack_);
             light_ = coarse(box.worst(stack_.amplitude));
         }
-        // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2; an
-        // older one 400 for averages of 128^2 by rings.
+        // Estimated time of the stack in microseconds. Measured on the processor of radial/images.hpp: 1.2 for each of 300
+        // images of 33^2, 40 for one of 128^2; on an older one 400 for averages of 128^2 by rings.
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch =
             answer_.derivatives == 0 && Batch::fits(stack_) && !light_ && (window_.integrate || pixels() <= most_sampled);
-        // A table of one window serves no pupil with another axis.
+        // A table for one window does not serve pupils with other axes.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
             if (window_.integrate && !light_) {
                 for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
-                    level_ = first_attempt(stack_[pupil]).level;  // the largest yet
+                    level_ = first_attempt(stack_[pupil]).level;  // raises it to the highest that any pupil needs
                 }
             }
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
@@ -95,54 +95,58 @@ class PixelRenderer {
     }
 
    private:
+    // Accuracy of tables in decimal digits: highest that is tried; from which on tables are as exact as they can be.
     static constexpr int last_level = 15, exact_level = 14;
-    // Filters serve pixels up to so many v wide. Where they cannot be short, the light that crosses edges takes less; else where no more
-    // pixels take rings than so many times the fourth power of their pitch: samples of a pixel grow as its square, and filters, too.
+    // Filters serve pixels up to `widest_filtered` v wide. The light that crosses edges is faster for tolerances below
+    // `least_filtered`, which take long filters, and if rings are needed by at most beside_filters * pitch^4 pixels: the
+    // samples of a pixel grow as its area, and so do filters.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
-    // Weights for few pixels, made by about so many products, take less; and so do those of derivatives, of so many pixels.
+    // Weights are faster than filters if they take about this many products per pupil or less; so are those of derivatives up
+    // to this many pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
-    static constexpr std::size_t most_tabled = 40000;  // pixels, whose weights take memory and seconds
+    static constexpr std::size_t most_tabled = 40000;  // pixels whose weights still take reasonable memory and time
     static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
 
-    // What the tolerance is spent on, times what the largest value may be.
+    // Shares of the tolerance times the likely largest value.
     struct Budget {
-        // At first, on the table, and on U, which counts twice in I, times what the table makes of errors; on cubics half of it where values
-        // are divided by their largest.
+        // First attempt: error of the table; of U, which counts twice in I, times the table's magnification; of cubics, half of
+        // it if values are divided by their largest; of places.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Where that did not do, on each of both; half of it where values are divided by their largest.
+        // Later attempts: table and U each, half of it if values are divided by their largest.
         static constexpr double each = 0.2;
-        // Of coarse pixels, on rings that are left out, and on quadrature.
+        // Coarse pixels: rings left out, and each quadrature.
         static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
     struct Attempt {
-        double error;  // asked of U
-        int level;     // asked of the table
+        double error;  // requested of U
+        int level;     // requested of the table, in digits
     };
-    // What a window turned out to be.
+    // Values of a window and their errors.
     template <class Table>
     struct Found {
         std::shared_ptr<const Table> table;
-        double bound, size;                    // of U; the largest I at the radii
-        double top, off, by_field, by_table;   // the largest value, the bound on its error, and two parts of that
+        double bound, size;                    // error of U; largest I at the radii
+        double top, off, by_field, by_table;   // largest value, bound on its error, parts of that
     };
 
+    // Image that SamplePieces write directly.
     struct Painted {
         double scale = 1.0;
         T* image = nullptr;
-        bool singly = false;  // by sums in single precision
-        double cubics = 0.0;  // what these may be off by, over the largest I
+        bool singly = false;  // in single precision
+        double cubics = 0.0;  // allowed error of cubics over the largest I
     };
-    // Tolerances from which on samples are summed in single precision.
+    // Tolerance from which on samples are summed in single precision.
     static constexpr double single_enough = 5e-7;
 
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
-    // Whether tables for any axis serve: those of the stack, or the one within the window of so few pupils that a table for this axis
-    // would cost more than it saves.
+    // Whether tables for any axis serve: for stacks whose pupils have axes of their own, or for so few pupils, with the axis
+    // within the window, that a table for this axis would cost more than it saves.
     bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
@@ -173,7 +177,7 @@ class PixelRenderer {
         }
     }
 
-    // What the largest value of a window may be: the peak of I or, of pixels that hold all light, its average.
+    // Guess at the largest value of a window: the peak of I or, for pixels that contain all light, their average.
     double likely_value(const Phase& phase) const {
         const double root = likely_peak(phase, stack_.obscuration);
         return 1.0 / (1.0 / (root * root) + window_.side() * window_.side() / (12.566370614359172 * aperture_.light));
@@ -195,7 +199,7 @@ class PixelRenderer {
                             0.5 * aperture_.area * aperture_.area);
     }
 
-    // To `made`, or as `painted` wants it.
+    // Computes the values of a window, to `made` or to painted.image; returns their errors.
     template <class Table>
     Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
                          Doubles& at_radii, WindowValues& made, const Painted& painted = {}) const {
@@ -226,8 +230,8 @@ class PixelRenderer {
         return f;
     }
 
-    // What the largest value over the whole plane is at least: a window may miss the peak, which for a defocused lens need
-    // not be on the axis. Looks at pixels along a line from the axis to where the last rays arrive.
+    // Lower bound on the largest value over the plane: a window may miss the peak, which for a defocused lens need not be on
+    // the axis. Computed at pixels along a line from the axis to where the last rays arrive.
     double peak_at_least(const Phase& phase, const Attempt& attempt) const {
         const double blur = 4.0 + phase.blur();
         constexpr double most = 512.0;
@@ -241,42 +245,42 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // What the stored values are off by over the peak, which is `elsewhere` at least if not in the window.
+    // Error of the stored values over the peak, which is at least `elsewhere` if it is not in the window.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
-    // Whether weights would be those of few pupils, and of pixels that share none.
+    // Whether weights would serve only few pupils and no two pixels.
     bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
-    // Whether pixels may be averaged from finer samples by filters.
+    // Whether filters of finer samples may average these pixels.
     bool filters_serve() const {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Whether weights for this axis are made by few products for each pupil.
+    // Whether weights for this axis take few products per pupil.
     bool weights_are_few() const {
         const double places = 0.8 * window_.step + 8.0;
         return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);
     }
-    // Whether averages may be the light that crosses edges: of coarse pixels, or where tables have to be as exact as they can.
+    // Whether averages may come from the light that crosses edges: coarse pixels, or tables at their limit of accuracy.
     bool crossings_serve(const Phase& phase) const {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // Of few pupils with an axis anywhere already where weights of rings are too many.
+        // For few pupils that share an axis, from a smaller pitch on if rings would take too many weights.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());
         return wide || first_attempt(phase).level >= exact_level;
     }
-    // About from where on pixels do without rings, in pixels.
+    // Approximate distance from the axis, in pixels, beyond which rings are left out.
     double ringed(const Phase& phase) const {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Whether averages had better be the light that crosses edges than by weights, which a stack shares: those of a pixel take as long
-    // as the light of so many, measured.
+    // Whether the light that crosses edges is faster than weights, which a stack shares: the weights of a pixel take as long as
+    // the light of 20 + step^2 / 4 pixels, measured.
     bool coarse(const Phase& phase) const {
         const bool serve = crossings_serve(phase);
         if (!serve || stack_.count == 1 || pixels() > most_tabled) {
@@ -285,7 +289,7 @@ class PixelRenderer {
         const double weights = static_cast<double>(pixels()) * (20.0 + 0.25 * window_.step * window_.step);
         return static_cast<double>(stack_.count) * window_.within(ringed(phase)) < CoarseAverages::of_weights * weights;
     }
-    // Whether that takes less than filters, for all pupils.
+    // Whether the light that crosses edges is faster than filters, for all pupils.
     bool light_pays() const {
         const double most = beside_filters * std::pow(window_.step, 4.0);
         const bool many = tol_ >= least_filtered && static_cast<double>(pixels()) > most;
@@ -303,7 +307,7 @@ class PixelRenderer {
         return {Budget::rings * room, std::max(RadialBudget::least, first_attempt(phase).error), Budget::sums * room};
     }
 
-    // What the largest average over the plane is at least, as peak_at_least() has it.
+    // Lower bound on the largest average over the plane, as peak_at_least().
     double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& asked) const {
         const std::size_t pixels =
             static_cast<std::size_t>(std::min(512.0, std::ceil((4.0 + phase.blur()) / window_.step)) + 1.0);
@@ -358,7 +362,7 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // Nor do powers of the distance round as little as weights do, or as I itself.
+                // The next methods round less than powers of the distance do.
             }
         }
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
@@ -370,7 +374,7 @@ class PixelRenderer {
                 return render_by<AverageRings>(pupil, threads);
             }
         } catch (const ToleranceNotMet&) {
-            // Roundings of long polynomials are more than those of weights for every pixel.
+            // Weights for every pixel round less than long polynomials do.
         }
         const bool many = rings || (window_.integrate && few_share() && !weights_are_few());
         if (!light_ && many && stack_.amplitude.closed() && rendered_coarse(pupil, threads)) {
@@ -378,7 +382,7 @@ class PixelRenderer {
         }
         render_by<PixelTable>(pupil, threads);
     }
-    // Returns false where differences of light within circles round more than weights do.
+    // Returns false if the tolerance is not met: differences of light within circles round more than weights do.
     bool rendered_coarse(std::size_t pupil, int threads) {
         try {
             render_coarse(pupil, threads);
@@ -423,7 +427,7 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // What the parts of the error may be, at a guess where nothing is seen yet.
+            // Allowed parts of the error; a guess while all values are below their error.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = asked;
@@ -469,12 +473,12 @@ class PixelRenderer {
         thread_local std::vector<T> kept;
         kept.resize(count);
         store_least(values, scale, count, least, kept.data());
-        const T* from = kept.data();  // of this thread, whoever paints
+        const T* from = kept.data();  // of this thread, for whichever thread paints
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
     }
 
-    // Derivatives by weights, of an image made without.
+    // Computes derivatives by weights, for an image made without.
     void differentiate(std::size_t pupil, int threads) {
         if (answer_.derivatives > 0) {
             Field field;
@@ -489,7 +493,7 @@ class PixelRenderer {
         }
     }
 
-    // dI/dc_k, averaged as I is: it is of exponential type 2 like I.
+    // Computes dI/dc_k, averaged as I is: it is of exponential type 2, too.
     template <class Table>
     void differentiate(std::size_t pupil, std::size_t which, const PixelWindow& window, Field& field, const Found<Table>& f,
                        double error, int threads) {
@@ -515,8 +519,8 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
     }
 
-    // Many pupils on one small window, or on those around their own axes, by the Bessel functions at the radii of one table.
-    // Returns false where it would not pay.
+    // Renders many pupils on one small window, or on windows around their own axes, with one table of radii. Returns false if
+    // that would not pay.
     template <class Table>
     bool render_batch() {
         const Box box(stack_);
@@ -524,7 +528,7 @@ class PixelRenderer {
         const Attempt attempt = first_attempt(worst);
         const auto shared = table_of<Table>(window_, attempt.level);
         const Table& table = *shared;
-        bool plain = false;  // I at the radii are the pixels
+        bool plain = false;  // pixels are I at the radii
         std::size_t values = pixels();
         if constexpr (std::is_same_v<Table, PixelTable>) {
             if (!table.serves_together()) {
@@ -562,15 +566,15 @@ class PixelRenderer {
     Aperture aperture_;
     PixelWindows windows_;
     PixelWindow window_;  // the first
-    double tol_, allowed_;  // the latter before values are stored
-    int level_ = 0;         // of tables that a stack shares, at least
-    bool light_ = false;    // whether averages of the stack are the light that crosses edges, one by one
+    double tol_, allowed_;  // allowed_: before values are stored
+    int level_ = 0;         // least accuracy of tables, which the stack shares
+    bool light_ = false;    // averages from the light that crosses edges, pupil by pupil
     int threads_;
     Answer<T> answer_;
 };
 
-// Images of a stack. Around an axis that folds a window I is computed at the distances that differ, unless they are so many that
-// looking them up takes longer than interpolation.
+// Renders a stack. About an axis that folds the window, I is computed at its distinct distances, unless these are so many that
+// look-ups take longer than interpolation.
 template <class T>
 void render_radial(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer) {
     constexpr std::size_t most_looked_up = std::size_t{1} << 21;

@@ -20,9 +20,9 @@ namespace lommel {
 struct WindowValues {
     Doubles values;
     std::size_t count = 0;
-    double penalty = 0.0;  // of the harmonics, in units of roundoff
+    double penalty = 0.0;  // rounding of evaluating harmonics, in units of roundoff
 
-    // By a table that serves any axis.
+    // With a table for any axis.
     template <class Table>
     void make(const Table& table, const PixelWindow& window, const double* at_radii, int threads) {
         thread_local Doubles scratch;
@@ -42,7 +42,7 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
         std::copy_n(at_radii, table.value_count, values.data());
         return;
     }
-    constexpr std::size_t block = 16;  // rings a task
+    constexpr std::size_t block = 16;  // rings per task
     const std::size_t tasks = (table.rings.size() + block - 1) / block;
     const auto work = [&](std::size_t task) {
         thread_local Doubles scratch;
@@ -66,7 +66,8 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
 }
 #endif
 
-// Windows of some pupils, from I at the radii, to made[pupil * apart]; returns the largest penalty.
+// Computes the windows of some pupils from I at the radii, at_radii[pupil * stride + radius], as made[pupil * apart + value];
+// returns the largest penalty.
 double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
                      std::size_t stride, double* made, std::size_t apart);
 #if defined(LOMMEL_DEFINES)
@@ -77,7 +78,7 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
     double penalties[at_once] = {};
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         for (std::size_t p = 0; p < pupils; p += at_once) {
-            // Pupils that are not there have some intensities too.
+            // Slots of missing pupils exist in the buffers and are computed, too.
             const double* from[at_once];
             double* to[at_once];
             for (std::size_t k = 0; k < at_once; ++k) {
@@ -100,11 +101,11 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// The bound on the error of values of a table: I at the radii is at most `size` there and off by `given`, its derivative
-// along a line is at most `slope` and itself within `swing` of a constant.
+// Bound on the error of a table's values (certificate, section 9, "Together"): at the radii I is at most `size` and in error by
+// `given`, its derivative along a line is at most `slope`, and I is within `swing` of a constant.
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
-    // Radii, places in a pixel, and pixels are off by a few roundings each.
+    // Radii are off by 3 roundings, places in a pixel by 6, pixels by 4.
     const double places = table.reach() * slope * (3.0 * table.magnification() + 6.0 * table.of_grid + 4.0);
     return table.magnification() * given + table.error * swing + unit_roundoff * (table.rounding * size + penalty + places);
 }

@@ -1,5 +1,4 @@
-// Many pupils on one small window: the transforms of the Legendre polynomials at its radii, and one matrix product for all
-// fields.
+// Many pupils on one small window: transforms of the Legendre polynomials at its radii, and one matrix product for all fields.
 #pragma once
 
 #include <algorithm>
@@ -37,12 +36,12 @@ struct RadiusTable {
     }
 
     bool is(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n) const {
-        return layout == l && step == pixel_step && terms == n;  // of as many, lest roundings depend on other stacks
+        return layout == l && step == pixel_step && terms == n;  // as many, lest roundings depend on other stacks
     }
     std::size_t bytes() const { return sizeof(double) * rows.size(); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // With terms rounded up, so that a little more defocus does not mean a new table.
+    // From the cache, with terms rounded up so that a little more defocus takes no new table.
     static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step, std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
@@ -50,8 +49,8 @@ struct RadiusTable {
 
 constexpr std::size_t block_pupils = 3;  // twelve chains of multiply-adds, as many as sixteen registers hold
 
-// Intensities of `block_pupils` pupils at all radii: out[p * stride + i]. beta_re and beta_im hold the coefficients of
-// each pupil at a distance of beta_stride. Bound by multiply-adds as long as the table stays in the second cache.
+// Computes the intensities of `block_pupils` pupils at all radii: out[p * stride + i], from coefficients beta_re and beta_im[p
+// * beta_stride + n]. Bound by multiply-adds as long as the table stays in the second-level cache.
 template <class I>
 LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t terms, const double* beta_re,
                                      const double* beta_im, std::size_t beta_stride, double* out) {
@@ -77,22 +76,21 @@ LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t te
     }
 }
 
-// A stack without obscuration, by one such table for all pupils.
+// Stack without obscuration, all of whose pupils share one table of radii.
 class Batch {
    public:
-    static constexpr std::size_t group = 32;  // pupils a task
+    static constexpr std::size_t group = 32;  // pupils per task
 
     static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
 
-    // Whether that takes fewer multiply-adds than pupils one by one: a pupil by pieces, and by the table at the exact radii,
-    // whose making is shared by the stack. Counted from the
-    // loops, not measured.
+    // Whether the table takes fewer multiply-adds than pieces, pupil by pupil; the stack shares the making of the table.
+    // Counted from the loops, not measured.
     static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
         const double reach = at.reach() * step, radii = static_cast<double>(at.count);
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack.count);
-        // Far corners of a stack might be refused where no pupil is.
+        // The corner of the stack's box may be refused even if no pupil is near it, so large phases are excluded.
         return table < pieces && terms * radii < 4e6 && worst.size() < 1e3;
     }
 
@@ -104,7 +102,7 @@ class Batch {
     // Bound on the error of U of one pupil.
     double error(std::size_t pupil) const { return plan_.error(stack_[pupil]) + rounding_; }
 
-    // Hands I at the radii to take(first, count, values, stride) for each group of pupils.
+    // Passes I at the radii to take(first, count, values, stride) for each group of pupils.
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, std::size_t stride)>;
     void run(int threads, const Take& take) const;
 
@@ -121,7 +119,7 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // A group at a time through each stage, so that one table at a time fills the first cache.
+        // Each stage runs for a whole group, so that the first-level cache holds one table at a time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

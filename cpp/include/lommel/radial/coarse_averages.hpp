@@ -1,4 +1,5 @@
-// Averages of a radially symmetric PSF over pixels that are wide against its rings: the light that crosses their edges.
+// Averages of a radially symmetric PSF over pixels wider than its rings, from the light that crosses their edges (certificate,
+// section 9, "Coarse pixels").
 #pragma once
 
 #include <algorithm>
@@ -22,13 +23,13 @@
 
 namespace lommel {
 
-// What depends on the window only: its pixels that differ, and what the average of r^-3 over each is.
+// Tables that depend on the window only: its distinct pixels, and the average of r^-3 over each.
 struct CoarseWindow {
     PixelWindow window;
     PixelGroups groups;
-    std::vector<double> edges;  // distances of the sides of pixels from the axis, in pixels, rising
-    std::vector<std::int32_t> left, right, top, bottom;  // of each column and row of pixels, among these
-    Doubles means;  // of r^-3, in pixels
+    std::vector<double> edges;  // distances of the sides of pixels from the axis, in pixels, ascending
+    std::vector<std::int32_t> left, right, top, bottom;  // [column] or [row]: index into edges
+    Doubles means;  // [group]: average of r^-3, in pixels
 
     explicit CoarseWindow(const PixelWindow& w);
 
@@ -37,14 +38,14 @@ struct CoarseWindow {
     static constexpr std::size_t most_bytes = std::size_t{48} << 20;
     static std::shared_ptr<const CoarseWindow> get(const PixelWindow& w) { return cache<CoarseWindow>.get(w); }
 
-    // Calls f(group, column, row) for each pixel that differs, of those not farther from the axis than so many pixels along both axes.
+    // Calls f(group, column, row) once for each distinct pixel whose nearer sides are less than `limit` pixels from the axis.
     template <class F>
     void each(double limit, const F& f) const {
         const std::size_t columns = left.size(), rows = top.size();
         for (std::size_t i = 0; i < rows && edges[top[i]] < limit; ++i) {
             for (std::size_t k = 0; k < columns && edges[left[k]] < limit; ++k) {
                 const std::int32_t group = groups.index[i * columns + k];
-                // Where the window has it, (k, i) is the same, and came before.
+                // The mirror image (k, i) in the window was visited before.
                 if (!(k < i && i < columns && k < rows && group == groups.index[k * columns + i])) {
                     f(static_cast<std::size_t>(group), k, i);
                 }
@@ -52,7 +53,7 @@ struct CoarseWindow {
         }
     }
     bool holds_axis(std::size_t column, std::size_t row) const { return edges[left[column]] < 0.0 && edges[top[row]] < 0.0; }
-    // Squares of the distances of the nearest and the farthest point of the edges of a pixel.
+    // Squared distances from the axis, in pixels, of the nearest and of the farthest point of a pixel's edges.
     double nearest(std::size_t column, std::size_t row) const {
         const double x0 = edges[left[column]], x1 = edges[right[column]], y0 = edges[top[row]], y1 = edges[bottom[row]];
         if (holds_axis(column, row)) {
@@ -68,7 +69,7 @@ struct CoarseWindow {
     }
 
    private:
-    // The integral of x / r^3 along an edge at x, from `start` to one pixel on.
+    // Integral of x / r^3 along an edge at x, from `start` to start + 1, in pixels.
     static double crossing(double x, double start) {
         const double end = start + 1.0, before = std::sqrt(x * x + start * start), after = std::sqrt(x * x + end * end);
         if (start < 0.0) {
@@ -108,26 +109,28 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 }
 #endif
 
-// The light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with what it may be off by.
+// Light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with its error bound.
 class EnergyWithin {
    public:
-    static constexpr double width = 2.0;  // of panels, in v
-    double rounding = 0.0;                // of any value
+    static constexpr double width = 2.0;  // of a panel, in v
+    double rounding = 0.0;                // of any value of E
 
-    // From I at Chebyshev points, so many a panel, up to `reach`. `swing` is half of what I may be.
+    // Computes E up to `reach` from I at `points` Chebyshev points per panel, for U to the error `asked`. `swing` is half of
+    // the largest value that I may have.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
               double swing, int threads);
 
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
-    // The sums over the nodes of an edge at x, from `start` on, in pixels of `step`: of E x / r^2; of x / r^2, about the angle
-    // that it is seen at; and what the errors of E come to. Nodes are as many as are summed together, or more. Bound by loads.
+    // Integrates along an edge at x from `start` to start + 1, in pixels of `step`, by Gauss's rule: light, E x / r^2; turn, x
+    // / r^2, about the angle subtended at the axis; off, bound on the effect of errors of E. The number of nodes is a multiple
+    // of `together`. Bound by loads.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
 
-    // What the integral over I up to a radius may be off by.
+    // Bound on the error of E(r).
     double off(double r) const {
         const std::size_t s = panel(r);
         const double inside = width * static_cast<double>(s);
@@ -140,13 +143,14 @@ class EnergyWithin {
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
-    std::vector<Doubles> transforms_;  // of so many values at Chebyshev points to coefficients, once made: [point][coefficient]
+    std::vector<Doubles> transforms_;  // [points]: matrix from values at Chebyshev points to coefficients, [point][coefficient]
     std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // scratch
-    std::vector<double> energies_, offs_;  // [panel][power of the place in it]; [panel](at its beginning, of I within)
+    // E, [panel][power of the place in it]; [panel][error of E at its beginning, of I within it].
+    std::vector<double> energies_, offs_;
 };
 
 #if defined(LOMMEL_DEFINES)
-// Sums over rows of a matrix, each times a factor.
+// sums[column]: sum over the rows of a matrix, each times its factor.
 LOMMEL_ONCE void EnergyWithin::rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns,
                                            double* sums) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -186,7 +190,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     transforms_.resize(std::max(transforms_.size(), points + 1));
     Doubles& transform = transforms_[points];
     if (transform.size() == 0) {
-        const Doubles by_coefficient = cosine_transform(points);  // of points that fall
+        const Doubles by_coefficient = cosine_transform(points);  // for points in descending order
         transform.resize(points * points);
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t j = 0; j < points; ++j) {
@@ -204,7 +208,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     moment_.resize(points + 3);
     series_.resize(count_);
     monomials_.assign(count_ * count_, 0.0);  // of T_k: [k][power]
-    sizes_.assign(count_, 0.0);  // of what they, evaluated, are rounded by
+    sizes_.assign(count_, 0.0);  // [k]: roundings of evaluating T_k by powers
     for (std::size_t k = 0; k < count_; ++k) {
         for (std::size_t power = k % 2; power <= k; power += 2) {
             const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
@@ -220,7 +224,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // Of E: from its coefficients and of places, that of I on the panel being at most `tall`.
+        // Rounding of E: of its coefficients, and of places; I is at most `tall` on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -272,36 +276,37 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 }
 #endif
 
-// Averages of one pupil over the pixels of a window. A pixel near the axis is the light that crosses its four edges, by Gauss's rule
-// along each; of one farther out the rings are left out, for whose light a bound is known.
+// Averages of one pupil over the pixels of a window. Near the axis they are the light that crosses a pixel's four edges, by
+// Gauss's rule along each; farther out they are the smooth tail, and a bound holds for the rings left out.
 class CoarseAverages {
    public:
-    // The errors of an average without its rings, and of one with them; the largest average.
+    // Error of averages without rings, and of those with rings; the largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double least_exact = 2.0;  // v a pixel, from which on this may serve where much is asked
-    static constexpr std::size_t few = 8;  // pupils, for which filters may
+    static constexpr double least_exact = 2.0;  // v per pixel, from which on this may serve high accuracy
+    static constexpr std::size_t few = 8;  // largest number of pupils for which filters may serve
 #if defined(__wasm__)
     // The live page has one image of a window, whose weights no other image would share.
     static constexpr double least = 3.0, least_alone = least, of_weights = 1e9;
 #else
-    static constexpr double least = 7.4;         // v a pixel, from which on this serves
-    static constexpr double least_alone = 4.0;   // and of few pupils whose weights would be made for them alone
-    static constexpr double of_weights = 0.125;  // of the time of weights that stacks share, what it may take
+    static constexpr double least = 7.4;         // v per pixel, from which on this serves
+    static constexpr double least_alone = 4.0;   // for few pupils, whose weights would be made for them alone
+    static constexpr double of_weights = 0.125;  // limit on its time over that of weights, which stacks share
 #endif
 
     struct Attempt {
-        double rings, field, sums;  // asked: of averages, of U, of averages
+        double rings, field, sums;  // requested errors: of averages by rings left out; of U; of averages by quadrature
     };
 
-    // The error of averages over pixels at a distance of r at least whose rings are left out. The two edges that are seen from the
-    // axis turn by step sqrt(2) / r at most, and the others back; around a pixel that holds the axis, at least 2 r wide, both parts
-    // count pi / 2 times what a turn of step / r makes of them. And from where on it is below what is asked.
+    // Bound on the error of averages without rings, over pixels at a distance of r or more. The two edges that face the axis
+    // subtend at most step sqrt(2) / r, and the others as much in the opposite sense. A pixel that contains the axis is at
+    // least 2 r wide; both parts are then at most pi / 2 times those of a subtended angle of step / r.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
+    // Least distance, found by bisection, beyond which averages without rings are off by at most `asked`.
     static double without_rings(const EnergyTail& tail, double step, double asked) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {
@@ -311,7 +316,7 @@ class CoarseAverages {
         return high;
     }
 
-    // `light` is int E_0^2 dt, `area` the largest |U| may be.
+    // `light` is int E_0^2 dt, `area` the largest possible |U|.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
               const Attempt& asked, int threads);
 
@@ -356,14 +361,14 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
     error = 0.0;
     if (!near_.empty()) {
         reach = step * std::sqrt(reach);
-        const double room = asked.sums * square;  // of an integral over a pixel
+        const double room = asked.sums * square;  // allowed error of an integral over a pixel
         const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
         const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
         const std::size_t points =
             fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
         energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
         constexpr std::size_t together = EnergyWithin::together;
-        nodes_.assign(q + together, 0.0);  // what is beyond the last has no weight
+        nodes_.assign(q + together, 0.0);  // nodes beyond the last have weight 0
         weights_.assign(q + together, 0.0);
         gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
         for (std::size_t j = 0; j < q; ++j) {
@@ -396,7 +401,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of E counts as often as the edges turn about the axis.
+            // A constant error of E is multiplied by the sum of the angles that the edges subtend, which nearly cancel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

@@ -15,7 +15,7 @@
 
 namespace lommel {
 
-// How a disk is expanded: enough terms and quadrature nodes for an error in U at every v up to a reach.
+// Terms and quadrature nodes of a disk's series that keep the error of U below a given one at every v up to a reach.
 struct Expansion {
     std::size_t terms = 0;
     std::shared_ptr<const LegendreRule> rule;
@@ -26,8 +26,8 @@ struct Expansion {
 
     std::size_t room() const { return rule->blocks * 2 * row_lanes; }
 
-    // Roundings of exp(i Phi) at the nodes reach U undiminished at most (Parseval, twice); those of the sums over half
-    // the nodes, in two chains, come with the square root of the number of terms.
+    // Roundings of exp(i Phi) at the nodes reach U undiminished at most (Parseval, twice); those of the sums over half the
+    // nodes, in two chains, are multiplied by the root of the number of terms: certificate, section 4.
     double error(const Phase& phase) const {
         const double rounding = phase.sensitivity() + 8.0 +
                                 std::sqrt(static_cast<double>(terms)) *
@@ -41,7 +41,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     check_reach(reach);
     const double left = RadialBudget::truncation * error;
     std::tie(terms, truncation) = ellipses.terms(left);
-    // Counted only where the window takes fewer terms than the phase.
+    // Computed only if the window takes fewer terms than the phase.
     if (terms > 1 && window_tail(terms - 1, reach) <= left) {
         terms = window_terms(reach, left);
         truncation = window_tail(terms, reach);
@@ -57,11 +57,11 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
 }
 #endif
 
-// What the rounding of radii does to U up to v: in units of a piece they are off by three roundings, the step in v by three,
-// and |U'| <= int sqrt(t) |J_1(v sqrt t)| dt is at most 1/2 and, |J_1(x)| being at most 0.826 / sqrt(x), 0.661 / sqrt(v).
+// Effect on U of the rounding of radii up to v: three roundings in units of a piece and three of the step; |U'| <= int sqrt(t)
+// |J_1(v sqrt t)| dt is at most 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), at most 0.661 / sqrt(v).
 inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
-// Of the sum over a series at one radius: by Cauchy and Parseval, the magnitudes of what is added sum to at most 1.
+// Rounding of the sum of a series at one radius: by Cauchy and Parseval, the moduli of its terms sum to at most 1.
 inline double series_rounding(std::size_t terms) { return unit_roundoff * (static_cast<double>(terms) + 16.0); }
 
 // The Legendre series of t^power exp(i Phi) on a full disk.

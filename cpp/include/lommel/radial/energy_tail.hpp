@@ -1,4 +1,4 @@
-// The light of a radially symmetric pupil far from the axis: its mean falls as r^-3, and what its rings may hold is bounded.
+// Light of a radially symmetric pupil far from the axis: its mean falls as r^-3, and a bound holds for its rings.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,15 @@
 
 namespace lommel {
 
-// Outside the rays only the edges of the aperture send light. Integrated by parts, U is a sum of Bessel functions times derivatives
-// of the pupil function there, and these are sums of exp(+- i v) and exp(+- i eps v) with powers of 1 / v. I is a mean, whose
-// leading part is mean() / v^3, and rings, of which only the ends of an integral are left. docs/certificate.md, section 9.
+// Beyond the rays only the edges of the aperture contribute. By partial integration U is a sum of Bessel functions times
+// derivatives of the pupil function at the edges, hence of exp(+- i v) and exp(+- i eps v) times powers of 1 / v. I is a mean
+// with the leading part mean() / v^3, and rings, whose integral is bounded by its value at the lower end: certificate, section
+// 9, "Farther out".
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
         add_waves(phase, 1.0);
-        if (obscuration >= 1e-9) {  // as Field has it
+        if (obscuration >= 1e-9) {  // Field ignores smaller ones
             add_waves(phase, obscuration);
         }
         for (std::size_t i = 0; i < wave_count_; ++i) {
@@ -44,7 +45,7 @@ class EnergyTail {
     }
 
     double mean() const { return means_[0]; }
-    // What is left out of int_r^inf I s ds, and of I, without rings.
+    // B(r): bound on the error of int_r^inf I s ds when its rings are left out.
     double rings(double r) const {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
@@ -56,6 +57,7 @@ class EnergyTail {
         const double rest = remainder(r), order = static_cast<double>(terms);
         return sum + r * r * rest * (2.0 * size / (r * std::sqrt(r)) / (order + 1.0) + rest / (2.0 * order + 1.0));
     }
+    // Bound on the smooth part of I beyond its leading term, mean() / r^3.
     double curved(double r) const {
         double sum = 0.0, power = 1.0 / (r * r * r);
         for (std::size_t n = 1; n < 2 * powers; ++n) {
@@ -66,26 +68,27 @@ class EnergyTail {
     }
 
    private:
+    // Derivatives expanded in waves; powers of 1 / v of a wave; derivatives bounded for the remainder.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {
         double frequency = 0.0;
-        std::array<std::complex<double>, powers> parts{};  // of v^(-3/2 - n)
+        std::array<std::complex<double>, powers> parts{};  // [n]: coefficient of v^(-3/2 - n)
     };
-    // What a Bessel function is off by, times v^power.
+    // Remainder of a Hankel expansion: at most factor * v^-power.
     struct Left {
         double factor = 0.0, power = 0.0;
     };
 
-    // sup of sqrt(x) |J_n(x)|, n >= 1 (Olenko, J. Math. Anal. Appl. 2006).
+    // Olenko's bound on sup sqrt(x) |J_n(x)|, n >= 1 (J. Math. Anal. Appl. 2006).
     static double envelope(std::size_t n) {
         const double third = std::cbrt(static_cast<double>(n));
         return 0.674886 * std::sqrt(third + 1.855757 / third + 1.0331501 / static_cast<double>(n));
     }
 
-    // Derivatives by t of the pupil function at rho = edge, E_k.
+    // Returns E^(k), the derivatives with respect to t of the pupil function at rho = edge.
     static std::array<std::complex<double>, terms> derivatives(const Phase& phase, double edge) {
-        // Those of Legendre's polynomials of 2t - 1, over 2^k: of the degree below, and of the one below that.
+        // [k]: k-th derivatives with respect to x = 2t - 1 of the Legendre polynomials of the two preceding degrees.
         std::array<double, terms> below{}, before{};
         std::array<std::complex<double>, terms> exponent{}, made{};
         const double x = 2.0 * edge * edge - 1.0;
@@ -120,7 +123,8 @@ class EnergyTail {
         return made;
     }
 
-    // The sum of (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v); that of the inner edge is subtracted, which no mean nor bound shows.
+    // Adds the waves of sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v). In U those of the inner edge are subtracted; the
+    // sign is left out, as neither means nor bounds depend on it.
     void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
@@ -128,7 +132,7 @@ class EnergyTail {
             const double order = static_cast<double>(k + 1);
             const std::complex<double> factor =
                 (k % 2 == 0 ? 1.0 : -1.0) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
-            // Hankel's expansion: from as many terms on, an even number, its remainder is below its next two.
+            // Hankel's expansion: from `count` terms on, an even number, its remainder is below the next two (DLMF 10.17(iii)).
             const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
             double hankel = 1.0;
             const auto advance = [&](std::size_t l) {
@@ -152,11 +156,11 @@ class EnergyTail {
         waves_[wave_count_++] = back;
     }
 
-    // Bounds on the derivatives all over the aperture.
+    // Bounds the derivatives of the pupil function over the whole aperture.
     void bound_derivatives(const Phase& phase, double obscuration) {
         std::array<double, orders> slopes{}, series{};
         for (std::size_t j = 1; j <= phase.terms; ++j) {
-            double binomials = std::abs(phase.coefficients[j - 1]);  // times those of j + k and of j over k
+            double binomials = std::abs(phase.coefficients[j - 1]);  // times binomial(j + k, k) binomial(j, k)
             for (std::size_t k = 1; k <= std::min(j, orders - 1); ++k) {
                 binomials *= static_cast<double>((j + k) * (j - k + 1)) / static_cast<double>(k * k);
                 slopes[k] += binomials;
@@ -177,7 +181,7 @@ class EnergyTail {
         }
     }
 
-    // What is left out of U; it falls as v^(-terms - 3/2) at least.
+    // Bound on the part of U that the waves leave out; it falls as v^(-terms - 3/2) or faster.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
         for (std::size_t i = 0; i < left_count_; ++i) {
@@ -191,11 +195,12 @@ class EnergyTail {
         return least;
     }
 
-    // Of the edges of the aperture and of its obscuration.
+    // Two waves for each edge, of the aperture and of its obscuration.
     std::array<Wave, 4> waves_{};
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
+    // [k]: bounds on the edge term of derivative k times v^(k + 3/2), and on the remaining integral times v^(k + 1/2).
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Where a field is wanted: at radii[0 .. count), rising, `step` in v each; or anywhere up to a reach in v.
+// Radii at which a field is needed: radii[0 .. count), ascending, in units of `step` in v; or any v up to a reach.
 struct Places {
     const double* radii;
     std::size_t count;
@@ -27,15 +27,15 @@ struct Places {
     double reach() const { return count > 0 ? radii[count - 1] * step : radii == nullptr ? step : 0.0; }
 };
 
-// U of a pupil, obscured or not, as a function of v. Holds the scratch of one thread; nothing is allocated once it has
+// U of a pupil, obscured or not, as a function of v. Owns the scratch of one thread, which is not reallocated once it has
 // grown.
 class Field {
    public:
-    // Makes ready for some places, with t^power before exp(i Phi); returns the bound on the error of U.
+    // Prepares for `places` the field of t^power A exp(i Phi), to about `error`; returns the bound on the error of U.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
-    // Hands U at radii[first .. last), rising, `step` in v each, to sink(i - first, re, im), a vector at a time. The
-    // arrays behind it must have room for widest_step values past the last, and so must the radii.
+    // Passes U at radii[first .. last), ascending, in units of `step` in v, to sink(i - first, re, im), a vector at a time. The
+    // sink and the radii need room for widest_step values past the last.
     template <class I, class Sink>
     LOMMEL_INLINE void evaluate(I isa, const double* radii, std::size_t first, std::size_t last, double step,
                                 const Sink& sink) {
@@ -54,20 +54,20 @@ class Field {
                       [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA { sink(i, a - load<V>(re + i), b - load<V>(im + i)); });
     }
 
-    // U there: re[i - first], im[i - first].
+    // Writes U at these radii to re[i - first], im[i - first].
     void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
 
    private:
-    // Near the axis every piece that holds a radius is worth its table, which all calls share. Farther out only those are that
-    // hold as many radii as the table takes points; the other radii are summed by the series, one by one.
+    // Up to v = near, every piece that contains a radius has a table, which all calls share. Farther out only pieces with at
+    // least `crowd` radii have one, as many as the table takes points; at other radii the series is summed, one by one.
     static constexpr double near = 4096.0;
     static constexpr std::size_t crowd = degree_count;
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of the pieces for one call
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the pieces of one call
 
     std::size_t piece_at(double radius, double per_pixel) const {
         return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
     }
-    // The end of the radii in piece s from `first` on.
+    // Index of the first radius after `first` that is beyond piece s.
     std::size_t end_of(std::size_t s, const double* radii, std::size_t first, std::size_t last, double per_pixel) const {
         if (s + 1 == all_) {
             return last;
@@ -153,7 +153,7 @@ class Field {
                         b[j] = b[j] * x[j] + m;
                     }
                 }
-                // What lies past the end of the piece is overwritten by the next.
+                // Values past the end of the piece are overwritten by those of the next.
                 for (std::size_t j = 0; j < unroll; ++j) {
                     sink(i - first + j * I::lanes, a[j], b[j]);
                 }
@@ -162,7 +162,7 @@ class Field {
         }
     }
 
-    // Without pieces, by the Bessel functions themselves: slower, for tolerances that no piece meets.
+    // Sums the series at v with the Bessel functions themselves, without pieces: slower, for tolerances that no piece meets.
     void sum(const Disk& disk, double v, double& re, double& im) {
         transforms_.resize(disk.terms);
         legendre_transforms(v, disk.terms, transforms_.data(), bessel_);
@@ -176,9 +176,9 @@ class Field {
     Disk outer_, inner_;
     double obscuration_ = 0.0, weight_ = 0.0;
     std::shared_ptr<const PieceTable> table_;
-    // Pieces up to the reach; those that one radius is enough for; those for which there may be tables.
+    // Number of pieces up to the reach; of leading ones that are used even for one radius; end of those that may have tables.
     std::size_t all_ = 1, leading_ = 0, end_ = 0;
-    bool few_ = false;  // whether the series serves some radii
+    bool few_ = false;  // whether the series is summed at some radii
     SeriesScratch scratch_;
     SmallerDisk smaller_;
     std::vector<double> inner_phase_, transforms_, bessel_;
@@ -190,13 +190,13 @@ class Field {
 LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places,
                                   double error) {
     const double reach = places.reach();
-    // An obscuration that takes less light than the rounding is none.
+    // An obscuration whose light is below rounding is ignored.
     obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
     const double area = obscuration_ * obscuration_;
     double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
     weight_ = 0.0;
     if (area > 0.0) {
-        // The inner disk carries the phase of rho < eps.
+        // The phase at rho < eps, expanded on the inner disk.
         weight_ = std::pow(area, static_cast<double>(power + 1));
         inner_phase_.assign(phase.terms + 1, 0.0);
         double lost = 0.0;

@@ -15,16 +15,16 @@
 
 namespace lommel {
 
-constexpr std::size_t chunk_radii = 4096;  // whose values stay in the first cache
+constexpr std::size_t chunk_radii = 4096;  // radii per chunk; their values fit the first-level cache
 
-// Hands I at the places that a field is ready for to take(first, count, values), chunk by chunk; returns the largest.
+// Passes I at the places that `field` is prepared for to take(first, count, values), chunk by chunk; returns the largest.
 using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
 double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
-        // Vectors reach beyond the end of a chunk, which is another's beginning.
+        // Vectors are stored beyond the end of a chunk, where another chunk begins: hence a buffer.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         double top = 0.0;
@@ -44,7 +44,7 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
         }
         return top;
     }
-    // The scratch of a field belongs to one thread, and so does the largest value that it found.
+    // The scratch of a field belongs to one thread, and so does its largest value.
     std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
     std::vector<double> tops(fields.size(), 0.0);
     parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) {
@@ -59,7 +59,7 @@ struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // bound on the error of T, largest |T|^2, largest |dI/dc_k|
 
-    // At the places that `field` is ready for.
+    // `field` must be prepared for `places`; `asked` is the error of T that is requested.
     Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked);
 };
 
@@ -69,7 +69,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
     : values(places.count) {
     Field derivative;
     error = derivative.prepare(phase, power, obscuration, places, asked);
-    // Vectors overlap where pieces meet, so the results must not replace what they are made of.
+    // Vectors overlap where pieces meet, so results are not written over their input.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
         look();
@@ -93,8 +93,8 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
 }
 #endif
 
-// The largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need
-// not be on the axis.
+// Returns the largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not
+// be on the axis.
 double scanned_peak(const Phase& phase, double obscuration, double error);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
@@ -112,14 +112,14 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 #endif
 
 struct Settled {
-    double error, bound;  // asked of U, proven of U
-    double relative;      // proven of the finished values
-    double top, peak;     // largest I in the window; the peak, where that was looked for elsewhere
+    double error, bound;  // of U: requested, proven
+    double relative;      // proven bound of the finished values
+    double top, peak;     // largest I in the window; peak, if it was searched elsewhere
 };
 
-// Prepares `field` for some places, asking for less error until values of type T are within `tol` of the peak of the PSF.
-// `evaluate` computes the intensities of the window from the field and returns the largest, by which they will be divided if
-// `normalize`, after they are stored.
+// Prepares `field` for `places` with less and less error until values of type T are within `tol` of the peak of the PSF.
+// `evaluate` computes the intensities of the window and returns the largest, by which they are divided if `normalize`, after
+// they were stored.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

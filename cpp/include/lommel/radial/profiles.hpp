@@ -13,15 +13,15 @@
 
 namespace lommel {
 
-// Rising v with room behind them for whole vectors.
+// Copy of ascending v, padded for whole vectors.
 inline Doubles padded(const double* v, std::size_t count) {
     Doubles radii(v, v + count);
     radii.resize(count + widest_step, count > 0 ? v[count - 1] : 0.0);
     return radii;
 }
 
-// U at rising v, out[pupil * count + i], of the phase that is 0 in the middle of the pupil, with an error that serves an intensity
-// within `tol` of the likely peak.
+// Computes U at ascending v, out[pupil * count + i], with the phase that is 0 at the centre of the pupil, to an error that
+// keeps the intensity within `tol` of the likely peak.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
     const Doubles radii = padded(v, count);
@@ -35,7 +35,7 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
             look();
             field.values(radii.data(), first, std::min(count, first + chunk_radii), 1.0, re.data() + first, im.data() + first);
         }
-        // There the terms are -1, 1, -1, ...
+        // R_2j^0(0) = (-1)^j.
         double middle = 0.0;
         for (std::size_t k = 0; k < phase.terms; ++k) {
             middle += k % 2 == 0 ? -phase.coefficients[k] : phase.coefficients[k];
@@ -48,8 +48,8 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     }
 }
 
-// I at rising v, out[pupil * count + i]; bounds on its error over the peak, negative where `tol` cannot be met, and what
-// the peak was taken to be.
+// Computes I at ascending v, out[pupil * count + i], error bounds over the peak, negative if `tol` is not met, and the peaks
+// they refer to.
 inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
                      double* peaks, int threads = 1) {
     const Doubles radii = padded(v, count);

@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Gauss nodes of [0, 1] and the Legendre polynomials there, weighted. P_n is even or odd about the middle, so half
-// the nodes serve: even orders meet the sum of exp(i Phi) at mirrored nodes, odd ones the difference.
+// Gauss nodes of [0, 1] and the weighted Legendre polynomials there. P_n is even or odd about the middle, so half the nodes
+// suffice: even orders multiply the sum of exp(i Phi) at mirrored nodes, odd orders the difference.
 struct LegendreRule {
     std::size_t half;    // nodes in the upper half, a multiple of 8
     std::size_t blocks;  // groups of 16 orders, 8 even ones and 8 odd ones
@@ -53,7 +53,7 @@ struct LegendreRule {
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    // At sizes rounded up so that there are few.
+    // From the cache, with sizes rounded up so that few tables are made.
     static std::shared_ptr<const LegendreRule> get(std::size_t nodes, std::size_t terms) {
         const std::size_t n = round_up(nodes, nodes < 256 ? 16 : 64), k = round_up(terms, n <= 256 ? 16 : 64);
         return cache<LegendreRule>.get(n, k);
@@ -63,12 +63,13 @@ struct LegendreRule {
     static std::size_t round_up(std::size_t n, std::size_t step) { return (n + step - 1) / step * step; }
 };
 
-// Scratch of one thread; grows and is kept.
+// Scratch of one thread; grows and is reused.
 struct SeriesScratch {
     Doubles sum_re, sum_im, difference_re, difference_im;
 };
 
-// With Phi = sum_n phase[n - 1] P_n(2t - 1), the first `terms` coefficients of t^power A exp(i Phi), A the amplitude, up to whole blocks of 16, as beta_re, beta_im.
+// Computes beta_re, beta_im: the first `terms` Legendre coefficients of t^power A exp(i Phi), up to whole blocks of 16, with
+// the phase Phi = sum_n phase[n - 1] P_n(2t - 1) and the amplitude A.
 template <class I>
 LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
                                          const Amplitude& amplitude, std::size_t power, std::size_t terms, double* beta_re,

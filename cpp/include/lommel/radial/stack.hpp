@@ -11,23 +11,23 @@
 
 namespace lommel {
 
-// The pupil function A exp(i Phi): coefficients of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, in radians, and the amplitude,
-// which is not copied.
+// Pupil function A exp(i Phi): coefficients (rad) of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, and the amplitude, which is
+// not copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
     const Amplitude* amplitude = &even_light;
 
     double size() const { return weighted(0.0, 0.0, 1.0); }
-    // What roundings do to the phase, its mean over t: of each coefficient two, of P_j(x) one, of the products and the sum at
-    // most K + 1, K of the coefficients not being 0, and that of the node x, half a one at most, as much as the mean of |P_j'|:
-    // by Cauchy at most sqrt(j (j + 1) / 2).
+    // Rounding of the phase, its mean over t in units of roundoff (certificate, section 4): two of each coefficient, one of
+    // P_j(x), K + 1 of products and sum for K nonzero coefficients, and that of the node x, half a unit magnified by the mean
+    // of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy.
     double sensitivity() const {
         const double used =
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
         return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
     }
-    // How far from the axis rays arrive, in v, at most: |dR_2j/drho| <= 2 j (j + 1).
+    // Largest distance from the axis that rays reach, in v: |dR_2j/drho| <= 2 j (j + 1).
     double blur() const { return weighted(2.0, 2.0, 0.0); }
 
    private:
@@ -49,14 +49,14 @@ struct Stack {
     Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms, &amplitude}; }
 };
 
-// The least and the most of each coefficient in a stack, and the farthest from 0.
+// Range of each coefficient in a stack, and its largest modulus.
 struct Box {
     std::vector<double> least, most, farthest;
 
     Box() = default;
     explicit Box(const Stack& stack) { hold(stack); }
 
-    // Allocates nothing where as many terms were held before.
+    // Allocates nothing if the number of terms has not grown.
     void hold(const Stack& stack) {
         least.assign(stack.coefficients, stack.coefficients + stack.terms);
         most = least;
@@ -74,18 +74,18 @@ struct Box {
     Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
 };
 
-// Where the answer goes. For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the
-// largest value instead), the bound on the error over the peak, that peak, and dI/dc_k for each of `derivatives`.
+// Output arrays. For each pupil: the image, the factor of the intensity (0 on entry: divide by the largest value), the error
+// bound over the peak, that peak, and dI/dc_k for each of `derivatives`.
 template <class T>
 struct Answer {
     T* images;
     double *scales, *bounds, *peaks;
-    const std::size_t* powers;  // the k of dI/dc_k
+    const std::size_t* powers;  // [derivative]: k of dI/dc_k
     std::size_t derivatives;
     T* derivative_images;  // [derivative][pupil][height][width]
     double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
 
-    // Notes what a pupil came to, `top` being the largest value of its image; returns the scale.
+    // Stores the numbers of a pupil, `top` being the largest value of its image; returns the scale.
     double finish(std::size_t pupil, double top, double peak, double bound) const {
         bounds[pupil] = bound;
         peaks[pupil] = peak;
@@ -93,21 +93,21 @@ struct Answer {
     }
 };
 
-// What the error of an image is spent on.
+// Error budget of an image (certificate, section 6).
 struct RadialBudget {
-    // Of the tolerance times the peak of |U|, on U, which counts twice in I; the rest is a margin, for the peak is a guess.
+    // Error of U over the tolerance times the peak of |U|. It counts twice in I; the rest is a margin, as the peak is a guess.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Of the error of U, on the disk and the obscured one, and on interpolation between the radii of pieces.
+    // Shares of the error of U: the disk, the obscuration, and interpolation between the radii of pieces.
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
-    // Of that of a disk, on terms left out (by the phase or by the window) and on quadrature.
+    // Shares of the error of a disk: terms left out (by the phase or by the window), and quadrature.
     static constexpr double truncation = 0.5, quadrature = 0.1;
     static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
-    // What is asked of U where that did not do: a part of what was asked before, down to some roundings.
+    // Factor on the error of U for another attempt, and the least error that is tried.
     static constexpr double again = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+// Guess at sup|U|. Most PSFs exceed it; for others the error is tightened once the peak is known.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

@@ -1,4 +1,5 @@
-// Averages over pixels far from the axis, of pupils of any Zernike terms, from the rims of their apertures.
+// Averages over pixels far from the axis, for pupils of any Zernike terms, from the rims of their apertures (certificate,
+// section 10).
 #pragma once
 
 #include <algorithm>
@@ -21,24 +22,24 @@
 
 namespace lommel {
 
-// Of a stack whose axes are in the middle of pixels, tilts being less than one: see DiskStack::move_axes().
+// Pupils whose axes are in the middle of pixels, tilts being less than a pixel: see DiskStack::move_axes().
 class RimStack {
    public:
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // The root of the mean of |Q_K|^2 over the disk, K = rim_orders.
+    // Writes to out[pupil] the root of the mean of |Q_K|^2 over the disk, K = rim_orders.
     void remainders(int threads, double* out) const;
 
    protected:
-    // Pupils side by side; or one, whose lanes are angles, and radii, of which a window has tables.
+    // Pupils in vector lanes; or, if `lone`, one pupil, whose lanes hold angles and, in the window's tables, radii.
     struct Batch {
         Level level;
         std::size_t first, here;
         bool lone;
         std::size_t lanes() const { return RimKernels::lanes(level); }
     };
-    // Where few are left over, one by one.
+    // Batches of full vectors; a remainder of less than a third of a vector is done pupil by pupil.
     struct Batches {
         std::size_t count, together, alone;
         explicit Batches(std::size_t pupils) : count(pupils) {
@@ -53,7 +54,8 @@ class RimStack {
                                 : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
         }
     };
-    // Coefficients of some pupils in lanes, of the aperture or of its obscuration.
+    // Copies coefficients of the pupils to lanes, of the aperture or (inner) of its obscuration. With `line` also sums those of
+    // each azimuthal order, in units of ChordKernels::unit.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
@@ -77,12 +79,11 @@ class RimStack {
     std::size_t degree_;
 };
 
-// Where averages go, and those within boxes, [pupil][row][column] of the box, that come from elsewhere. Boxes may reach beyond the
-// window.
+// Results, and averages within boxes that were computed elsewhere. Boxes may extend beyond the window.
 struct RimAnswer {
-    const double *remainders, *near;  // the former are those of RimStack
-    const std::int64_t* places;       // of pupils among images
-    double *images, *numbers;         // of each pupil what averages outside the box are off by, and the largest
+    const double *remainders, *near;  // [pupil] of RimStack; [pupil][row][column of the box]
+    const std::int64_t* places;       // [pupil]: index of its image
+    double *images, *numbers;         // [image][row][column]; [pupil][error, largest value] of averages outside the box
 };
 
 class RimAverages : RimStack {
@@ -107,7 +108,7 @@ class RimAverages : RimStack {
     void run(int threads) const;
 
    private:
-    // Pixels about the axis that any of some pupils has.
+    // Smallest rectangle of pixels, relative to the axis, that holds the windows of all pupils of a batch.
     struct Around {
         std::int64_t top, bottom, left, right;
         std::size_t width() const { return static_cast<std::size_t>(right - left + 1); }
@@ -121,11 +122,12 @@ class RimAverages : RimStack {
     void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
-    // Writes an image; the largest average outside the box.
+    // Writes the image of a pupil; returns the largest average outside the box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // What coefficients of each k are off by that angles between those of the rim would add, over (k! unit^k); and what rounding
-    // does, in units of roundoff.
+    // Bounds alpha_k (certificate, section 10, Orders), over k! unit^k: each[k], the error of a Fourier coefficient on the rim
+    // by aliasing of orders beyond angles - rim.orders. Also rounded[k], the sum of moduli to which the rounding of Q_k is
+    // relative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -153,7 +155,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
                          const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
                                       rounding = 0x1p-24 * disk->slopes.units() * rim_orders *
                                                  std::sqrt(static_cast<double>(scratch.largest[lane]));
-                         // What overflows is no number.
+                         // Overflow gives inf or NaN, both of which become infinite.
                          const double all = rim_scale(rim_orders) * (1.0001 * mean + rounding);
                          out[batch.first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
                      }
@@ -163,7 +165,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // Sums over terms, and those of moduli, to which their rounding is relative.
+    // Sums over terms (e), and of the moduli of their summands (apart), to which rounding is relative.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
@@ -179,8 +181,8 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
         summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
-    // Along theta +- i t the coefficients of exp(i mu theta) are exp(|mu| t) times as large at most, and |P| is no more than the
-    // exponent of what the imaginary part of the phase may be.
+    // At theta +- i t coefficients of exp(i mu theta) grow by exp(|mu| t) at most, and |P| is at most the exponential of the
+    // bound on the imaginary part of the phase.
     std::vector<double> phase(slopes.degree + 1, 0.0);
     for (std::size_t c = 0; c < line.orders.size(); ++c) {
         double sum = 0.0;
@@ -241,7 +243,7 @@ LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) co
     const Around pixels = around(batch);
     scratch.out.assign(pixels.size() * lanes, 0.0f);
     RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
-    if (batch.lone) {  // sums and largest numbers over radii
+    if (batch.lone) {  // lanes hold radii: sums and maxima over them
         for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
             scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
         }
@@ -278,7 +280,7 @@ LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::siz
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::int64_t y = down[turned][i], x = right[turned][i];
                 if (pixels.holds(y, x)) {
-                    // Turned, an angle psi is i quarters of a turn less psi.
+                    // In the mirror image, the angle psi becomes i quarter turns minus psi.
                     const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
                     const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
                     const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
@@ -318,7 +320,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
                                       double top) const {
     const RimTable& table = *table_;
     const double nearest = table.window.nearest();
-    // What the field is off by, the mean over a pixel.
+    // Error of U, root mean square over a pixel.
     double off = stack_.lost[pupil] +
                  answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) * std::sqrt(table.off_field);
     double size[2] = {0.0, 0.0};
@@ -334,7 +336,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
                                 2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // Of sums over angles, phases, slopes, and steps from one k to the next.
+            // Roundings of the sums over angles, of phases and slopes, and of k steps from Q_j to Q_{j+1}.
             const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
             off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
                    (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
@@ -344,8 +346,8 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     }
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
-    // Of sums in single precision over radii, angles and channels; and of waves, all of which together are the root of so many
-    // times the smooth channel at most.
+    // Roundings in single precision: of sums over radii, angles and channels; and of waves. The moduli of all `many` waves, two
+    // for each rim, sum to sqrt(many S) at most, S the smooth channel (Schwarz).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

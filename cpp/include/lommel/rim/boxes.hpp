@@ -1,4 +1,4 @@
-// How large a box around the axis each pupil needs, whose pixels are averaged from samples, all others being averaged from the rim.
+// Choice of each pupil's box around the axis: its pixels are averaged from samples at nodes, all others from the rim.
 #pragma once
 
 #include <algorithm>
@@ -16,31 +16,34 @@
 
 namespace lommel {
 
-// Boxes are chosen by counts: of the nodes that samples have in a box and in the window, and of what rims take beside them.
+// Box sizes, chosen by estimated cost: pairs of nodes in a box and in the whole window, and the cost of rims in the same unit.
 class RimBoxes {
    public:
-    std::vector<std::int64_t> sides;  // of the box of each pupil, odd; 0 where rims do not pay
-    std::vector<std::int64_t> most;  // the largest one that it may have: within the window, as its peak is
-    std::vector<double> remainders, tolerances;  // those of RimStack, and what averages may be off by
+    std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: no box, rims do not pay
+    std::vector<std::int64_t> most;  // [pupil]: largest side that the box may have within the window
+    std::vector<double> remainders, tolerances;  // [pupil]: rms of Q_K over the disk, see RimStack; allowed error of averages
 
-    // The tolerance is relative to the largest average, which of pupils without aberration is 4.4 times `lowest` or more.
+    // `tol` is relative to the largest average, which is at least 4.4 * lowest for pupils without aberration.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Whether rims are likely to take less time than nodes of the whole window; only then there are sides and remainders.
+    // Sets sides and remainders; returns whether rims are likely to be faster than nodes of the whole window.
     bool choose(int threads);
 
    private:
-    static constexpr std::size_t probed = 16;  // pupils that stand for a stack
-    // Pixels from corner to corner, per root of the pupils that share tables, of v = 1: larger pixels have more points each.
+    static constexpr std::size_t probed = 16;  // number of pupils sampled from a larger stack
+    // Largest window diagonal in pixels of v = 1, per square root of the number of pupils, which share tables. It is divided by
+    // the root of the pitch, as larger pixels have more Gauss points.
     static constexpr double reach = 200.0;
-    static constexpr double shorter = 0.5;  // times that, with an obscuration: three times as many numbers of a pixel
-    static constexpr double shortest = 48.0;  // for small windows gain most
-    static constexpr double further = 4.0;  // pupils at least, for few are likely to be followed by others
-    static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;  // pairs of nodes that take as long
-    static constexpr std::int64_t together = 8;  // pupils of one box at the least, where others have a larger one
-    static constexpr double widest = 0.7;  // of a window, what a box may take
-    static constexpr double narrowest = 18.0;  // v around the axis
-    static constexpr double left = 0.4;  // of the tolerance, what may be left of the field
-    static constexpr double worth = 0.85;  // of the time that nodes of the whole window take
+    static constexpr double shorter = 0.5;  // factor on reach with an obscuration: three times as many weights per pixel
+    static constexpr double shortest = 48.0;  // lower limit of that diagonal per root of pupils: small windows gain most
+    static constexpr double further = 4.0;  // least number of pupils assumed, as few are likely to be followed by others
+    // Cost in pairs of nodes: of a pupil's rim, of its two rims, of a call.
+    static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
+    static constexpr std::int64_t together = 8;  // least number of pupils per side of a box; fewer take a larger one
+    static constexpr double widest = 0.7;  // largest box over the shorter side of the window
+    static constexpr double narrowest = 18.0;  // least half side of a box, in v
+    static constexpr double left = 0.4;  // fraction of the tolerance for the remainder U_K of the field
+    // Rims pay if they take at most this fraction of the time of nodes of the whole window.
+    static constexpr double worth = 0.85;
 
     double count() const { return static_cast<double>(stack_.count); }
     std::int64_t smallest() const { return std::max<std::int64_t>(5, 2 * std::llround(std::ceil(narrowest / step_)) + 1); }
@@ -48,7 +51,7 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Pairs of nodes of the window, and those that take as long as one of its pupils with a box.
+    // Pairs of nodes of the whole window, and the cost of a pupil with a box of this side in the same unit.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
@@ -74,7 +77,7 @@ LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window,
 LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
     const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
                        last_column = width_ - 1 - column;
-    // Tables grow with the way to the farthest pixel.
+    // The size of tables grows with the distance of the farthest pixel.
     const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
     const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
     if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
@@ -86,7 +89,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // Which tells the likely largest average.
+    // The variance of the phase gives an estimate of the largest average.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
@@ -103,7 +106,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) 
     return 0;
 }
 
-// Finds boxes of some pupils; whether these pay.
+// Sets sides and remainders of the pupils `which`; returns whether their boxes pay.
 LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
     remainders.resize(which.size());
     if (which.size() == stack_.count) {
@@ -126,7 +129,7 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
     return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// Few pupils of a box go with the next larger one, where that is within their window.
+// Moves pupils to the next larger box in use if fewer than `together` have theirs, where that box is within the window.
 LOMMEL_ONCE void RimBoxes::gather_few() {
     std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {
@@ -151,7 +154,7 @@ LOMMEL_ONCE bool RimBoxes::choose(int threads) {
     if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
         return false;
     }
-    // Of many, some stand for all at first.
+    // Large stacks are first judged by a sample of their pupils.
     std::vector<std::size_t> all(pupils), some;
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });

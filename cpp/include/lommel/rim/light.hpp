@@ -1,4 +1,4 @@
-// Light far from the axis from the rims of pupils, which stand side by side in vector lanes: docs/certificate.md, section 10.
+// Intensity far from the axis from the rims of pupils, which are side by side in vector lanes: certificate, section 10.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace lommel {
 
-// What the rim of a stack needs beside its window: slopes and phases at its angles.
+// Tables of one rim that depend on the stack and not on the window: slopes and phases at the rim's angles.
 struct RimLine {
     RimSlopes slopes;
     RimTurns turns;
-    std::vector<std::int32_t> orders;  // m of the columns of phases
-    std::vector<std::size_t> columns;  // of each term
-    Doubles phases;                    // [tile of angles][column][angle of the tile]
+    std::vector<std::int32_t> orders;  // azimuthal order m of each column of `phases`
+    std::vector<std::size_t> columns;  // [term]: its column
+    Doubles phases;                    // cos or sin of m theta, [tile of angles][column][angle of the tile]
 
     RimLine(const std::vector<ZernikeTerm>& terms, const Amplitude& light, std::size_t angles)
         : slopes(terms, light, {1.0}), turns(angles, slopes.degree) {
@@ -53,11 +53,11 @@ struct RimLine {
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
-// Of one rim, [k][lane] and [lane].
+// Sums over the Fourier coefficients of one rim, in lanes.
 struct RimSums {
-    Floats left;    // sum of the squares of coefficients left out
-    Floats energy;  // of all
-    std::array<Floats, 2> size;  // of waves in ellipses
+    Floats left;    // [k][lane]: sum of squared moduli of the coefficients left out
+    Floats energy;  // [k][lane]: the same of all coefficients
+    std::array<Floats, 2> size;  // [ellipse][lane]: bound Sigma on the waves in an ellipse (certificate, Radii)
 };
 
 struct RimScratch {
@@ -67,7 +67,8 @@ struct RimScratch {
     Floats squares, largest, mean;
 };
 
-// Sums of values at theta, pi - theta, and half a turn on from both, to which each kind of sums over angles is the same.
+// Folds values a, b, c, d at theta, pi - theta, theta + pi and -theta, so that sums over a quarter of the angles suffice.
+// Kinds: 0 cosines and 1 sines of even orders, 2 cosines and 3 sines of odd orders.
 template <class V, class Put>
 LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(0, (a + c) + (b + d));
@@ -76,7 +77,8 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Coefficients of Q_k P along a rim, by those of phases: values[nu][k][re, im][lane], 0 where they are left out.
+// Computes f_{k mu}, the Fourier coefficients of Q_k P on a rim (over k! unit^k), from the coefficients of the phases:
+// values[nu][k][re, im][lane] with nu = mu - k; 0 for |mu| > rim.orders.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
                                     Floats& values, RimSums& of) {
@@ -172,7 +174,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
                 store(to, re);
                 store(to + lanes, im);
                 const std::size_t at = k * (2 * rim.orders + 1) + (side == 0 ? rim.orders + mu : rim.orders - mu);
-                // The larger part and three sevenths of the smaller are more than a modulus, by a twelfth at most.
+                // max + 3/7 min of |re| and |im| bounds the modulus from above, by at most a twelfth too much.
                 const V zero = splat<V>(0.0f), a = larger(re, zero - re), b = larger(im, zero - im);
                 const V modulus = larger(a, b) + splat<V>(0.4286f) * (a + b - larger(a, b));
                 whole[0] = whole[0] + splat<V>(rim.size[0][at]) * modulus;
@@ -188,7 +190,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     }
 }
 
-// P at angles of the rim of one pupil by the coefficients of its phases: scratch.e[angle][re, im].
+// Computes P at the angles of a rim for one pupil: out[angle][re, im].
 template <class I>
 LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scratch, float* out) {
     using Wave = Waves<I, float>;
@@ -224,7 +226,7 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
     }
 }
 
-// rim_coefficients() of one pupil. Angles are side by side, then what Q_k P is of all k, [re, im][k].
+// rim_coefficients() for one pupil. Lanes hold angles at first, then [re, im][k] of Q_k P.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
                                              RimScratch& scratch, Floats& values, RimSums& of) {
@@ -322,12 +324,12 @@ LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const R
     }
 }
 
-// What of a table is a vector where lanes hold radii of one pupil, as many as of a float: of each block of radii.
+// Tables of a window for one pupil at a time, lanes holding radii: those of RimTable in blocks of as many radii as lanes.
 struct RimLone {
     std::size_t lanes;
     RimWindow window;
-    std::vector<Floats> real[2], imaginary[2];  // [block] of each rim, [nu][k][lane]
-    std::vector<Floats> weights;                // [block], as those of a radius, [weight][lane]
+    std::vector<Floats> real[2], imaginary[2];  // [rim][block], each [nu][k][lane]
+    std::vector<Floats> weights;                // [block], each [weight][lane]
 
     RimLone(const RimTable& table, std::size_t side) : lanes(side), window(table.window) {
         const std::size_t radii = table.radii(), blocks = (radii + lanes - 1) / lanes;
@@ -374,8 +376,8 @@ struct RimLone {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
-// Waves of some radii: of each [kind][order][re and im of X, re and im of Y][lane]. Of one pupil, whose values stand in all lanes, of
-// a block of radii, one in each.
+// Computes X and Y at radii from..from + size - 1: waves[radius][kind as in fold()][order][re, im of X, re, im of Y][lane].
+// `Lone`: for one pupil, whose values are the same in all lanes, at a block of radii, one a lane.
 template <bool Lone, class I>
 LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const RimLone* lone, std::size_t from,
                              std::size_t size, const float* values, Floats& waves) {
@@ -389,7 +391,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     const auto tile = [&](auto fixed) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(fixed)::value;
         for (std::size_t n = 0; n < rim.orders + K; ++n) {
-            V parts[2][2][R][2] = {};  // of n and -n, X and Y
+            V parts[2][2][R][2] = {};  // [n, -n][X, Y][radius][re, im]
             for (std::size_t side = 0; side < 2; ++side) {
                 const std::size_t i = side == 0 ? rim.first + n : rim.first - n;
                 if (i < rim.count() && (n > 0 || side == 0)) {
@@ -408,7 +410,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
             for (std::size_t r = 0; r < R; ++r) {
                 float* const to = waves.data() + r * each + (2 * (n % 2) * most + n / 2) * 4 * lanes;
                 for (std::size_t k = 0; k < 2; ++k) {
-                    // (-i)^n of the one, i^n of the other.
+                    // Factors (-i)^n of order n and (-i)^-n = i^n of order -n.
                     V re[2], im[2];
                     for (std::size_t side = 0; side < 2; ++side) {
                         const V a = parts[side][k][r][0], b = parts[side][k][r][1];
@@ -418,7 +420,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
                     }
                     store(to + 2 * k * lanes, re[0] + re[1]);
                     store(to + (2 * k + 1) * lanes, im[0] + im[1]);
-                    // i times the difference.
+                    // Coefficient of sin(n psi): i times the difference of orders n and -n.
                     float* const sine = to + most * 4 * lanes;
                     store(sine + 2 * k * lanes, im[1] - im[0]);
                     store(sine + (2 * k + 1) * lanes, re[0] - re[1]);
@@ -433,7 +435,8 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     }
 }
 
-// Of the waves at an angle, what pixels average: the sum of squares, and of each frequency parts with cosines and sines.
+// Computes the channels of v^3 I at an angle from x[rim][re, im of X, re, im of Y]: the smooth channel S, then for each
+// frequency of the rings the coefficients of its cosine and sine.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);
@@ -447,7 +450,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
     out[0] = smooth;
     if constexpr (Rims == 2) {
-        // A = X + i Y and B = X - i Y of both.
+        // A = X + i Y and B = X - i Y of both rims.
         V a[2][2], b[2][2];
         for (std::size_t d = 0; d < 2; ++d) {
             a[d][0] = x[d][0] - x[d][3];
@@ -455,7 +458,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
             b[d][0] = x[d][0] + x[d][3];
             b[d][1] = x[d][1] - x[d][2];
         }
-        // p conj(q) + r conj(s), twice, and the sign of sines.
+        // Coefficients of cosine and sine: 2 Re and -2 Im of p conj(q) + r conj(s).
         const auto pair = [&](const V(&p)[2], const V(&q)[2], const V(&r)[2], const V(&s)[2], V* to) LOMMEL_INLINE_LAMBDA {
             to[0] = two * ((p[0] * q[0] + p[1] * q[1]) + (r[0] * s[0] + r[1] * s[1]));
             to[1] = two * ((p[0] * q[1] - p[1] * q[0]) + (r[0] * s[1] - r[1] * s[0]));
@@ -465,12 +468,12 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
 }
 
-// Pixels that are averaged together, one or four, and where.
+// Pixels with the same weights, one or four at quarter turns, that are averaged together.
 struct RimJob {
     const RimPixels* pixels;
-    std::array<std::size_t, 4> at, to;  // angles in a ring with copies of both ends, and numbers of the answer
+    std::array<std::size_t, 4> at, to;  // first angle, in a ring padded at both ends; index of the average
     std::uint8_t count;
-    bool turned;  // angles fall
+    bool turned;  // mirror images: angles descend
 };
 
 template <bool Lone, std::size_t R, std::size_t Used, class I>
@@ -507,7 +510,7 @@ LOMMEL_INLINE void rim_pixel(I, const RimPixels& pixels, const float* weights, c
     }
 }
 
-// Adds the light of a ring, [angle][channel][lane], to pixels.
+// Adds the weighted channels of one radius, ring[angle][channel][lane], to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob>& jobs, const float* ring, float* out) {
     using V = typename I::floats;
@@ -535,7 +538,7 @@ LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob
     }
 }
 
-// Light at all radii, ring by ring, and what pixels average of it.
+// Computes the channels of I at all radii, one after the other, and adds them to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
                              RimScratch& scratch) {
@@ -596,7 +599,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
                     }
                 }
             });
-            // Copies of either end beyond the other.
+            // Pads the ring periodically at both ends.
             std::copy_n(ring + around * line, table.margin * line, ring);
             std::copy_n(ring + table.margin * line, table.margin * line, ring + (table.margin + around) * line);
             store(scratch.largest.data(), largest);
@@ -607,17 +610,17 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     });
 }
 
-// Calls f(Size<N>) with a number that the degree is not above.
+// Calls f(Size<N>) with the least N instantiated that is at least the degree.
 template <class F>
 LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
     degree <= 4 ? f(Size<4>{}) : degree <= 7 ? f(Size<7>{}) : f(Size<rim_most_degree>{});
 }
 
-// Kernels, compiled once for each instruction set.
+// Kernels, compiled for each instruction set and chosen at run time by `level`.
 struct RimKernels {
-    // As many pupils as these stand side by side.
+    // Number of pupils side by side.
     static constexpr std::size_t lanes(Level level) { return 2 * widest_lanes(level); }
-    // Of one pupil, whose lanes are radii or idle.
+    // Instruction set for one pupil, whose lanes hold radii: wider vectors would have idle lanes.
     static constexpr Level narrow(Level level) { return std::min(level, Level::avx2); }
 
     static void mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch);

@@ -1,4 +1,4 @@
-// Slopes of the phase of pupils along circles, of which light far from the axis is made: docs/certificate.md, section 10.
+// Derivatives of the phase of pupils along circles, from which the field far from the axis follows: certificate, section 10.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 
 namespace lommel {
 
-constexpr std::size_t rim_orders = 8;        // how often Gauss's theorem is used
-constexpr std::size_t rim_most_degree = 16;  // of phases and of the exponents of amplitudes
-constexpr double rim_unit = 32.0;            // of slopes, whose powers do not overflow then
+constexpr std::size_t rim_orders = 8;        // K: number of times that Gauss's theorem is applied
+constexpr std::size_t rim_most_degree = 16;  // largest degree of phases and of exponents of amplitudes
+constexpr double rim_unit = 32.0;            // scale of derivatives, so that their powers do not overflow
 
-// k! unit^k: what Q_k is of the numbers that are summed.
+// k! unit^k: factor from the scaled numbers that are summed to Q_k.
 inline double rim_scale(std::size_t k) {
     double scale = 1.0;
     for (std::size_t i = 1; i <= k; ++i) {
@@ -31,27 +31,28 @@ inline double rim_scale(std::size_t k) {
     return scale;
 }
 
-// With dbar = d/dx + i d/dy and P = exp(i Phi), dbar^k P = Q_k P. The numbers i dbar^j Phi / ((j - 1)! unit^j), of which Q_k is made,
-// are on a circle sums of E exp(i mu theta), and Zernike terms add to one part of two of the E each.
+// With dbar = d/dx + i d/dy and P = exp(i Phi): dbar^k P = Q_k P. On a circle, the numbers i dbar^j Phi / ((j - 1)! unit^j)
+// that make up Q_k are sums over mu of E_{j mu} exp(i mu theta). A Zernike term contributes to the real or to the imaginary
+// part of two of the E for each j.
 struct RimSlopes {
     struct Part {
-        std::size_t at, term;  // E twice, and 1 for its imaginary part
+        std::size_t at, term;  // twice the index of E, plus 1 for its imaginary part
     };
 
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     std::vector<double> radii;
-    std::size_t degree = 1;            // j at most
+    std::size_t degree = 1;            // largest j
     std::vector<std::int32_t> orders;  // mu of each E
-    std::vector<std::size_t> ends;     // of the E of each j
+    std::vector<std::size_t> ends;     // [j - 1]: end of the E of j
     std::vector<Part> parts;
     Floats weights;  // [circle][part]
-    Floats fixed;    // [circle][E][re, im], of the amplitude
+    Floats fixed;    // [circle][E][re, im], part that the amplitude contributes
 
     RimSlopes(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles)
         : terms(list), amplitude(light), radii(circles) {
         degree = degree_of(list, light);
-        std::vector<std::size_t> first;  // E of j with mu = -(degree - j)
+        std::vector<std::size_t> first;  // [j - 1]: index of E with mu = -(degree - j)
         for (std::size_t j = 1; j <= degree; ++j) {
             first.push_back(orders.size());
             const std::int32_t most = static_cast<std::int32_t>(degree - j);
@@ -105,11 +106,12 @@ struct RimSlopes {
         return degree;
     }
 
-    // Units of roundoff of a step from Q_k to the next: of sums over terms and orders, and of the step itself.
+    // Roundings, in units of roundoff, of a step from Q_k to Q_{k+1}: of the sums over terms and orders, and of the step
+    // itself.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:
-    // Of R_n^m(r) exp(i m theta) = sum of c z^a conj(z)^b.
+    // Calls f(a, b, c) for each term c z^a conj(z)^b of R_n^m(r) exp(i m theta).
     template <class F>
     static void each_power(std::int32_t n, std::int32_t m, const F& f) {
         double c = 1.0;  // binomial(n, (n - m) / 2)
@@ -132,7 +134,7 @@ struct RimSlopes {
     static double factor(std::size_t j) { return static_cast<double>(j) / rim_scale(j); }
     template <class At>
     void add(std::size_t circle, const At& at, std::size_t j, std::int32_t mu, std::size_t term, bool sine, double by) {
-        if (mu > static_cast<std::int32_t>(degree - j)) {  // of what was a constant before
+        if (mu > static_cast<std::int32_t>(degree - j)) {  // the derivative vanishes
             return;
         }
         if (circle == 0) {
@@ -142,7 +144,8 @@ struct RimSlopes {
     }
 };
 
-// The E of a circle, [E][re, im][lane], from coefficients, [term][lane]; or the sums of the moduli of what they are sums of.
+// Computes e[E][re, im][lane] of a circle from coefficients[term][lane]; with `Moduli` the sums of the moduli of their
+// summands.
 template <bool Moduli = false, class I>
 LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
     using V = typename I::floats;
@@ -159,13 +162,13 @@ LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circl
     }
 }
 
-constexpr std::size_t rim_side = 8;  // angles side by side
+constexpr std::size_t rim_side = 8;  // angles per block
 
-// Cosines and sines of mu theta, mu = 0, 1, .., at angles (l + 1/2) 2 pi / count of half a circle.
+// Cosines and sines of mu theta, mu = 0, 1, .., degree, at the angles theta = (l + 1/2) 2 pi / count of the first half circle.
 struct RimTurns {
     std::size_t count, orders;
     Floats turns;   // [angle][mu][cos, sin]
-    Floats beside;  // [block of angles][mu][cos, sin][angle of the block], 0 beyond the last
+    Floats beside;  // [block of angles][mu][cos, sin][angle of the block], 0 beyond the last angle
 
     RimTurns(std::size_t angles, std::size_t degree)
         : count(angles), orders(degree + 1), turns(angles * (degree + 1)), beside(blocks() * 2 * orders * rim_side, 0.0f) {
@@ -183,21 +186,21 @@ struct RimTurns {
     }
     const float* at(std::size_t angle) const { return turns.data() + 2 * angle * orders; }
     std::size_t blocks() const { return (count / 2 + rim_side - 1) / rim_side; }
-    // From an angle on, which is where a vector of a block begins.
+    // The table from an angle on, which must be the first of a vector of its block.
     const float* from(std::size_t angle) const {
         return beside.data() + angle / rim_side * 2 * orders * rim_side + angle % rim_side;
     }
 };
 
-// Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn on, from P there: q[point][k][re, im]. Of phases of such a degree
-// at most, in which loops are unrolled. Lanes hold pupils, or angles of one pupil,
-// whose E are the same in all.
+// Computes Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn further, from P there: q[point][k][re, im]. Degree:
+// bound on the degree of phases, known at compile time so that loops unroll. Lanes hold pupils or, if `Lone`, angles of one
+// pupil, whose E are the same in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
-        // Orders from -(degree - 1 - j) to degree - 1 - j, every other of which is even.
+        // Orders mu from -(degree - 1 - j) to degree - 1 - j; even and odd ones are summed apart.
         const std::size_t most = table.degree - 1 - j, from = j == 0 ? 0 : table.ends[j - 1];
         V re[2], im[2];
         for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -220,7 +223,7 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
             re[parity] = rc - is;
             im[parity] = ic + rs;
         }
-        const bool flip = most % 2 != 0;  // of sums of odd orders, half a turn on
+        const bool flip = most % 2 != 0;  // odd orders change sign half a turn further; which parity is odd depends on `most`
         d[0][j][0] = re[0] + re[1];
         d[0][j][1] = im[0] + im[1];
         d[1][j][0] = flip ? re[1] - re[0] : re[0] - re[1];
@@ -228,7 +231,7 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
     }
     static constexpr float shares[] = {1.0f, 1.0f / 2, 1.0f / 3, 1.0f / 4, 1.0f / 5, 1.0f / 6, 1.0f / 7, 1.0f / 8};
     static_assert(Last <= std::size(shares), "one for each k");
-    // Both points side by side, and parts of sums: none waits for another.
+    // Both points and four partial sums are interleaved: independent chains of additions hide their latency.
     for (std::size_t k = 0; k < Last; ++k) {
         V sum[2][4] = {};
         for (std::size_t j = 0; j < std::min(k + 1, Degree); ++j) {
@@ -249,11 +252,11 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
     }
 }
 
-// Nodes of a rule that is exact for |Q_K|^2 on the disk: circles and angles.
+// Quadrature nodes on circles in the disk, exact for |Q_K|^2.
 struct RimDisk {
     RimSlopes slopes;
     RimTurns turns;
-    std::vector<double> weights;  // of the circles
+    std::vector<double> weights;  // [circle]
 
     RimDisk(const std::vector<ZernikeTerm>& terms, const Amplitude& light)
         : slopes(terms, light, circles(RimSlopes::degree_of(terms, light), false)),
@@ -277,8 +280,8 @@ struct RimDisk {
     }
 };
 
-// The mean of |Q_K / (K! unit^K)|^2 over the disk, [lane], and of what its sums of moduli would be, to which roundings are relative.
-// Lanes are as in rim_powers().
+// Computes the mean of |Q_K / (K! unit^K)|^2 over the disk, mean[lane], and the same with sums of moduli for Q_K, moduli[lane],
+// to which rounding is relative. Lanes are as in rim_powers().
 template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;
@@ -323,7 +326,7 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
     }
     store(mean, all);
     store(moduli, most);
-    if constexpr (Lone) {  // of all angles
+    if constexpr (Lone) {  // lanes hold angles
         mean[0] = std::accumulate(mean, mean + lanes, 0.0f);
     }
 }

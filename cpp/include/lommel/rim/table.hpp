@@ -1,4 +1,5 @@
-// What far pixels of a window make of the Fourier coefficients of pupils along their rims: docs/certificate.md, section 10.
+// Tables of a window for averages of far pixels from the Fourier coefficients of pupils along their rims: certificate, section
+// 10.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +25,14 @@ namespace lommel {
 
 constexpr std::size_t rim_radii_tile = 3, rim_angles_tile = 3, rim_orders_tile = 6;
 
-// Numbers of points, of which all else follows.
+// Parameters that determine a table.
 struct RimWindow {
-    double step;           // v between pixels
-    std::size_t box;       // pixels a side, odd, around the axis, outside of which the others are far
-    std::size_t reach;     // from the axis to the farthest of them, in pixels
+    double step;           // pixel pitch in v
+    std::size_t box;       // side in pixels, odd, of the box around the axis; pixels outside are far
+    std::size_t reach;     // distance from the axis to the farthest pixel along an axis, in pixels
     double obscuration;
-    std::size_t degree;    // of phases
-    double error;          // of averages, what interpolation may make
+    std::size_t degree;    // largest degree of the phases
+    double error;          // allowed error of averages by interpolation
 
     bool operator==(const RimWindow& other) const {
         return step == other.step && box == other.box && reach == other.reach && obscuration == other.obscuration &&
@@ -40,45 +41,46 @@ struct RimWindow {
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
 };
 
-// One of the two rims: of the aperture, and of the obscuration, whose v is `radius` times as large.
+// Waves of one rim: that of the aperture (radius 1) or of the obscuration, where radius * v takes the place of v.
 struct RimWaves {
-    double radius = 1.0, weight = 1.0;  // and what its field is multiplied by
-    std::size_t orders = 0;   // |mu| at most; beyond, coefficients are left out
-    std::size_t angles = 0;   // of the rim
-    std::size_t first = 0;    // nu = i - first of waves, i < count()
-    // Of v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), X and Y: [nu][tile of radii][k][radius of the tile]
+    double radius = 1.0, weight = 1.0;  // radius of the rim; factor of its waves
+    std::size_t orders = 0;   // m: largest |mu|; coefficients beyond are left out
+    std::size_t angles = 0;   // number N of angles on the rim
+    std::size_t first = 0;    // wave i has the order nu = i - first, i < count()
+    // Parts X and Y of v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv): [nu][tile of radii][k][radius of the tile].
     Floats real, imaginary;
-    Floats forward[4];        // [tile of orders][angle][order of the tile]: cosines, sines of even orders, of odd ones
+    Floats forward[4];        // [tile of orders][angle][order of the tile]; kinds as in fold()
     Floats back[4];           // [tile of angles][order][angle of the tile]
-    Floats size[2];           // [k][mu + orders]: in an ellipse, of a coefficient 1
+    Floats size[2];           // [ellipse], [k][mu + orders]: bound on the wave of a coefficient 1
 
     std::size_t count() const { return 2 * orders + rim_orders; }
-    // Orders n of waves of a parity, from 0 or 1 on; negative ones go with them.
+    // Number of orders n >= 0 of a parity; -n goes with n.
     std::size_t halves(std::size_t odd) const { return (orders + rim_orders - 1 + 2 - odd) / 2; }
 };
 
-// Pixels at (+-p, +-q) and (+-q, +-p) from the axis, p >= q >= 0.
+// Far pixels with the same weights: those at (+-p, +-q) and (+-q, +-p) from the axis, p >= q >= 0.
 struct RimPixels {
     std::size_t p, q;
-    std::size_t from, used;     // weights of a radius, [angle][channel], of so many channels: 1, 3, .. 9
-    std::ptrdiff_t begin;       // the first of the angles
-    std::size_t count;          // of them
+    std::size_t from, used;     // weights[radius][from ..] are [angle][channel]; number of channels: 1, 3, .. 9
+    std::ptrdiff_t begin;       // index of the first angle
+    std::size_t count;          // number of angles
 };
 
-// Weights of angles `apart` for a place between the middle two, by least squares over all orders up to one.
+// Least-squares weights of `taps` angles, `apart` (rad) from each other, that interpolate between the middle two all orders |m|
+// <= `most`.
 class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
     double shares[most_taps] = {};
-    // Sines and cosines of half an angle from the first of them, and of (order + 1/2) times it.
+    // Sine and cosine of t / 2 and of (order + 1/2) t, t the angle from the first tap.
     struct Turn {
         double sine, cosine, fast_sine, fast_cosine;
     };
 
     AngleWeights(std::size_t taps, double most, double apart);
-    // The angle, such a part of the way between the middle two.
+    // Angle from the first tap of a point at the fraction `part` of the way between the middle two.
     double angle(double part) const { return (part + static_cast<double>(taps_ / 2 - 1)) * apart_; }
-    // Finds weights; the sum of the squares of the misfits of all orders.
+    // Computes `shares`; returns the sum of the squared misfits of all orders.
     template <class I>
     LOMMEL_INLINE double find(I isa, const Turn& at) {
         using V = typename I::pack;
@@ -109,7 +111,7 @@ class AngleWeights {
     template <class I>
     LOMMEL_INLINE void multiply(I, const double* matrix, const double* by, double* to) const {
         using V = typename I::pack;
-        constexpr std::size_t vectors = most_taps / I::lanes;  // all at once, for each sum waits for itself
+        constexpr std::size_t vectors = most_taps / I::lanes;  // interleaved, as each sum is a chain of dependent additions
         V sums[vectors];
         std::fill_n(sums, vectors, splat<V>(0.0));
         for (std::size_t j = 0; j < taps_; ++j) {
@@ -129,30 +131,30 @@ class AngleWeights {
     std::size_t taps_;
     double order_, apart_;
     double common_[most_taps * most_taps] = {},
-                               inverse_[most_taps * most_taps] = {};  // what angles have in common; the inverse of nearly that
-    double turns_[4][most_taps] = {};  // cosine and sine of (order + 1/2) times angles, and of half of them
+                               inverse_[most_taps * most_taps] = {};  // Dirichlet kernel between taps; its inverse, ridge added
+    double turns_[4][most_taps] = {};  // cos, sin of (order + 1/2) times the angles of taps; cos, sin of half of them
 };
 
-// Interpolation between Chebyshev's points of [low, 1], of functions that are analytic within an ellipse around it which leaves 0
-// out; and beyond it as far as they are.
+// Barycentric interpolation at Chebyshev points of [low, 1] of functions that are analytic in an ellipse around it that
+// excludes 0; also for x outside of the interval, within the ellipse.
 class RadiusRule {
    public:
-    std::vector<double> places, shares;  // and the weights that were found for one x
-    std::vector<double> barycentric;  // of the places
+    std::vector<double> places, shares;  // points; weights for the x that was last asked for
+    std::vector<double> barycentric;  // barycentric weights of the points
     double low;
 
     RadiusRule(double from, std::size_t points);
-    // Of a wide and of a narrow ellipse, the sum of the semi-axes where the interval is [-1, 1].
+    // Sum of the semi-axes of the wide (0) or narrow (1) ellipse, scaled so that the interval becomes [-1, 1].
     double rho(std::size_t ellipse) const {
         const double c = (1.0 + low) / (1.0 - low);
         return 1.0 + (ellipse == 0 ? 0.85 : 0.6) * (c + std::sqrt(c * c - 1.0) - 1.0);
     }
-    // The largest imaginary part and modulus in an ellipse.
+    // Largest imaginary part, and largest modulus, of x in an ellipse.
     double bend(double rho) const { return 0.25 * (1.0 - low) * (rho - 1.0 / rho); }
     double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
-    // What functions that are 1 in an ellipse at most are off by at x.
+    // Interpolation error at x of functions that are at most 1 in the ellipse.
     double error(double x, double rho) const;
-    // Finds weights; the sum of their moduli.
+    // Computes `shares` for x; returns the sum of their moduli.
     LOMMEL_INLINE double at(double x) {
         double all = 0.0, moduli = 0.0;
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -173,16 +175,16 @@ class RadiusRule {
 struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
-    RadiusRule rule;  // of R / v
-    std::size_t around = 0, taps = 0, margin = 0;  // angles, those of a point, and copies of rings on either side
+    RadiusRule rule;  // interpolation in x = R / v
+    std::size_t around = 0, taps = 0, margin = 0;  // number of angles; angles per point; copies of a ring at either end
     std::vector<RimPixels> pixels;
-    std::vector<Floats> weights;  // of each radius
-    double off_angles = 0.0;  // of averages, of the root of the mean square of the smooth channel around the axis
-    double gain = 0.0;  // of the largest number of that channel, in sums of moduli
-    std::array<double, 2> off_radii{};  // of the square of the sizes of waves in an ellipse
-    double off_pixels = 0.0;  // of averages by samples
-    double off_field = 1.0;  // of averages of |U_K|^2, over the mean of the disk
-    double dropped = 0.0;  // of averages, of the largest number of the smooth channel, where rings are left out
+    std::vector<Floats> weights;  // [radius], see RimPixels
+    double off_angles = 0.0;  // error of averages over the rms of the smooth channel around the axis: angles
+    double gain = 0.0;  // sum of moduli of weights of an average, all channels
+    std::array<double, 2> off_radii{};  // error of averages over the squared size of waves in an ellipse: radii
+    double off_pixels = 0.0;  // error of averages by Gauss's rule
+    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, over the mean of |Q_K|^2 on the disk
+    double dropped = 0.0;  // error of averages over the largest of the smooth channel: rings left out
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }
@@ -201,19 +203,21 @@ struct RimTable {
     std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
     std::size_t radii() const { return rule.places.size(); }
     std::size_t ring() const { return around + 2 * margin; }  // angles
-    // Fewest angles along a rim at which moduli are exact and coefficients have no others' errors.
+    // Number N of angles on a rim, a multiple of 4: N > 2 (K - 1) (degree - 1) makes the mean of |P_k|^2 exact, N >= 5 m + 8
+    // keeps aliased orders, beyond N - m, small.
     static std::size_t angles_of(std::size_t degree, std::size_t orders) {
         return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
     }
-    // Where so many points along a side of a pixel give its average of I by Gauss's rule, what they are off by at most.
+    // Error of the response along an axis of Gauss's rule with this many points a side; averages of I are off by at most 3
+    // times this.
     static double pixel_error(double step, std::size_t points);
 
    private:
     void make_waves(RimWaves& rim) const;
-    // Degree of the squares of waves around the axis.
+    // Degree in psi of the channels, which are products of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
-    // What channels add up to at most, over the smooth one.
+    // Bound on the sum of all channels over the smooth one.
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
     RadiusRule chosen_rule() const;
     void choose_angles();
@@ -237,7 +241,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
     for (std::size_t i = 0; i < taps; ++i) {
         left[i * most_taps + i] += ridge;
     }
-    for (std::size_t i = 0; i < taps; ++i) {  // Gauss and Jordan's way, of a positive matrix
+    for (std::size_t i = 0; i < taps; ++i) {  // Gauss-Jordan elimination; no pivoting, as the matrix is positive definite
         const double by = 1.0 / left[i * most_taps + i];
         for (std::size_t j = 0; j < taps; ++j) {
             left[i * most_taps + j] *= by;
@@ -254,7 +258,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // cos(w a t / 2) of t in [-1, 1] and |w| <= 2, by Bernstein ellipses.
+    // Response cos(w a t / 2) at t in [-1, 1], |w| <= 2, a = step: the least bound over Bernstein ellipses.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
@@ -273,13 +277,14 @@ LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) 
 }
 
 LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
-    // Of T_k with a coefficient of 2 / rho^k at most, k = n, n + 1, .., and of what of lower degree has the same values.
+    // T_k, k >= n, has a coefficient of at most 2 / rho^k and is at most out^k at x; its interpolant is +-T_j, j < n, or 0.
     const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
     const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
     return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
 }
 
-// The fewest points, for pixels up to the farthest: those there count little, and may lie beyond.
+// Chooses the rule of fewest points that meets the error for all pixels; the farthest may lie outside of its interval, as their
+// intensity, falling as x^3, counts little.
 LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
     const double nearest = window.nearest(),
                  farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
@@ -292,7 +297,7 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Squares of waves are about R there, and more where phases are large enough for a large box.
+            // Estimated square of waves in the ellipse: about R, more for the large phases that need a large box.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;
@@ -327,8 +332,8 @@ LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(cho
 LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
     const double nearest = rim.radius * window.nearest();
     const std::size_t most = rim.orders + 1;
-    // v^(1/2) e^-iv H1_n(v) from n = 0 and 1 by recurrence, which does not magnify errors: these by Hankel's integral with t = s^2,
-    // for which equal steps are exact but for exp(-2 pi sqrt(v) / step).
+    // v^(1/2) e^-iv H1_n(v) by the recurrence from n = 0 and 1, which is stable; these from Hankel's integral with t = s^2,
+    // summed in equal steps, which are exact but for exp(-2 pi sqrt(v) / step).
     std::vector<std::vector<std::complex<double>>> hankel;
     for (const double place : rule.places) {
         const double v = nearest / place;
@@ -349,7 +354,7 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
         }
         hankel.push_back(std::move(h));
     }
-    // Of an order that is negative, the sign (-1)^n.
+    // H_{-n} = (-1)^n H_n.
     const auto wave = [&](std::size_t radius, std::int32_t n) {
         return n < 0 && n % 2 != 0 ? -hankel[radius][static_cast<std::size_t>(-n)]
                                    : hankel[radius][static_cast<std::size_t>(std::abs(n))];
@@ -371,7 +376,8 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
             }
         });
     }
-    // Sizes in ellipses, by Hankel's integral of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2).
+    // Sizes in ellipses: Hankel's integral of the modulus of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps
+    // of ln t; 1.02 covers their error.
     for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
         const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
         std::vector<double> sup(most + 2, 0.0);
@@ -460,18 +466,18 @@ LOMMEL_ONCE void RimTable::make_pixels() {
         for (std::size_t q = 0; q <= p; ++q) {
             look();
             const double down = static_cast<double>(q), right = static_cast<double>(p);
-            // Angles from the lowest corner to the highest.
+            // Lowest and highest polar angle of the pixel's corners, in units of apart().
             const double low = std::atan2(down - 0.5, right + (q == 0 ? -0.5 : 0.5)) / apart(),
                          high = std::atan2(down + 0.5, right - 0.5) / apart();
-            // Angles stand at (l + 1/2) apart.
+            // Angle l is (l + 1/2) apart().
             const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
             const std::size_t count =
                 static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
-            // Of points, [radius][channel][point] and [point][angle].
+            // Factors lights[radius][channel][point] and shares[point][angle] of sums[radius][channel][angle].
             lights.resize(radii() * channels() * points * points);
             shares.assign(points * points * count, 0.0);
             sums.resize(radii() * channels() * count);
-            // Errors between radii are largest at one of the ends.
+            // The error of interpolation between radii is largest at an end of the pixel's range of v.
             const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
                          last = window.step * std::hypot(down + 0.5, right + 0.5);
             for (std::size_t e = 0; e < 2; ++e) {
@@ -485,7 +491,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
                 double v[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
                 std::array<std::array<double, padded>, 8> waves;  // cosine and sine of each frequency
                 for (std::size_t i = 0; i < points; ++i) {
-                    // Of a row of points, in vectors what there are vectors for.
+                    // A row of points, padded to whole vectors.
                     const double y = down + 0.5 * x[i];
                     for (std::size_t j = 0; j < points + I::lanes; ++j) {
                         const double z = right + 0.5 * x[std::min(j, points - 1)];
@@ -531,7 +537,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Rings, of which pixels average the fast ones, are no more than the smooth channel.
+            // Leaves out the fastest rings whose weights sum to little; each ring is at most the smooth channel.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

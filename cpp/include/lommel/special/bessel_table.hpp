@@ -1,6 +1,6 @@
-// The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends on nothing but the
-// width of the pieces, so one table serves every pupil, wavelength and pixel. A second one, of 2 (-1)^n J_{2n+2}(v) / v,
-// is for the odd azimuthal orders of pupils that are not radially symmetric.
+// The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends only on the width of the
+// pieces, so one table serves every pupil, wavelength and pixel. A second one, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd
+// azimuthal orders of pupils that are not radially symmetric.
 #pragma once
 
 #include <algorithm>
@@ -28,19 +28,19 @@ inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16
 
 struct PieceTable {
     double width = 0.0;
-    std::size_t terms = 0;  // rows each piece has, unless it needs fewer
-    // max over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2): with sum |beta_n|^2 / (2n+1) <= 1 it bounds the sum of the
+    std::size_t terms = 0;  // rows of each piece, unless it needs fewer
+    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2). As sum |beta_n|^2 / (2n+1) <= 1, it bounds the sum of the
     // magnitudes of all that is added up for one value of U, hence the rounding.
     double magnitude = 0.0;
-    // The same for all azimuthal orders together: max of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
+    // Like magnitude, for all azimuthal orders together: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
     double azimuthal = 0.0;
-    std::vector<std::shared_ptr<const Piece>> pieces;  // by their place; those that nobody wanted are missing
-    std::size_t leading = 0;                           // so many from the first on are there
+    std::vector<std::shared_ptr<const Piece>> pieces;  // [piece]; null if never requested
+    std::size_t leading = 0;                           // number of leading pieces that exist
 
     bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
 };
 
-// All pieces below one, and some beyond, rising.
+// Pieces requested: all below `leading`, and some beyond, ascending.
 struct WantedPieces {
     std::size_t leading = 0;
     std::vector<std::size_t> others;
@@ -51,8 +51,8 @@ class PieceTables final : Shared {
    public:
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
 
-    // A table with at least these pieces, of as many rows. Pieces are made where they are missing, shared by all threads, and
-    // kept until all of their parity outgrow the limit.
+    // Returns a table with at least these pieces and rows. Missing pieces are made, shared by all threads,
+    // and kept until all pieces of their parity exceed the limit.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
         if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
             return found;
@@ -81,7 +81,7 @@ class PieceTables final : Shared {
     }
     std::size_t limit() const override { return most_bytes; }
     void clear() override {
-        Tables dropped;  // destroyed after the mutex is free
+        Tables dropped;  // destroyed after the mutex is released
         const Lock lock(mutex_);
         tables_.swap(dropped);
     }
@@ -118,11 +118,11 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
                                                                     const WantedPieces& wanted, std::size_t terms) {
     auto table = std::make_shared<PieceTable>();
     table->width = width;
-    // Rounded up, so that a little more defocus does not mean a new table.
+    // Rounded up, so that a little more defocus takes no new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
     const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
-    // Of the old ones those that have rows enough, as all have unless there are more terms now.
+    // Old pieces with enough rows are reused: all of them, unless there are more terms now.
     for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
         if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
             table->pieces[s] = old->pieces[s];
@@ -155,8 +155,8 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 
-// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
-// table once.
+// Computes the 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading
+// the table once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
                            double* im, std::size_t first = 0) {
@@ -166,7 +166,7 @@ LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const doubl
     terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
     for (std::size_t k = 0; k < degree_count; k += at_once) {
         const double* column = piece.rows.data() + first * degree_count + k;
-        V a[2][packs] = {}, b[2][packs] = {};  // two rows at once, for their chains of multiply-adds to overlap
+        V a[2][packs] = {}, b[2][packs] = {};  // two rows at once, so that their chains of multiply-adds overlap
         const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < packs; ++p) {
                 const V c = load<V>(column + n * degree_count + p * I::lanes);

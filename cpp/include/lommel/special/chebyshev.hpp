@@ -15,8 +15,8 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
 }
 
-// Chebyshev coefficients of the integral of (middle + half x) times a series of `count` over middle + half x, from x = -1 on where it
-// is `before`: count + 2 of them. `moment` has room for count + 3. Returns the integral at 1.
+// Computes the `count` + 2 Chebyshev coefficients of the integral over r = middle + half x of r times a series of `count`
+// terms, with the value `before` at x = -1. `moment` has room for count + 3 numbers. Returns the integral at x = 1.
 inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
                                double* moment, double* out) {
     std::fill_n(moment, count + 3, 0.0);
@@ -38,8 +38,8 @@ inline double integrate_moment(double half, double middle, const double* series,
     return out[0] + end;
 }
 
-// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ... By way of those of T_0, T_1, ..., whose errors
-// the integers of the second step leave as they are; one matrix for both would lose five digits in double.
+// Maps values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ..., by way of those of T_0, T_1, ..., whose errors
+// the integers of the second step leave unchanged; a single matrix would lose five digits in double.
 template <std::size_t Count, class Real = wide>
 class ChebyshevToMonomials {
    public:
@@ -57,7 +57,7 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Of T_0, T_1, ... so many are `kept`; returns the sum of the magnitudes of the others' coefficients.
+    // Keeps the coefficients of the first `kept` T_k; returns the sum of the magnitudes of the others.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

@@ -15,11 +15,12 @@ struct ChirpMoments {
     typename I::pack re[3], im[3];
 };
 
-// Where a (high - low)^2 / 4 is below this, the error function cancels: the chirp is a wave times few powers of its curvature.
+// If a (high - low)^2 / 4 is below this, the error function cancels: the chirp is expanded as a wave times powers of its
+// curvature.
 constexpr double nearly_linear = 0.025;
 
-// int_{-1}^1 x^k e^{iqx} dx for k = 0 .. 16 of several q at once, real for even k and i times what is given for odd k, by parts:
-// upwards from q = 2 on, where no error grows, and downwards from 0 for k = 24 below.
+// Computes int_{-1}^1 x^k e^{iqx} dx, k = 0 .. 16, for several q at once, real for even k and without a factor i for odd k. By
+// parts: upwards from q = 2 on, where no error grows; below, downwards from 0 at k = 24.
 template <class I, std::size_t count>
 LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typename I::pack (&moments)[17][count]) {
     using V = typename I::pack;
@@ -35,7 +36,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
             (size[n][i] < 2.0 ? slow : fast) = true;
         }
     }
-    // A multiply-add a step depends on the one before.
+    // Each step is a multiply-add that depends on the one before.
     if (fast) {
         V turn[count], s[count], c[count];
         for (std::size_t n = 0; n < count; ++n) {
@@ -79,7 +80,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
     }
 }
 
-// Of several slopes b at once, by powers of the curvature.
+// Moments for several slopes b at once, by powers of the curvature.
 template <class I, std::size_t count>
 LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[count], typename I::pack middle,
                                 typename I::pack half, ChirpMoments<I> (&out)[count]) {
@@ -91,7 +92,7 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
-        // int x^m e^{i (p x^2 + q x)} dx by powers of p, up to 0.025^7 / 7!; i times that for m = 1.
+        // int x^m e^{i (p x^2 + q x)} dx by powers of p, up to 0.025^7 / 7!; with a factor i for m = 1.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);
@@ -118,8 +119,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
 }
 
-// Of several slopes b at once, by the error function of their ends, above 0 curvature. It is written through its part that does
-// not oscillate, so that no phase b^2 / 4a of a distant stationary point appears.
+// Moments for several slopes b at once and positive curvature, by the error function at their ends. Its part that does not
+// oscillate is used, so that the phase b^2 / 4a of a distant stationary point does not appear.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, const typename I::pack (&b)[count],
                                 typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
@@ -165,12 +166,12 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
     }
 }
 
-// Of chirps of one curvature on [low, high]. M_2 loses digits like (b / 2a)^2.
+// Moments of chirps of one curvature on [low, high]. M_2 loses digits like (b / 2a)^2.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void chirp_moments(I isa, const Auxiliary& auxiliary, double curvature, const typename I::pack (&slope)[count],
                                  typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
     using V = typename I::pack;
-    // The opposite phase has the conjugate moments.
+    // Chirps of the opposite phase have the complex conjugate moments.
     const double sign = curvature < 0.0 ? -1.0 : 1.0, a = sign * curvature;
     const V half = splat<V>(0.5) * (high - low), middle = splat<V>(0.5) * (high + low), bend = splat<V>(a) * half * half;
     V b[count];

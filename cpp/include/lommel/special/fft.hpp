@@ -1,7 +1,7 @@
 // Fourier transforms of lengths 2^a 3^b, of eight sequences at once.
 //
-// The elements of all eight stand together: [element][eight real parts, eight imaginary parts]. Bound by loads and stores,
-// two passes of four multiply-adds per byte at best.
+// Elements of all eight are interleaved: [element][eight real parts, eight imaginary parts]. Bound by loads and stores, two
+// passes of four multiply-adds per byte at best.
 #pragma once
 
 #include <cmath>
@@ -13,9 +13,9 @@
 namespace lommel {
 
 constexpr std::size_t fft_rows = 8;
-constexpr std::size_t fft_element = 2 * fft_rows;  // numbers
+constexpr std::size_t fft_element = 2 * fft_rows;  // numbers per element
 
-// Vectors of Real, at most eight to one.
+// Vectors of Real, of at most eight lanes.
 template <class I, class Real>
 struct RowPack;
 template <class I>
@@ -41,7 +41,7 @@ struct ComplexPack {
 template <class Real>
 class RowFft {
    public:
-    // n is 16 times a product of twos and threes.
+    // `length` must be 16 times a product of twos and threes.
     explicit RowFft(std::size_t length) : n(length) {
         std::size_t rest = n / 16;
         radices_.push_back(4);
@@ -63,7 +63,7 @@ class RowFft {
         }
     }
 
-    // The least length from `least` on.
+    // Least supported length from `least` on.
     static std::size_t length(std::size_t least) {
         std::size_t best = 16;
         while (best < least) {
@@ -79,9 +79,9 @@ class RowFft {
 
     const std::size_t n;
 
-    // Bound on the error of any X_l, in units of roundoff and of sum |x_j|: a sum of complex numbers is off by one unit, a product
-    // by sqrt(5), a tabulated root of unity by one, and by three of its angle in double precision; radix 3 has for those two terms
-    // that it turns a sum and two products more.
+    // Bound on the error of any X_l, in units of roundoff and of sum |x_j|: a sum of complex numbers is off by one unit, a
+    // product by sqrt(5), a tabulated root of unity by one and, in double precision, by three of its angle; radix 3
+    // has one sum and two products more, for the two terms that it turns.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;
@@ -91,8 +91,8 @@ class RowFft {
         return units;
     }
 
-    // All passes but the last: returns where y is, x or `other`. Unless it is told of all, only the first and the last quarter of x
-    // are read: the others are taken to be 0.
+    // Runs all passes but the last; returns where y is, x or `other`. `Sparse`: only the first and the last quarter of x are
+    // read, the others being taken as 0.
     template <bool Sparse = true, class I>
     LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
@@ -118,7 +118,7 @@ class RowFft {
         return x;
     }
 
-    // The last pass, of y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
+    // Runs the last pass for y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
     template <class V>
     LOMMEL_INLINE void last(const Real* y, ComplexPack<V>* x) const {
         const auto at = [&](std::size_t j) LOMMEL_INLINE_LAMBDA {
@@ -133,7 +133,7 @@ class RowFft {
         x[3] = other - third;
     }
 
-    // All passes, of any x. Returns where X is, x or `other`.
+    // Runs all passes on any x; returns where X is, x or `other`.
     template <class I>
     LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
         static constexpr Real none[] = {1, 0, 1, 0, 1, 0};
@@ -198,7 +198,7 @@ class RowFft {
         }
     }
 
-    std::vector<std::size_t> radices_;  // but for the last
+    std::vector<std::size_t> radices_;  // of all passes but the last
     std::vector<Real> turns_;
 };
 

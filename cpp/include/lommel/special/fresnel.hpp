@@ -1,5 +1,5 @@
-// Smooth part of the Fresnel integral, as the closed form needs it, in three ways: G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau
-// for s >= 0, which does not oscillate. Of `count` vectors at once, whose chains of multiply-adds hide each other's latency.
+// Smooth part of the Fresnel integral for the closed form, computed in three ways: G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d
+// tau for s >= 0, which does not oscillate. Kernels take `count` vectors at once, whose chains of multiply-adds overlap.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace lommel {
 // Real and imaginary part of int_0^inf exp(i tau^2) d tau, sqrt(pi / 8).
 constexpr double half_fresnel = 0.62665706865775012560;
 
-// (s + 2) G(s) as one polynomial in (s - a) / (s + a), to rounding, and where s is large by its asymptotic series (DLMF 7.12).
+// (s + 2) G(s) to rounding, as one polynomial in (s - a) / (s + a) and, for large s, by its asymptotic series (DLMF 7.12).
 // Cost: two divisions and 88 multiply-adds, or one and 16.
 class FresnelAuxiliary {
    public:
     static constexpr std::size_t terms = 44;
 
-    // Made when it is first asked for, which takes milliseconds.
+    // From the cache; making it takes milliseconds.
     static std::shared_ptr<const FresnelAuxiliary> get() { return cache<FresnelAuxiliary>.get(); }
     static bool is() { return true; }
     static std::size_t bytes() { return sizeof(FresnelAuxiliary); }
@@ -71,7 +71,7 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
+    // Interpolates at Chebyshev points; the conversion to monomials is done in wider numbers where there are any.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
@@ -88,7 +88,7 @@ class FresnelAuxiliary {
    private:
     static constexpr double center = 2.6, large = 8.0;
 
-    // i / 2s times the sum of (2k-1)!! (-i u)^k for u = 1 / 2s^2, up to k = 15.
+    // Sum of (i / 2s) (2k-1)!! (-i u)^k up to k = 15, with u = 1 / 2s^2.
     template <class V>
     static LOMMEL_INLINE void asymptotic(V s, V& re, V& im) {
         const V scale = splat<V>(0.5) / s, u = splat<V>(2.0) * scale * scale, square = u * u;
@@ -125,7 +125,7 @@ class FresnelAuxiliary {
     std::array<double, terms> re_{}, im_{};
 };
 
-// (s + 2) G(s) by lines between its values at equal steps of s / (s + 2), from 0 to 1.
+// (s + 2) G(s), linear between its values at equal steps of s / (s + 2) from 0 to 1.
 struct FresnelTable {
     const std::complex<double>* values;
     std::size_t samples;
@@ -149,7 +149,7 @@ struct FresnelTable {
     }
 };
 
-// What the first terms of Abramowitz and Stegun 7.1.29 leave of 1 - erf(e^{-i pi/4} s). Cost: an exponential and a division a term.
+// 1 - erf(e^{-i pi/4} s) by the first terms of Abramowitz and Stegun 7.1.29. Cost: an exponential and a division per term.
 class FresnelSeries {
    public:
     explicit FresnelSeries(std::size_t terms) {

@@ -1,4 +1,5 @@
-// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand.
+// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand (certificate,
+// section 11).
 #pragma once
 
 #include <algorithm>
@@ -16,18 +17,18 @@
 
 namespace lommel {
 
-// Half the distance from 1 to the next number.
+// Unit roundoff: half the distance from 1 to the next number.
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond x = w/2: the continuous one among the windows of
-// Kaiser and Bessel. If F(j) are samples, a step apart, of a function whose frequencies omega (in radians a step) have been
-// divided by the transform of phi, then sum_j phi(x - j) F(j) is that function, but for the aliases of every frequency.
+// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond |x| = w/2: the continuous one among the
+// Kaiser-Bessel windows. If F(j) are samples at unit steps of a function whose spectrum in omega (radians per step) has been
+// divided by the transform of phi, then sum_j phi(x - j) F(j) is that function, up to the aliases of every frequency.
 class GriddingKernel {
    public:
     GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}
 
-    // Of that many taps for frequencies up to pi / oversampling.
+    // Kernel of `taps` taps for frequencies up to pi / oversampling.
     static GriddingKernel of(std::size_t taps, double oversampling) {
         return {taps, 0.975 * pi * static_cast<double>(taps) * (1.0 - 0.5 / oversampling)};
     }
@@ -40,31 +41,31 @@ class GriddingKernel {
         return y > 0.0 ? shape(y) / top_ : 0.0;
     }
 
-    // The integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta), y^2 = beta^2 - (w omega / 2)^2.
+    // Integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta), y^2 = beta^2 - (w omega / 2)^2.
     double transform(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega;
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
     }
 
-    // Bound on the sum of |transform(omega + 2 pi k)| over k other than 0, over transform(omega), for omega of 0 to pi; it rises
-    // with omega.
+    // Bound on the sum over k != 0 of |transform(omega + 2 pi k)|, over transform(omega), for omega from 0 to pi; it rises with
+    // omega.
     double aliases(double omega) const {
         constexpr std::size_t counted = 64;
         double sum = 0.0;
         for (std::size_t k = 1; k <= counted; ++k) {
             const double turns = 2.0 * pi * static_cast<double>(k);
-            // Those of omega + 2 pi k are less than that of 2 pi k.
+            // Aliases at omega + 2 pi k are below those at 2 pi k.
             sum += size(turns - omega) + size(turns);
         }
-        // Beyond, (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2), and zeta >= w pi (k - 1/2).
+        // For further k: (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2) and zeta >= w pi (k - 1/2).
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
         return sum / transform(omega);
     }
 
-    // The root of the mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: what they do at most to a
-    // function whose spectrum has that density times g(s), g of mean square 1.
+    // Root mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: bounds their effect on a function
+    // whose spectrum is that density times g(s), g of mean square 1.
     double aliasing(double step) const {
         constexpr std::size_t cells = 192;
         double squares = 0.0;
@@ -78,17 +79,17 @@ class GriddingKernel {
         return std::sqrt(2.0 * squares / cells);
     }
 
-    // The largest sum of the taps, by Poisson's formula.
+    // Largest sum of the taps, by Poisson's formula.
     double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
 
-    // Bound on the sum of (w - i) phi over the taps i = 0 .. w - 1 of any place: of a chain of sums tap i takes part in as many.
+    // Bound, at any place, on the sum of (w - i) phi over the taps i = 0 .. w - 1: tap i takes part in w - i sums of a chain.
     double chain() const {
         constexpr std::size_t cells = 64;
         double worst = 0.0;
         for (std::size_t cell = 0; cell < cells; ++cell) {
             double sum = 0.0;
             for (std::size_t i = 0; i < w; ++i) {
-                // Within a cell every tap rises or falls.
+                // Within a cell every tap is monotonic.
                 const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
                 const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
                 sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));
@@ -98,8 +99,8 @@ class GriddingKernel {
         return worst;
     }
 
-    // The taps at t + w/2 - 1 - i, i < w, for t of 0 to 1, as polynomials of 2t - 1, from the highest power down: [power][tap],
-    // `stride` taps to a row. Returns a bound on the sum of their errors.
+    // Computes the taps at t + w/2 - 1 - i, i < w, for t from 0 to 1, as polynomials of 2t - 1, highest power first:
+    // out[power][tap], `stride` taps to a row. Returns a bound on the sum of their errors.
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
 
    private:
@@ -125,7 +126,7 @@ class GriddingKernel {
         return square > 0.0 ? (std::cosh(y) - std::sinh(y) / y) / square : (std::sin(y) / y - std::cos(y)) / -square;
     }
 
-    // At most this is |transform| at omega and beyond.
+    // Bound on |transform| at omega and beyond.
     double size(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega, square = zeta * zeta - beta_ * beta_;
         if (square <= 0.0) {
@@ -162,8 +163,8 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
         for (std::size_t p = 0; p < terms; ++p) {
             out[(terms - 1 - p) * stride + i] = powers[p];
         }
-        // Interpolation at `all` points: on the ellipse of sum rho of its semi-axes around the tap |y| is at most the product of
-        // |1 - z| and |1 + z|.
+        // Interpolation at `all` points: on the ellipse whose semi-axes sum to rho, |y| is at most the product of |1 - z| and
+        // |1 + z|.
         double rest = 1e300;
         for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
             const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
@@ -177,11 +178,11 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
 }
 #endif
 
-// Its taps as polynomials of so many terms, for so many at once.
+// Taps of a kernel as polynomials of `Terms` terms, for up to `Most` taps.
 template <class Real, std::size_t Terms, std::size_t Most>
 struct TapPolynomials {
     static constexpr std::size_t terms = Terms, taps = Most;
-    alignas(64) Real at[Terms][taps];  // from the highest power down
+    alignas(64) Real at[Terms][taps];  // highest power first
     double error;                      // bound on the sum of the errors of all taps at any place, roundings included
 
     explicit TapPolynomials(const GriddingKernel& kernel) {
@@ -190,8 +191,8 @@ struct TapPolynomials {
         double units = 0.0;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             at[i / taps][i % taps] = static_cast<Real>(exact[i]);
-            // A coefficient c of x^k is rounded once; x, at most 1 by size, too, which it suffers k times; and it takes part in the
-            // k + 1 last products and sums.
+            // Coefficient c of x^k: one rounding of its own, k of x, which is rounded once and at most 1, and k + 1 products
+            // and sums.
             const double k = static_cast<double>(Terms - 1 - i / taps);
             units += (3.0 * k + 3.0) * std::abs(exact[i]);
         }
@@ -199,12 +200,12 @@ struct TapPolynomials {
     }
 };
 using SingleTaps = TapPolynomials<float, 8, 8>;
-using CoarseTaps = TapPolynomials<float, 5, 4>;  // of kernels of up to four taps, where little is asked of them
+using CoarseTaps = TapPolynomials<float, 5, 4>;  // kernels of up to four taps, for low accuracy
 using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
 
-// Up to four taps of each of two kernels, side by side.
+// Up to four taps of each of two kernels, side by side in one vector.
 struct PairedTaps {
     static constexpr std::size_t terms = CoarseTaps::terms, taps = 8;
     static constexpr std::uint32_t halves[taps] = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -219,7 +220,7 @@ struct PairedTaps {
     }
 };
 
-// A kernel with all that is asked of it again and again.
+// A kernel with the numbers derived from it that are needed repeatedly.
 struct GriddingTaps {
     GriddingKernel kernel;
     double weight, chain;

@@ -1,5 +1,5 @@
-// Linear least squares of some hundred unknowns, on one thread: libraries of linear algebra share such among threads that wait for
-// one another, up to seconds where other programs have the processors.
+// Linear least squares of some hundred unknowns, on one thread: linear algebra libraries divide such problems among threads
+// that wait for one another, up to seconds if other programs use the processors.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace lommel {
 
-// Least squares by Householder's reflections, one unknown after the other; a term of its own keeps each small where nothing else
-// decides. Whatever the solutions are off by, who calls sees from the residuals.
+// Least squares by Householder reflections, one unknown at a time, each regularised by an equation of its own. Errors of the
+// solution show in the residuals, which callers evaluate.
 class LeastSquares {
    public:
-    // Of at most so many unknowns, for each of some right sides.
+    // For at most `most` unknowns and several right-hand sides, wanted[side][equation]; `small` is the regularisation.
     LeastSquares(std::vector<std::vector<double>> wanted, std::size_t most, double small)
         : equations_(wanted[0].size()), small_(small), rest_(std::move(wanted)) {
         for (std::vector<double>& side : rest_) {
@@ -26,7 +26,7 @@ class LeastSquares {
         }
     }
 
-    // Adds an unknown, with what it counts in each equation.
+    // Adds an unknown with its factor in each equation.
     template <class I = Portable>
     LOMMEL_INLINE void add(const std::vector<double>& factors) {
         const std::size_t k = columns_.size();
@@ -59,7 +59,7 @@ class LeastSquares {
     }
 
    private:
-    // From the diagonal to the term of its own, beyond which all is 0, there are as many rows as equations, and one.
+    // Reflects at the vector of unknown k: the rows from its diagonal to its own equation; the rows beyond are 0.
     template <class I>
     LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
         const std::size_t count = equations_ + 1;
@@ -74,7 +74,7 @@ class LeastSquares {
     LOMMEL_INLINE static double dot(const double* a, const double* b, std::size_t count) {
         using V = typename I::pack;
         constexpr std::size_t lanes = I::lanes, at_once = 4;
-        V sums[at_once] = {};  // none of which waits for another
+        V sums[at_once] = {};  // independent chains of additions
         std::size_t i = 0;
         for (; i + at_once * lanes <= count; i += at_once * lanes) {
             for (std::size_t s = 0; s < at_once; ++s) {
@@ -91,11 +91,12 @@ class LeastSquares {
     std::vector<std::vector<double>> rest_;
     std::vector<double> scales_, diagonals_;
     std::vector<std::vector<double>>
-        columns_;  // above the diagonal what is left of them, from there on the vector to reflect at
+        columns_;  // R above the diagonal; from the diagonal on, the Householder vector of each reflection
 };
 
-// The x[unknown][side] that make |A x - b| least for A[row][unknown] and each column of b[row][side], in directions in which A is not
-// below about 1e-14 of the largest: each unknown has a term of so much of the largest column, times the root of their number.
+// Finds x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in
+// which A is below about 1e-14 of its largest: each unknown is regularised by that part of the largest column, times the root
+// of their number.
 void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
                    double* found);
 

@@ -10,7 +10,7 @@
 namespace lommel {
 
 // Calls f(n, P_n(1 - y)) for n < terms, 0 <= y <= 1, by the three-term recurrence (DLMF 18.9.1). Near 1, where its errors grow
-// with n^2, it is summed by differences, which need y and lose a few roundings only.
+// as n^2, differences of successive polynomials are summed instead, which need y and lose only a few roundings.
 template <class Real, class F>
 void each_legendre(Real y, std::size_t terms, const F& f) {
     const Real x = 1 - y;
@@ -29,8 +29,8 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
     }
 }
 
-// Nodes (ascending) and weights of the n-point rule: Newton's method from Tricomi's initial guess, for the distance from the
-// end, because weights from nodes that are rounded, or from eigenvalues, lose up to eight digits there.
+// Computes nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess, for the distance
+// from the end: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
 template <class Number, class Real = wide>
 void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const Real pi = std::acos(Real(-1));
@@ -48,7 +48,7 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
             });
             const Real round = y * (2 - y), slope = order * (before - (1 - y) * value) / round;
             move = value / slope;
-            // The weight 2 / ((1 - x^2) P_n'^2) at the place moved to, to first order.
+            // Weight 2 / ((1 - x^2) P_n'^2) at the improved node, to first order.
             weight = 2 / (round * slope * slope) * (1 + 2 * (1 - y) * move / round);
             y += move;
         }
@@ -61,14 +61,14 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     }
 }
 
-// P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if made with wider numbers.
+// Computes P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider.
 template <class Real = wide>
 void legendre_sequence(double x, std::size_t terms, double* out) {
     each_legendre(1 - static_cast<Real>(x), terms, [&](std::size_t n, Real p) { out[n] = static_cast<double>(p); });
 }
 
-// What a rule of so many nodes loses that is made in double: sqrt(2n+1) times the sum of the errors of w P_n, in units of
-// roundoff. Measured by cpp/tests/tables.cpp, not proven.
+// Error of a rule that was made in double: sqrt(2n+1) times the sum of the errors of w P_n, in units of roundoff. Measured by
+// cpp/tests/tables.cpp, not proven.
 inline double rule_rounding(std::size_t nodes) { return wider ? 0.0 : 1.5 * std::sqrt(static_cast<double>(nodes)); }
 
 }  // namespace lommel

@@ -1,5 +1,6 @@
 // One piece of the universal table: from Bessel functions at Chebyshev points to polynomials, for as many orders at once as a
-// vector has lanes. Made in double and as good as in wider numbers: the sums run in two words, the first of which is exact.
+// vector has lanes. Computed in double to the accuracy of wider numbers: sums run in two words, the first of which is exact
+// (certificate, section 4).
 #pragma once
 
 #include <algorithm>
@@ -18,13 +19,13 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of a piece
 
-// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
+// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ...; orders that vanish on the piece have no row.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // What all rows that a piece leaves out can add to U, whatever the pupil; and as many as are not left out.
+    // Bound on the contribution to U of all rows left out, for any pupil; and the number of rows kept.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };
@@ -48,8 +49,8 @@ constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.917a7p-4, -0x1.0f592f50789c6p-26},
                                    {0.0, 0.0}};
 
-// What turns values at the points into coefficients of T_0, T_1, ..., times 8, by the sums and differences of mirrored points;
-// and what turns these, exactly, into those of 1, x, x^2, ...
+// Maps values at the points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of mirrored points, and
+// these, exactly, to coefficients of 1, x, x^2, ...
 class PieceRule {
    public:
     constexpr PieceRule() {
@@ -70,15 +71,15 @@ class PieceRule {
         }
     }
 
-    // Point j, from the last to the first, rounded.
+    // Point j, descending, rounded.
     static constexpr double point(std::size_t j) {
         const std::size_t k = 2 * j + 1;
         return k <= 16 ? cosines[k][0] + cosines[k][1] : -(cosines[32 - k][0] + cosines[32 - k][1]);
     }
 
-    // From `values` at the points, each a vector of orders, to the coefficients. With |values| <= 1 every coefficient is rounded
-    // once, and the polynomial else off by less than 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and integers below
-    // 2^17 times multiples of 2^-32, sum to less than 2^53 of their units.
+    // Maps `values` at the points, each a vector of orders, to coefficients. For |values| <= 1 every coefficient is rounded
+    // once and the polynomial otherwise off by less than 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and
+    // integers below 2^17 times multiples of 2^-32, sum to less than 2^53 of their units.
     template <class V>
     LOMMEL_INLINE void operator()(const V* values, V* out) const {
         V high[2][half], low[2][half], both[2][half];
@@ -126,14 +127,15 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// 2 (-1)^n J_{2n+1+parity}(v) / v at the 16 points of a piece, as zernike_transforms() has it, to values[16 n + point]. The
-// last point, the nearest, must be no less than half as far out as the first: what the recurrence backwards grows by is then within the
-// range of numbers for orders that do not vanish at all of them. Each is the same whatever the number of terms, up to `most`.
+// Computes 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms(), at the 16 points of a piece: values[16 n + point]. The
+// last point, the nearest to 0, must be at least half as far out as the first, so that the growth of the backward recurrence
+// stays in the range of numbers for orders that do not vanish at all points. Values do not depend on the number of terms, up to
+// `most`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {
     using V = typename I::pack;
-    constexpr std::size_t packs = degree_count / I::lanes;  // together they hide the latency of the recurrence
+    constexpr std::size_t packs = degree_count / I::lanes;  // enough at once to hide the latency of the recurrence
     const std::size_t count = 2 * terms + parity, upwards = rising(points[degree_count - 1]);
     V at[packs], turn[packs], before[packs], here[packs];
     for (std::size_t p = 0; p < packs; ++p) {
@@ -143,13 +145,13 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     const auto step = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
         const V twice = splat<V>(2.0 * static_cast<double>(order));
         for (std::size_t p = 0; p < packs; ++p) {
-            // Divided in every step: a product with 1 / v, rounded once for all of them, would be that of another v.
+            // A division in every step: the product with a rounded 1 / v would be accurate for another v.
             const V next = twice / at[p] * here[p] - before[p];
             before[p] = here[p];
             here[p] = next;
         }
     };
-    // Of those below `count` every second order is wanted.
+    // Every second order below `count` is kept.
     const auto keep = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
         if (order % 2 != parity && order > parity) {
             const std::size_t n = (order - 1 - parity) / 2;
@@ -200,7 +202,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
 }
 
-// The first rows of piece s, at most as many as there are.
+// Computes the first rows of piece s, at most `terms`.
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
@@ -209,13 +211,13 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
     thread_local std::vector<double> scratch;
     Piece piece;
     piece.rows.resize(terms * m);
-    values.assign((terms + row_lanes) * m, 0.0);  // orders that fill the last vector up are zero
+    values.assign((terms + row_lanes) * m, 0.0);  // padding orders of the last vector are zero
     const std::size_t most = Piece::most(width, s);
     double points[m];
     for (std::size_t j = 0; j < m; ++j) {
         points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + piece_rule.point(j)));
     }
-    for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near the axis, where the recurrence grows beyond all numbers
+    for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near the axis, where the recurrence overflows
         std::vector<double> one(most);
         zernike_transforms(parity, points[j], most, one.data(), scratch);
         for (std::size_t n = 0; n < terms; ++n) {

@@ -1,4 +1,4 @@
-// The radial polynomials R_n^m of Zernike terms, and the terms of a function on a smaller disk.
+// Radial polynomials R_n^m of Zernike terms, and the Zernike expansion of a term on a smaller disk.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// R_m^m, R_{m+2}^m, ... follow Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF 18.9.1): the next is
-// (slope x + shift) here - back before. These are the coefficients of the step from degree m + 2k.
+// Coefficients of a step from degree m + 2k of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1, that R_m^m, R_{m+2}^m,
+// ... follow (DLMF 18.9.1): the next is (slope x + shift) here - back before.
 template <class Real>
 struct RadialStep {
     Real slope, shift, back = 0;
@@ -44,10 +44,10 @@ Number radial_polynomial(std::size_t n, std::size_t m, Number x, Number here) {
     return here;
 }
 
-// Zernike terms as polynomials in x and y: at a point all of them, those of one m by one recurrence.
+// Values of all Zernike terms at a point, by one recurrence for each m.
 class ZernikeValues {
    public:
-    // Of the terms in some order, to which their numbers in at() refer.
+    // For the terms in a given order; at() passes their index j in `order`.
     ZernikeValues(const std::vector<ZernikeTerm>& terms, const std::vector<std::size_t>& order) {
         for (const std::size_t place : order) {
             const ZernikeTerm& term = terms[place];
@@ -92,19 +92,20 @@ class ZernikeValues {
     struct Term {
         std::size_t m;
         bool sine;
-        std::size_t k, j;  // n = m + 2 k; the j-th of all
+        std::size_t k, j;  // n = m + 2 k; index of the term
     };
     std::vector<Term> order_;
     std::vector<std::vector<RadialStep<wide>>> steps_;  // [m][k]
 };
 
-// The terms of a function over a smaller disk of radius a: R_n^m(a rho) has R_n^k(a) - R_n^{k+2}(a) of R_k^m(rho), for
-// k = n, n - 2, ..., m (Janssen and Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006)). These shares are kept for the
-// next function.
+// Zernike terms of a function on a smaller disk of radius a: R_n^m(a rho) contains R_k^m(rho) with the factor R_n^k(a) -
+// R_n^{k+2}(a), k = n, n - 2, ..., m (Janssen and Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006)). These factors
+// are cached.
 class SmallerDisk {
    public:
-    // Calls add(k, what c R_n^m has of R_k^m), and returns a bound on what that loses, sums of so many terms included: n^2
-    // roundings by the recurrence, in each of n / 2 + 1 shares at most; one of each share, of its product and of sums.
+    // Calls add(k, c times the factor of R_k^m) for c R_n^m; returns a bound on the rounding, sums of `terms` terms included:
+    // n^2 roundings by the recurrence, in each of at most n / 2 + 1 factors; one of each factor, of its product and of the
+    // sums.
     template <class Add>
     double shrink(std::size_t n, std::size_t m, double a, double c, std::size_t terms, const Add& add) {
         if (a != radius_) {

@@ -1,4 +1,4 @@
-// sin and cos of a vector of doubles, or of turns in floats.
+// sin and cos of vectors of doubles, and of turns as floats.
 #pragma once
 
 #include "lommel/base/simd.hpp"
@@ -10,7 +10,7 @@ namespace lommel {
 template <class I>
 LOMMEL_INLINE void sincos(I, typename I::pack x, typename I::pack& sine, typename I::pack& cosine) {
     using V = typename I::pack;
-    // Adding 1.5 * 2^52 rounds to the nearest integer, which then stands in the lowest bits.
+    // Adding 1.5 * 2^52 rounds to the nearest integer, which is then in the lowest bits.
     const V magic = splat<V>(6755399441055744.0);
     const V shifted = x * splat<V>(0.63661977236758134308) + magic;
     const V k = shifted - magic;
@@ -39,9 +39,9 @@ LOMMEL_INLINE void sincos(I, typename I::pack x, typename I::pack& sine, typenam
     cosine = choose(quadrant + 1, 2, splat<V>(0.0) - b, b);
 }
 
-// Of multiples of 2^-32 turns, to floats: the vector (cos, sin) is off by less than 5 roundings to float. The nearest quarter
-// of a turn stands in the two highest bits; what is left is an angle of at most pi/4, for which polynomials of degree 7 and 8
-// are off by less than 2e-9.
+// sin and cos, as floats, of multiples of 2^-32 turns: the vector (cos, sin) is off by less than 5 roundings to float. The
+// nearest quarter turn is in the two highest bits; the rest is an angle of at most pi/4, for which polynomials of degree 7 and
+// 8 are off by less than 2e-9.
 template <class W, class V>
 LOMMEL_INLINE void sincos_turns(W x, V& sine, V& cosine) {
     const W shifted = x + 0x20000000u, half = shifted & 0x80000000u, other = (shifted + 0x40000000u) & 0x80000000u;

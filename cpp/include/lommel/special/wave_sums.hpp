@@ -1,4 +1,4 @@
-// Sums of waves at whole numbers, by a non-uniform fast Fourier transform.
+// Sums of waves at the integers, by a non-uniform fast Fourier transform.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// What all sums of waves up to one length have in common: a kernel of so many taps, by whose transform sums are divided.
+// Kernel and transform shared by all sums of waves up to one length; sums are divided by the transform of the kernel.
 struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 
@@ -29,16 +29,16 @@ struct WaveKernel {
         polynomials.assign(made.begin(), made.end());
         for (std::size_t i = 0; i < polynomials.size(); ++i) {
             const double k = static_cast<double>(terms - 1 - i / most_taps);
-            off_ += (3.0 * k + 3.0) * std::abs(polynomials[i]) * unit_roundoff;  // as TapPolynomials have it
+            off_ += (3.0 * k + 3.0) * std::abs(polynomials[i]) * unit_roundoff;  // as in TapPolynomials
         }
         for (std::size_t k = 0; k < gain.size(); ++k) {
             gain[k] = 1.0 / kernel.transform(omega(k));
         }
     }
 
-    // Bound on the error of any sum over the sum of |a|, if each point of the grid is reached by that many waves at most: aliases
-    // (Poisson's formula); taps, and the roundings of sums of waves and of the transform; and places, turns off by one rounding of 1.
-    // Those of the steps are the caller's.
+    // Bound on the error of any sum over the sum of |a|, if at most `waves` waves reach any point of the grid: aliases
+    // (Poisson's formula); taps; roundings of sums of waves and of the transform; places, whose turns have one rounding of 1.
+    // Roundings of the steps are the caller's.
     double error(double waves) const {
         const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
         const double places = 1.1 * 6.3 * static_cast<double>(side / 2 + 1);
@@ -46,7 +46,7 @@ struct WaveKernel {
                unit_roundoff * places;
     }
 
-    // How many waves reach one point of the grid at most, of steps at(i), i < count.
+    // Largest number of waves that reach one point of the grid, for steps at(i), i < count.
     template <class At>
     std::size_t most_waves(std::size_t count, std::vector<std::uint32_t>& reached, const At& at) const {
         reached.assign(fft.n, 0);
@@ -55,14 +55,14 @@ struct WaveKernel {
         }
         std::size_t sum = 0, most = 0;
         for (std::size_t i = 0; i < fft.n + taps; ++i) {
-            // One more on either side, for places that round to the next point elsewhere.
+            // One more on either side, as places may round to the next point.
             sum += reached[i % fft.n];
             sum -= i >= taps + 2 ? reached[(i - taps - 2) % fft.n] : 0;
             most = std::max(most, sum);
         }
         return most;
     }
-    // Where a wave of a step is on the grid.
+    // Place on the grid of a wave of step s.
     double place(double s) const {
         const double n = static_cast<double>(fft.n), turns = -s / 6.283185307179586;
         return std::min((turns - std::floor(turns)) * n, n - 1e-9);
@@ -71,7 +71,7 @@ struct WaveKernel {
     std::size_t side, taps, terms;
     RowFft<double> fft;
     GriddingKernel kernel;
-    Doubles polynomials;  // from the highest power down, of each so many taps as there may be
+    Doubles polynomials;  // [power, highest first][tap], `most_taps` taps
     std::vector<double> gain;
 
    private:
@@ -79,7 +79,7 @@ struct WaveKernel {
     double omega(std::size_t k) const { return 6.283185307179586 * static_cast<double>(k) / static_cast<double>(fft.n); }
 };
 
-// Eight sums of a exp(-i k s) over waves of any amplitudes a and steps s (radians), at the whole numbers k from -side / 2 on.
+// Eight sums of a exp(-i k s) over waves of amplitudes a and steps s (rad), at the integers k from -side / 2 on.
 class WaveSums {
    public:
     explicit WaveSums(const WaveKernel& kernel)
@@ -87,7 +87,7 @@ class WaveSums {
 
     void start() { std::fill(grid_.begin(), grid_.end(), 0.0); }
 
-    // A wave of sum `r`.
+    // Adds a wave to sum `r`.
     template <class I>
     LOMMEL_INLINE void add(I isa, std::size_t r, double re, double im, double s) {
         double weights[WaveKernel::most_taps];
@@ -97,7 +97,7 @@ class WaveSums {
             to[wide] += weights[i] * im;
         }
     }
-    // Of all eight, one wave of the same step: amplitudes as eight real parts, eight imaginary ones.
+    // Adds a wave of the same step to all eight sums: amplitudes as eight real parts, eight imaginary ones.
     template <class I, class T>
     LOMMEL_INLINE void add(I isa, const T* amplitudes, double s) {
         double weights[WaveKernel::most_taps];
@@ -109,7 +109,7 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sum) for j = k + side / 2: eight real parts, eight imaginary ones, which are to be multiplied by `gain`.
+    // Calls at(j, sum), j = k + side / 2: eight real parts, eight imaginary ones, to be multiplied by `gain`.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;
@@ -125,7 +125,7 @@ class WaveSums {
    private:
     static constexpr std::size_t wide = fft_rows, element = fft_element;
 
-    // The first element of the grid that a wave is put on, and how much of it on each.
+    // Returns the first grid element that a wave is added to, and writes its weight on each.
     template <class I>
     LOMMEL_INLINE double* taps_at(I, double s, double* weights) {
         using V = typename I::pack;

@@ -29,14 +29,16 @@ def recorded(
     seed=0,
     late=0.0,
     oval=0.0,
+    changed=0.0,
     foci=(0.0, 3.0),
     **light,
 ):
     """Return images of a star at two foci; what is not in the model is said by the arguments."""
     telescope = Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed, squeezed=oval, **light)
     draw, mean = np.random.default_rng(3), []
-    for known in foci:
-        transfer = telescope.transfer(waves, defocus=2 * known * longer)
+    for known, way in zip(foci, np.linspace(-1.0, 1.0, len(foci)), strict=True):
+        moved = tuple((j, size + way * changed * (j == 8)) for j, size in waves)
+        transfer = telescope.transfer(moved, defocus=2 * known * longer)
         transfer = transfer.times(air.gaussian(transfer.radius, sigma * 2.4e-6))
         image = 5e4 * transfer.image(29, 2.4e-6, *(14 + draw.uniform(-0.3, 0.3, 2))) + 20.0 + slope * np.arange(29.0)
         mean.append(image - lost * image**2 / 1e4)
@@ -75,6 +77,7 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
         ({"slanted": 0.06}, "light that slopes across the pupil", 0.06),
         ({"off": 0.05}, "obscuration off the middle", 0.05),
         ({"oval": 0.04}, "aperture that is not round", 0.02),
+        ({"changed": 0.06}, "noll 8 coma x that changes over the images", 0.06),
         ({"late": 0.03}, "charge that arrives late in higher rows", 0.03),
         ({"waves": (*WAVES, (22, 0.04))}, "noll 22 secondary spherical", 0.04),
         ({"lost": 0.3}, "non-linear gain", 0.3),

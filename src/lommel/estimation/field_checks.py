@@ -35,9 +35,12 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
     wavefront and too small to be seen moves coefficients all the same: it is marginalized.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
-    lacking = _lacking(model, x, places)
-    images = [image for one in lacking for image in one.images]
     values, slopes = model.images(x)
+    flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
+    edge = stars.one.unknowns.edge
+    lacking = [*star_checks.lacking_changes(edge, (flux * slope for slope in slopes), stars.exposures)]
+    lacking += _lacking(model, x, places)
+    images = [image for one in lacking for image in one.images]
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
     shared = k + widths + len(images)

@@ -33,6 +33,8 @@ _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relativ
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL, _LATE, _REACH = 0.005, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
 _KNOWN = 0.5  # of these, to which constants are known at least
+_CHANGED = 0.03  # radians rms, by which a term may change from the middle image to the last
+_CHANGES = " that changes over the images"
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
 _MOST_FOCI = 9  # of which that is tested
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
@@ -116,6 +118,17 @@ def lacking_phases(
                 yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
+def lacking_changes(terms: Sequence[Term], slopes: Iterable[Array], exposures: int) -> Iterator[Lacking]:
+    """Yield estimated terms that change over the images, of derivatives of electrons by terms of 1 at the edge.
+
+    Sizes are half the difference of the last image from the first, radians rms.
+    """
+    if exposures > 1:
+        for term, slope in zip(terms, slopes, strict=False):
+            way = np.tile(np.linspace(-1.0, 1.0, exposures), len(slope) // exposures)[:, None, None]
+            yield Lacking(label(term) + _CHANGES, _CHANGED, (slope * way * zernike.rms_factor(*term),))
+
+
 def apodized(pupil: Pupil) -> Pupil | None:
     """Return a pupil of which the amplitude falls towards the edge, None where that is not tested."""
     if pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
@@ -184,8 +197,8 @@ def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
 
 def unseen(candidates: Sequence[Candidate], others: Sequence[str] = ()) -> list[Candidate]:
     """Return the candidates that are marginalized, with the sizes that they may have unseen."""
-    found = [one for one in candidates if one.name in (*NUISANCES, *others)]
-    return found + [replace(one, scale=_KNOWN * one.scale) for one in candidates if one.name in _CONSTANTS]
+    parts = dict.fromkeys((*NUISANCES, *others), 1.0) | dict.fromkeys(_CONSTANTS, _KNOWN)
+    return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
@@ -218,6 +231,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     values, slopes = model.images(x)
     _, further = model.images(x, fast=True, by=(*terms, *constants))
     lacking = [*lacking_phases(terms, constants, [flux * slope.values for slope in further], pupil, known)]
+    lacking += lacking_changes(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)

@@ -59,7 +59,7 @@ class UnevenLight:
         self._terms = _of(terms, rho, theta)
         self._places = [unit * places for places in (grid.y, grid.x)]
         self._waves = [_waves(places, at) for places in self._places]
-        angles: Array = np.arange(_ANGLES * side) * (2.0 * math.pi / (_ANGLES * side))
+        angles: Array = np.linspace(0.0, 2.0 * math.pi, _ANGLES * side, endpoint=False)
         #: Of each edge its terms, its waves along rows and columns, and the amplitudes by which it moves.
         self._rims = []
         for radius, turns in (

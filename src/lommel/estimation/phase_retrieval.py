@@ -323,7 +323,7 @@ def retrieve(
     arrives late, terms that change from image to image, defoci longer by a share, of three images and more another
     defocus of each. Of these, slopes of the background, uneven light (2 % of the amplitude at the edge, 1 % in
     folds), obscurations off the middle by 0.01 radii, semi-axes of the edge longer and shorter by 0.5 %, scales by
-    0.3 %, 0.5 % of the charge, f-numbers by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one
+    0.3 %, 0.25 % of the charge, f-numbers by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one
     standard deviation each, are marginalized: `coefficients` and their errors allow for them; `model` is without. A
     wrong sign of all known defoci negates the even terms, and nothing tells it. What the images favour beyond chance
     is named, and the answer is in doubt ("other_explanation").

@@ -31,8 +31,8 @@ _SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that i
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
 # Amplitude at the edge; radii; share of the scale.
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
-_TRAIL, _LATE, _REACH = 0.005, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
-_KNOWN = 0.5  # of these, to which constants are known at least
+_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
+_KNOWN, _KEPT = 0.5, 0.25  # of sizes, to which constants are known at least, and within which charge is where it was
 _CHANGED = 0.03  # radians rms, by which a term may change from the middle image to the last
 _CHANGES = " that changes over the images"
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
@@ -197,7 +197,8 @@ def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
 
 def unseen(candidates: Sequence[Candidate], others: Sequence[str] = ()) -> list[Candidate]:
     """Return the candidates that are marginalized, with the sizes that they may have unseen."""
-    parts = dict.fromkeys((*NUISANCES, *others), 1.0) | dict.fromkeys(_CONSTANTS, _KNOWN)
+    parts = dict.fromkeys((*NUISANCES, *others), 1.0)
+    parts |= dict.fromkeys(_CONSTANTS, _KNOWN) | dict.fromkeys(_TRAILS.values(), _KEPT)
     return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
 
 

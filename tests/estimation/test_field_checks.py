@@ -10,7 +10,11 @@ import pytest
 import lommel as lm
 from lommel.blur.mixtures import Shape
 from lommel.estimation import field_fit
+from lommel.estimation.field_checks import negated
+from lommel.estimation.star_images import Unknowns
 from lommel.estimation.star_readout import OTHER_BLURS, StarReadout
+from lommel.estimation.uneven_light import FOLDS, SHIFT, SLANT
+from lommel.fit.score_tests import ScoreTest
 from tests.world.camera import Camera
 from tests.world.optics import Telescope
 from tests.world.scenarios import through
@@ -76,6 +80,21 @@ def test_the_sign_of_what_is_missing_is_that_of_the_map_that_is_given(seed):
     assert fit.findings.get("other_explanation").numbers["noll 5 astigmatism 45"]["size"][0] == pytest.approx(
         0.1, abs=0.02
     )
+
+
+def test_half_a_turn_negates_even_terms_and_odd_light():
+    kept = [
+        "noll 8 coma x",
+        "noll 8 coma x of degree 1",
+        FOLDS[0],
+        FOLDS[2],
+        "charge that arrives late in higher rows",
+    ]
+    turned = ["noll 6 astigmatism 0", "noll 4 defocus of degree 1", "noll 4 defocus more at the top left"]
+    turned += [SLANT, FOLDS[1], SHIFT]
+    tests = [ScoreTest(name, np.ones(1), np.ones(1), 1.0, 1.0) for name in (*kept, *turned)]
+    sizes = [float(test.size[0]) for test in negated(tests, Unknowns(["noll 4", "noll 8"], ()))]
+    assert sizes == [1.0] * len(kept) + [-1.0] * len(turned)
 
 
 def test_a_wrong_obscuration_is_told():

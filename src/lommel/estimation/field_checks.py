@@ -14,7 +14,7 @@ from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.star_checks import BLURS, Lacking
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
-from lommel.estimation.uneven_light import changes_of
+from lommel.estimation.uneven_light import FOLDS, SHIFT, SLANT, changes_of
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
@@ -76,9 +76,14 @@ def _higher(degree: int) -> range:
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
-    """Return tests of the wavefront with the even part of its phase negated."""
-    even = {label(term) for term in next_terms(unknowns.edge, ()) if term[0] % 2 == 0}
-    return tuple(replace(test, size=-test.size) if test.name in even else test for test in tests)
+    """Return tests of the wavefront with the even part of its phase negated, which turns the pupil by half a turn."""
+    even = {label(term) for term in (*unknowns.edge, *next_terms(unknowns.edge, ())) if term[0] % 2 == 0}
+    turned = {SLANT, FOLDS[1], SHIFT}  # light that is odd
+    of_even = tuple(f"{name} " for name in even)
+    return tuple(
+        replace(test, size=-test.size) if test.name in even | turned or test.name.startswith(of_even) else test
+        for test in tests
+    )
 
 
 def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:

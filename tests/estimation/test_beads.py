@@ -235,6 +235,32 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
         assert possible(setup, name, best)
 
 
+def test_what_is_held_and_not_tested_is_named():
+    found = lm.fit_beads(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
+    told = found.findings.get("untested")
+    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip"])
+    assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
+    bright = [
+        lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
+        for one in (changed(OIL, "coverslip", 165e-6), changed(OIL, "coverslip", 175e-6))
+    ]
+    change = 0.5 * abs(bright[1].coefficients[4, 0] - bright[0].coefficients[4, 0])
+    assert change == pytest.approx(told.numbers["coverslip"]["noll 11 spherical"], rel=0.2)
+
+
+def test_errors_allow_for_a_constant_that_the_beads_favour_within_chance():
+    pulls = []
+    for seed in range(4):
+        images, _ = recorded(seed, given := waves(seed, 0.1), light=1e4, depth=90e-9)
+        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        assert found.reliable
+        assert next(one for one in found.tests if one.name == "depth").log_bayes > 0.0
+        pulls += [(found.coefficients[t] - a) / found.errors[t] for t, a in zip(TERMS, given, strict=True)]
+        assert found.aberrations.edge_terms()[4, 0] == pytest.approx(found.coefficients[4, 0] * 5**0.5)
+    assert np.abs(pulls).max() < 2.5  # without it, noll 11 is off by more than five
+    assert 0.7 < np.sqrt(np.mean(np.square(pulls))) < 1.2
+
+
 def test_terms_of_the_amplitude_are_found_and_named_where_they_are_not_estimated():
     light = {2: -0.15, 4: 0.04}
     given = waves(4, 0.1)

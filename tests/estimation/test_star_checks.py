@@ -8,6 +8,7 @@ import pytest
 import lommel as lm
 from lommel.core.answers import Declined
 from lommel.estimation import star_checks
+from lommel.fit.score_tests import Candidate, ScoreTest
 from tests.world import air
 from tests.world.camera import Camera, trailed
 from tests.world.optics import Telescope
@@ -130,3 +131,40 @@ def test_blur_that_cannot_be_tested_is_said(monkeypatch):
     assert fit.findings.get("untested").text == "blur was not tested: too fine"
     assert fit.findings.get("untested").severity == "note"
     assert "blur by a Gaussian besides" not in seen(fit)
+
+
+def test_of_one_focus_the_known_defocus_is_said_not_to_be_tested():
+    one = found(recorded(foci=(3.0,)), defocus=[3.0]).findings.get("untested")
+    assert one.severity == "note"
+    assert one.numbers["known defocus"] == {"noll 4 defocus": pytest.approx(0.03 / 3**0.5)}
+    assert "not tested: known defocus (1% of it changes noll 4 defocus by 0.017 rad)" in one.text
+    for images, options in (
+        (recorded(), {}),
+        (recorded(foci=(3.0,)), {"defocus": [3.0], "terms": ["noll 5", "noll 8"]}),
+    ):
+        told = found(images, **options).findings.get("untested")
+        assert told is None or "known defocus" not in told.numbers
+
+
+def test_what_the_images_favour_within_chance_is_allowed_for_whole():
+    candidates = [Candidate(name, (k,), 0.2) for k, name in enumerate(("f_number", "noll 9 trefoil", "wings"))]
+
+    def kept(log_bayes, *others):
+        tests = [ScoreTest(one.name, np.zeros(1), np.ones(1), 0.0, log_bayes) for one in candidates]
+        return {one.name: one.scale for one in star_checks.unseen(candidates, tests, others)}
+
+    assert kept(-0.1) == {"f_number": 0.1}
+    assert kept(-0.1, "wings") == {"f_number": 0.1, "wings": 0.2}
+    assert kept(0.1) == {"f_number": 0.2, "noll 9 trefoil": 0.2, "wings": 0.2}
+
+
+@pytest.mark.parametrize("late", [0.004, 0.008])
+def test_errors_hold_where_something_small_is_missing(late):
+    pulls = []
+    for seed in range(6):
+        fit = found(recorded(late=late, seed=seed))
+        if fit.reliable:
+            true = dict(zip(TERMS, (0.3, -0.2, 0.25), strict=True))
+            pulls += [(fit.coefficients[name] - true[name]) / fit.errors[name] for name in TERMS]
+    assert np.sqrt(np.mean(np.square([*pulls, 0.0]))) < 1.5
+    assert max(map(abs, [*pulls, 0.0])) < 4.0

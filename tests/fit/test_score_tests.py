@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lommel.fit.score_tests import Candidate, log_bayes_factor, other_explanation, score_tests, seen
+from lommel.fit.score_tests import Candidate, log_bayes_factor, other_explanation, score_tests, seen, untested
 
 DRAW = np.random.default_rng(4)
 COLUMNS = DRAW.normal(size=(400, 9))
@@ -92,3 +92,18 @@ def test_a_prior_is_not_what_the_data_say():
     alone = np.linalg.lstsq(columns, data, rcond=None)[0]
     assert test.size[0] == pytest.approx(alone[1], rel=1e-6)
     assert test.sigmas == pytest.approx(alone[1] / np.hypot(test.errors[0], known), rel=1e-6)
+
+
+def test_what_is_stated_and_not_tested_is_named_with_what_it_changes_most():
+    columns = COLUMNS.copy()
+    columns[:, 7] = columns[:, 1] + 0.02 * columns[:, 8]  # as the second unknown is
+    stated = [Candidate("one", (3,), 0.3), Candidate("twin", (7,), 0.3)]
+    tests, data = simulated(np.array([1.0, -2.0, 0.5, 0, 0, 0, 0, 0, 0]), candidates=stated, columns=columns)
+    found = untested(columns.T @ columns, UNKNOWNS, {"a": 0, "b": 1, "c": 2}, stated, tests)
+    assert [*found] == ["twin"]
+    best = [np.linalg.lstsq(columns[:, UNKNOWNS], data + size * columns[:, 7], rcond=None)[0] for size in (0.0, 0.3)]
+    name, change = found["twin"]
+    assert name == "b"
+    assert change == pytest.approx((best[1] - best[0])[1], rel=1e-6)
+    # What no unknown feels changes nothing.
+    assert untested(columns.T @ columns, UNKNOWNS, {"a": 0, "c": 2}, stated, tests) == {}

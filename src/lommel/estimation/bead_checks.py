@@ -17,7 +17,19 @@ from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, St
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import RIVAL, Candidate, ScoreTest, log_bayes_factor, other_explanation, score_tests, seen
+from lommel.fit.score_tests import (
+    RIVAL,
+    Candidate,
+    Marginal,
+    ScoreTest,
+    log_bayes_factor,
+    marginalized,
+    other_explanation,
+    score_tests,
+    seen,
+    untested,
+    untested_findings,
+)
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -56,8 +68,12 @@ def possible(setup: Setup, name: str, value: float) -> bool:
     return False
 
 
-def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[ScoreTest, ...]:
-    """Return score tests of what the model may lack: further terms, other constants, drift, background, gain."""
+def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
+    """Return score tests of what the model may lack: further terms, other constants, drift, background, gain.
+
+    And steps of the shared parameters that allow for those that the stacks favour, where there are such; and the
+    finding of constants that are held and that the stacks do not test.
+    """
     setup, images = found.state.setup, joint.images
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
     wide = replace(joint, images=images.with_terms(more_terms))
@@ -74,14 +90,27 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[ScoreTest, ...]:
     for name, (value, known) in joint.priors.items():
         if math.isfinite(known):
             candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
-    candidates += [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
+    held = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
+    candidates += held
     # Sizes in pixels over half the stack, in electrons over the window, and in the share that is lost at 10^4.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
     for name, (columns, size) in groups.items():
         if columns:
             candidates.append(Candidate(name, tuple(map(names.index, columns)), size))
     tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
-    return tuple(sorted(tests, key=lambda test: -test.log_bayes))
+    favoured = {test.name for test in tests if test.log_bayes > 0.0}
+    lacking = [one for one in candidates if one.name in favoured and not {*one.columns} & {*unknowns}]
+    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if lacking else None
+    shown = {label(name): at for at, name in enumerate(images.solved)}
+    unseen = untested(information, unknowns, shown, held, tests)
+    notes = untested_findings(unseen, {one.name: f"{_size(one.name, one.scale)} of it" for one in held})
+    return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
+
+
+def _size(name: str, value: float) -> str:
+    """Return a difference of a constant in words: "0.05 um"."""
+    factor, unit = UNITS[CONSTANTS[name].unit]
+    return f"{factor * value:.3g}{unit}"
 
 
 def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:

@@ -134,7 +134,7 @@ class BeadFit(FitReport):
     findings : lommel.fit.Findings
         What the checks found. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts:
         "other_explanation" where the data favour something of `tests`, "too_dim", "held_out", "moved",
-        "model_error", "too_quiet". Notes: single planes that moved, beads and pixels left out.
+        "model_error", "too_quiet". Notes: "untested", single planes that moved, beads and pixels left out.
     summary : str
         Chi2, and the number of steps.
     converged, reliable, status, message
@@ -375,7 +375,10 @@ def fit_beads(
     are by rules of stated size; `model_error` compares them with a certified image at the answer.
 
     Score tests (Rao) give sizes by one step of Fisher scoring, all that is estimated being eliminated, ranked by
-    their Bayes factors. The likeliest, if it is beyond chance, is then solved for.
+    their Bayes factors. The likeliest, if it is beyond chance, is then solved for. What the beads favour within
+    chance (Bayes factors above 1) is marginalized: `coefficients`, errors and `aberrations` allow for it. Constants
+    that are held and that these beads do not tell, though an error of them would change a term by more than a
+    standard error, are named ("untested").
 
     Examples
     --------
@@ -527,14 +530,16 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
     if max(part.visible for part in found.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        tests = bead_checks.missing_tests(joint, found)
+        tests, marginal, untested = bead_checks.missing_tests(joint, found)
         missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
         backwards: list[Finding] = []
         if missing or not Findings(findings).converged:
             best = found.log_posterior if other is None else max(other, found.log_posterior)
             start = State(search.setup, search.waves, state.places)
             backwards = bead_checks.reversed_findings(joint, start, best, chi2)
-        findings += backwards or missing
+        findings += [*(backwards or missing), *untested]
+        if marginal is not None and not missing:  # what the stacks favour, though not beyond chance
+            inverse, state = marginal.covariance, _moved(state, joint, marginal.shift)
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in joint.stacks)
             findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
@@ -568,6 +573,15 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
         _state=state,
         _images=joint.images,
     )
+
+
+def _moved(state: State, joint: BeadModel, by: Array) -> State:
+    """Return a state with other shared parameters, as far as there is such a microscope."""
+    count, setup = len(state.waves), state.setup
+    for name, step in zip(joint.priors, by[count:].tolist(), strict=True):
+        if bead_checks.possible(setup, name, value := setup.value(name) + step):
+            setup = setup.having(name, value)
+    return replace(state, waves=state.waves + by[:count], setup=setup)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:

@@ -27,8 +27,12 @@ _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.aran
 _SURE = 5.0  # standard deviations by which backgrounds of windows slope
 
 
-def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tuple[tuple[ScoreTest, ...], Marginal]:
+def missing_tests(
+    model: WholeField, x: Array, places: Array, degree: int
+) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
     """Return score tests of what a fit at `x` may lack, the likeliest first, and coefficients that allow for it.
+
+    And the finding of stated numbers that the stars do not test.
 
     Further terms, polynomials of higher degrees in `places` (n, 2), parts of the field, light of the pupil and charge
     where they should not be, other blurs, slopes of the background, and a gain that is not linear. What is no
@@ -64,10 +68,14 @@ def missing_tests(model: WholeField, x: Array, places: Array, degree: int) -> tu
         for part, columns in parts
     ]
     missing = star_checks.candidates_of(lacking, at)
+    tests = score_tests(matrix, right, estimated, [*candidates, *missing])
     # A blur that is stated is as it is.
-    unseen = star_checks.unseen(missing, BLURS if stars.widths else ())
+    unseen = star_checks.unseen([*candidates, *missing], tests, BLURS if stars.widths else ())
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
-    return score_tests(matrix, right, estimated, [*candidates, *missing]), marginal
+    waves, fit = stars.one.unknowns, (matrix, estimated)
+    means = [j * m for j in range(k)]
+    untested = star_checks.untested_constants(stars.lens, stars.known, missing, tests, fit, waves, means)
+    return tests, marginal, untested
 
 
 def _higher(degree: int) -> range:

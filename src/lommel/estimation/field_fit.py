@@ -444,7 +444,9 @@ def fit_field(
     their errors hold for a variance of 0.1 pixels^2 in one direction, 30 % of the light in wings, 1 electron per
     pixel, 2 % of the amplitude at the edge of the pupil (1 % in folds), obscurations off the middle by 0.01 radii,
     semi-axes of the edge longer and shorter by 0.5 %, scales by 0.3 %, 0.25 % of the charge, f-numbers by 1 %,
-    obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each; `model` is without them.
+    obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each; what the stars favour
+    within chance (Bayes factors above 1) is marginalized over all the size that its test allows; `model` is without.
+    The known defocus of one focus, and an f-number that blur hides, are named, with what they change ("untested").
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
     another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").

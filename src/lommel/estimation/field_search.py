@@ -99,7 +99,7 @@ class Outcome:
     bright: tuple[float, float]
     places: Array
     shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
-    slopes: list[Finding]  # of backgrounds
+    notes: list[Finding]  # of backgrounds that slope, of stated numbers that are not tested
     tests: tuple[ScoreTest, ...]  # of what the model lacks
     marginal: Marginal
     rival: Rival | None = None
@@ -130,7 +130,7 @@ class Outcome:
             found.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         quiet = [replace(each, severity="error") for each in found if each.code == "too_quiet" and chi2 < _QUIET]
         # Above, chi2 of few electrons is below that of noise by chance more often.
-        return Findings([*quiet, *(each for each in found if each.code != "too_quiet"), *self.slopes])
+        return Findings([*quiet, *(each for each in found if each.code != "too_quiet"), *self.notes])
 
     @property
     def cost(self) -> float:
@@ -567,12 +567,12 @@ class Search:
         if slopes := slope_findings(found.model, found.x):
             self.places = places
             found, lost = self.whole(self._on_slopes(found))
-        tests, marginal = missing_tests(found.model, found.x, self.places, self.degree)
+        tests, marginal, untested = missing_tests(found.model, found.x, self.places, self.degree)
         chosen, own = found.model.chosen, found.of_stars()
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
         bright, held_out = self.stars.bright(chosen, psf, own, float(unknown)), self.held_out(found)
-        tested = self.shapes, slopes, tests, marginal, self.rival
+        tested = self.shapes, [*slopes, *untested], tests, marginal, self.rival
         return Outcome(found, lost, held_out, bright, self.places, *tested)
 
     def _on_slopes(self, found: Found) -> Found:

@@ -324,9 +324,11 @@ def retrieve(
     defocus of each. Of these, slopes of the background, uneven light (2 % of the amplitude at the edge, 1 % in
     folds), obscurations off the middle by 0.01 radii, semi-axes of the edge longer and shorter by 0.5 %, scales by
     0.3 %, 0.25 % of the charge, f-numbers by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one
-    standard deviation each, are marginalized: `coefficients` and their errors allow for them; `model` is without. A
-    wrong sign of all known defoci negates the even terms, and nothing tells it. What the images favour beyond chance
-    is named, and the answer is in doubt ("other_explanation").
+    standard deviation each, are marginalized: `coefficients` and their errors allow for them; `model` is without.
+    What the images favour within chance (Bayes factors above 1) is marginalized over all the size that its test
+    allows; beyond chance it is named, and the answer is in doubt ("other_explanation"). The known defocus of one
+    focus, and an f-number that blur hides, are named with what they change ("untested"). A wrong sign of all known
+    defoci negates the even terms, and nothing tells it.
 
     Examples
     --------

@@ -14,11 +14,21 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.star_images import StarImages, changes, label, next_terms, slants, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns, changes, label, next_terms, slants, uncertainty
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.uneven_light import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, other_explanation, score_tests, seen
+from lommel.fit.score_tests import (
+    Candidate,
+    Marginal,
+    ScoreTest,
+    marginalized,
+    other_explanation,
+    score_tests,
+    seen,
+    untested,
+    untested_findings,
+)
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
@@ -33,6 +43,7 @@ _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relativ
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
 _KNOWN, _KEPT = 0.5, 0.25  # of sizes, to which constants are known at least, and within which charge is where it was
+_ONE = 0.01  # share of a stated number, of which the effect is said
 _CHANGED = 0.03  # radians rms, by which a term may change from the middle image to the last
 _CHANGES = " that changes over the images"
 _DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
@@ -195,11 +206,44 @@ def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
     return found
 
 
-def unseen(candidates: Sequence[Candidate], others: Sequence[str] = ()) -> list[Candidate]:
-    """Return the candidates that are marginalized, with the sizes that they may have unseen."""
+def unseen(
+    candidates: Sequence[Candidate], tests: Sequence[ScoreTest], others: Sequence[str] = ()
+) -> list[Candidate]:
+    """Return the candidates that are marginalized, with the sizes that they may have unseen.
+
+    All that the data favour, though not beyond chance, have their whole size; of the others, what no fit estimates
+    has a part of it.
+    """
     parts = dict.fromkeys((*NUISANCES, *others), 1.0)
     parts |= dict.fromkeys(_CONSTANTS, _KNOWN) | dict.fromkeys(_TRAILS.values(), _KEPT)
+    parts |= {test.name: 1.0 for test in tests if test.log_bayes > 0.0}
     return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
+
+
+def untested_constants(
+    pupil: Pupil,
+    known: Array,
+    candidates: Sequence[Candidate],
+    tests: Sequence[ScoreTest],
+    fit: tuple[Array, Sequence[int]],
+    waves: Unknowns,
+    places: Sequence[int],
+) -> list[Finding]:
+    """Return the finding of stated numbers that the images do not test.
+
+    `fit` has the information and the columns that are estimated, `places` those of the terms of `waves` among them.
+    """
+    names = [label(name) for name in waves.terms]
+    scale = _ONE * float(pupil.f_number or 1.0)
+    f_number = [replace(one, scale=scale) for one in candidates if one.name == "f_number"]
+    found = untested(*fit, dict(zip(names, places, strict=True)), f_number, tests)
+    if np.ptp(known) == 0.0 != known[0] and (2, 0) in waves.edge:
+        # One focus shows the sum of what is known of the defocus and what is estimated.
+        shares = waves.directions[:, waves.edge.index((2, 0))] / np.abs(waves.directions).sum(axis=1)
+        j = int(shares.argmax())
+        by = _ONE * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
+        found["known defocus"] = names[j], float(by)
+    return untested_findings(found, dict.fromkeys(found, f"{_ONE:.0%} of it"))
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
@@ -244,11 +288,11 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _SHARP, integrate=grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)
-    untested = []
+    notes = []
     try:
         samples = np.asarray(fine(pupil).values, np.float32)
     except (Declined, ToleranceError) as error:  # on a finer lattice than that of the pixels
-        untested.append(Finding("untested", "note", f"blur was not tested: {error}"))
+        notes.append(Finding("untested", "note", f"blur was not tested: {error}"))
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
         lacking += lacking_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
@@ -257,8 +301,11 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
     found = products[0]
     candidates, asked = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
-    marginal = marginalized(*asked, unseen(candidates), model.shared)
-    return missing_findings(score_tests(*asked, candidates)) + untested, marginal
+    tests = score_tests(*asked, candidates)
+    marginal = marginalized(*asked, unseen(candidates, tests), model.shared)
+    fit = found[:-1, :-1], range(model.size)
+    notes += untested_constants(pupil[0], known, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
+    return missing_findings(tests) + notes, marginal
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:

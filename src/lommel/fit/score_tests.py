@@ -10,7 +10,7 @@ two normal distributions widened by the covariance: a candidate that could be an
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -125,6 +125,39 @@ def marginalized(
     told = np.isfinite(np.diag(wide))
     shift = np.where(told, np.where(told[:, None], wide, 0.0) @ slope[free], 0.0)
     return Marginal(shift, wide[:, :count])
+
+
+def untested(
+    information: Array,
+    unknowns: Sequence[int],
+    shown: Mapping[str, int],
+    stated: Sequence[Candidate],
+    tests: Sequence[ScoreTest],
+) -> dict[str, tuple[str, float]]:
+    """Return what the data do not test of stated numbers, within their scales.
+
+    For each of these the unknown that such an error changes most, and by how much. `shown` has the places of unknowns
+    among `unknowns`; changes below a standard error are left out.
+    """
+    rest, found = list(unknowns), {}
+    square = information[np.ix_(rest, rest)]
+    errors = np.sqrt(np.diag(covariance(square)))
+    for one in stated:
+        error = next((float(test.errors[0]) for test in tests if test.name == one.name), math.inf)
+        if error <= one.scale or not shown:
+            continue
+        changes = np.abs(one.scale * _solved(square, information[np.ix_(rest, one.columns)])[:, 0])
+        name = max(shown, key=lambda name: changes[shown[name]] / errors[shown[name]])
+        if changes[shown[name]] > errors[shown[name]]:
+            found[one.name] = name, float(changes[shown[name]])
+    return found
+
+
+def untested_findings(found: Mapping[str, tuple[str, float]], sizes: Mapping[str, str]) -> list[Finding]:
+    """Return the finding of stated numbers that are `untested`, with sizes of their errors in words."""
+    each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in found.items()]
+    numbers = {name: {term: by} for name, (term, by) in found.items()}
+    return [Finding("untested", "note", f"not tested: {', '.join(each)}", numbers)] if each else []
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:

@@ -208,6 +208,12 @@ class Checks:
             )
             numbers = {"doubtful": sums["doubtful"], "molecules": n}
             yield Finding("crowded", "doubt" if share > _CROWDED else "note", text, numbers)
+        if self._recording.along != "none":
+            text = (
+                "not tested: light that is uneven across the pupil, or clipped on one side of it, which moves "
+                "molecules sideways in proportion to z: beads at several foci show it"
+            )
+            yield Finding("untested", "note", text)
 
     def _of_spots(self) -> Iterator[Finding]:
         sums = self._sums

@@ -10,6 +10,7 @@ import pytest
 from scipy import stats
 
 from lommel.fit import goodness_of_fit
+from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.recorded.noise import Noise
 
 Y, X = np.mgrid[:21, :21] - 10.0
@@ -93,3 +94,13 @@ def test_read_noise_says_nothing_of_it():
     assert found.share > 1.0
     found = goodness_of_fit.excess_test(np.full(100, np.nan), 1.0, 1.0)
     assert (found.sigmas, found.found) == (0.0, False)
+
+
+def test_causes_are_named_unless_what_the_data_favour_explains_more_than_half_of_the_misfit():
+    spread = np.sqrt(2.0 / 1000.0)  # of 1000 degrees of freedom: chi2 of 1.2 is an excess of 200
+    for sigmas, causes in ((14.0, ""), (-14.0, ""), (9.9, "pixel is wrong")):
+        test = ScoreTest("blur", np.zeros(1), np.ones(1), sigmas, 9.0)
+        assert causes_of_misfit("pixel is wrong", 1.2, spread, [test]) == causes
+        found = goodness_of_fit.chi2_findings(1.2, spread, causes)[0]
+        assert found.text == "noise alone stays below 1.17" + (f"; {causes}" if causes else "")
+    assert causes_of_misfit("pixel is wrong", 1.2, spread, []) == "pixel is wrong"

@@ -21,7 +21,7 @@ from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, 
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.score_tests import ScoreTest
+from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 _PLANES = 5  # at the least
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
+_CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _FIRST = 5  # Noll's index of the first term after defocus
 
 
@@ -519,19 +520,19 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
     held_out, of_others = bead_checks.held_out(joint, found)
     beads = _beads(search.model, found, whole, used, recorded, noise)
     error = bead_checks.model_error(joint, state)
-    causes = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
-    findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    if "misfit" in Findings(findings).codes:
-        light = np.stack([expected(*each) for each in zip(state.light, found.values, strict=True)])
-        counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
-        off = np.where(valid, counted - light, np.nan)
-        findings[:0] = goodness_of_fit.excess_test(off, light, read).findings(noise.excess)
     tests: tuple[ScoreTest, ...] = ()
     if max(part.visible for part in found.parts) < _VISIBLE:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
         tests, marginal, untested = bead_checks.missing_tests(joint, found)
         missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
+        causes = causes_of_misfit(_CAUSES, chi2, spread, tests)
+        findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
+        if "misfit" in Findings(findings).codes:
+            light = np.stack([expected(*each) for each in zip(state.light, found.values, strict=True)])
+            counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
+            off = np.where(valid, counted - light, np.nan)
+            findings[:0] = goodness_of_fit.excess_test(off, light, read).findings(noise.excess)
         backwards: list[Finding] = []
         if missing or not Findings(findings).converged:
             best = found.log_posterior if other is None else max(other, found.log_posterior)

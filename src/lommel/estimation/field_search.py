@@ -22,7 +22,7 @@ from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, Whol
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings
-from lommel.fit.score_tests import Marginal, ScoreTest
+from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
@@ -108,19 +108,21 @@ class Outcome:
     def findings(self) -> Findings:
         """What the stars say of the fit."""
         chi2, spread = float(self.found.scores.chi2[0]), float(self.found.scores.spread[0])
-        found = chi2_findings(chi2, spread, _CAUSES)
+        causes = causes_of_misfit(_CAUSES, chi2, spread, self.tests)
+        found = chi2_findings(chi2, spread, causes)
+        causes = causes and f"; {causes}"
         bright, off = self.bright
         if not found and math.isfinite(bright) and bright >= (limit := float(goodness_of_fit.most(off))):
             where = "of the pixels in which stars exceed the noise"
-            text = f"chi2 {bright:.4g} {where}, noise alone stays below {limit:.4g}; {_CAUSES}"
+            text = f"chi2 {bright:.4g} {where}, noise alone stays below {limit:.4g}{causes}"
             found = [Finding("misfit", "error", text, {"bright_chi2": bright, "limit": limit})]
         held, off = self.held_out
         if held - 1.0 > (limit := _HELD_OUT + 4.0 * off):
-            text = f"stars that were left out do not follow the map; {_CAUSES}"
+            text = f"stars that were left out do not follow the map{causes}"
             found.append(Finding("held_out", "error", text, {"held_out": held, "limit": 1.0 + limit}))
         count = len(self.lost) + len(self.found.model.chosen)
         if len(self.lost) > _MANY_LOST * count:
-            text = f"many stars do not follow the map; {_CAUSES}"
+            text = f"many stars do not follow the map{causes}"
             found.append(Finding("many_rejected", "error", text, {"rejected": len(self.lost), "of": count}))
         if self.rival is not None:
             text = (

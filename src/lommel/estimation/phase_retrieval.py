@@ -17,10 +17,11 @@ from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
-from lommel.estimation.star_checks import error_findings, star_tests
+from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.score_tests import causes_of_misfit
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
@@ -43,6 +44,10 @@ _AGREEING = 3
 _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
 _DECIDED = 2.0  # times as far from the given wavefront: a twin that the start decides against
 _NORMALIZED = 0.05  # by which the sum of a normalised image may differ from 1
+_CAUSES = (
+    "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
+    "the images are blurred (blur=True), or all starts converged to local minima"
+)
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
@@ -472,7 +477,7 @@ def _retrieval(
     inverse = covariance(scores.information[0])
     unknowns, shared, own = model.unknowns, model.shared, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
-    lacking, marginal = star_tests(model, x)
+    tests, marginal, untested = star_tests(model, x)
     likely = model.within(x + np.pad(marginal.shift, (0, model.size - shared)), x)
     optics: dict[str, Any] = model.optics_of(likely)
     per_pixel = model.tilt_of_pixel
@@ -490,13 +495,11 @@ def _retrieval(
     wavefront = model.wavefront(likely[0])
     chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    causes = (
-        "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are "
-        "missing, the images are blurred (blur=True), or all starts converged to local minima"
-    )
+    missing = missing_findings(tests)
+    causes = causes_of_misfit(_CAUSES, chi2, spread, tests)
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
-    found += [*dark, *_sign_findings(model, x), *lacking]
-    if "misfit" in Findings(found).codes and not Findings(lacking).get("other_explanation"):
+    found += [*dark, *_sign_findings(model, x), *missing, *untested]
+    if "misfit" in Findings(found).codes and not missing:
         read = model.read.reshape(residual.shape)
         off = residual * np.sqrt(model.variance(mean))
         found[:0] = goodness_of_fit.excess_test(off, mean, read).findings(noise.excess)

@@ -262,10 +262,11 @@ def _in_words(test: ScoreTest) -> str:
     return f"{what} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
 
 
-def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
-    """Return the findings of score tests of what the images of one star at `x` (1, p) may lack.
+def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
+    """Return score tests of what the images of one star at `x` (1, p) may lack, the likeliest first.
 
-    And shared parameters that allow for what is no wavefront and too small to be seen.
+    And shared parameters that allow for what is no wavefront and too small to be seen; and the findings of what is
+    not tested.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     light = model.per_image(x)[0]
@@ -305,7 +306,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[list[Finding], Marginal]:
     marginal = marginalized(*asked, unseen(candidates, tests), model.shared)
     fit = found[:-1, :-1], range(model.size)
     notes += untested_constants(pupil[0], known, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
-    return missing_findings(tests) + notes, marginal
+    return tests, marginal, notes
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:

@@ -57,12 +57,13 @@ def chance(chi2: float, spread: float) -> float:
 def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
     """Return the finding of a chi2 that noise does not explain, or seldom, once in 1000 fits a doubt.
 
-    `causes` of a misfit in words.
+    `causes` of a misfit in words, "" where another finding names them.
     """
     limit, floor, rare = float(most(spread)), float(least(spread)), chance(chi2, spread)
     numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": rare}
     if chi2 >= limit:
-        return [Finding("misfit", "error", f"noise alone stays below {limit:.3g}; {causes}", numbers)]
+        text = "; ".join(filter(None, (f"noise alone stays below {limit:.3g}", causes)))
+        return [Finding("misfit", "error", text, numbers)]
     if chi2 < floor:
         text = "the images are less noisy than gain, read noise and offset state, so that standard errors do not hold"
         return [Finding("too_quiet", "doubt", text, numbers)]

@@ -24,6 +24,7 @@ from lommel.fit.scoring import covariance
 
 SEEN = 3.0  # ln of the Bayes factor, besides that of the number of candidates
 RIVAL = 5.0  # of ln of the Bayes factor: candidates so near to the best explain the data as well
+_EXPLAINED = 0.5  # of what chi2 exceeds its expectation by
 _BLIND = 1e-9  # of the information of a candidate: less is nothing
 
 
@@ -182,6 +183,12 @@ def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
     if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):
         return ()
     return tuple(test for test in tests if test.log_bayes >= max(tests[0].log_bayes - RIVAL, 0.0))
+
+
+def causes_of_misfit(causes: str, chi2: float, spread: float, tests: Sequence[ScoreTest]) -> str:
+    """Return causes in words, "" where what the data favour explains more than half of the excess of chi2."""
+    excess = (chi2 - 1.0) * 2.0 / max(spread, 1e-9) ** 2  # over all degrees of freedom
+    return "" if any(test.sigmas**2 > _EXPLAINED * excess for test in seen(tests)) else causes
 
 
 def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Self, cast
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -254,11 +254,8 @@ def fisher(
     options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
     plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]
-    one, given = isinstance(pupil, BasePupil), cast("object", pupil)
-    if not one and (not isinstance(given, Sequence) or not given or isinstance(given, str)):
-        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupil)}")
-    pupils = [pupil] if isinstance(pupil, BasePupil) else [imaged(each) for each in pupil]
-    answers = [_exactest(plans, each, names) for each in pupils]
+    one = isinstance(pupil, BasePupil)
+    answers = [_exactest(plans, each, names) for each in _pupils(pupil)]
     stacks = validation.broadcast("stacks of pupils", *(np.empty(answer.pupil.shape) for answer in answers))
     images = stacks[0].shape if one else (len(answers), *stacks[0].shape)
     flux, level, _ = validation.broadcast("photons, background and images", flux, level, np.empty(images))
@@ -276,6 +273,16 @@ def fisher(
     roots, errors = roots * per_light, errors * per_light
     same = () if one else (len(every) - len(images),)
     return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
+
+
+def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
+    """Return the pupils of all images of a scene; TypeError where there are none."""
+    if isinstance(pupil, BasePupil):
+        return [pupil]
+    stated: object = pupil
+    if not isinstance(stated, Sequence) or not stated or isinstance(stated, str):
+        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(stated)}")
+    return [imaged(each) for each in stated]
 
 
 def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:

@@ -375,20 +375,32 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
         )
+    lowest, scores, settled, tried = _search(model, draw, progress, starts=count, steps=most)
+    return _retrieval(model, lowest, scores, settled, counts, noise, tried)
+
+
+def _search(
+    model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, *, starts: int,
+    steps: int,
+) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
+    """Return the best minimum (1, p) of so many starts, its scores, whether it settled, and steps and starts taken.
+
+    Starts end once chi2 is one that noise makes, or where three of them agree within their standard errors.
+    """
     first = _centroid_starts(model)
     best: Scores | None = None
     lowest, fits, ends = first[:1], False, first[:0]
     tries, taken = 0, 0
-    while tries < count:
-        at_once = 1 if tries == 0 or unknowns.pupil else min(_AT_ONCE, count - tries)
+    while tries < starts:
+        at_once = 1 if tries == 0 or model.unknowns.pupil else min(_AT_ONCE, starts - tries)
         x = _random_starts(model, first, draw, at_once, tries)
 
         def report(step: int, chi2: float, before: int = tries, at_once: int = at_once) -> None:
             if progress is not None:
-                progress((before + at_once * step / (most + 1)) / count, chi2)
+                progress((before + at_once * step / (steps + 1)) / starts, chi2)
 
         try:
-            x, scores, settled, steps_taken = search_rows(model, x, most, report, fast=True)
+            x, scores, settled, steps_taken = search_rows(model, x, steps, report, fast=True)
         except (Declined, ToleranceError):  # a random start that is too strong to be computed
             if tries == 0:
                 raise
@@ -406,8 +418,8 @@ def retrieve(
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
-    lowest, best, settled, more = search_rows(model, lowest, most if fits else 0, lambda *_: None, fast=False)
-    return _retrieval(model, lowest, best, fits and bool(settled[0]), counts, noise, (taken + more, tries))
+    lowest, best, settled, more = search_rows(model, lowest, steps if fits else 0, lambda *_: None, fast=False)
+    return lowest, best, fits and bool(settled[0]), (taken + more, tries)
 
 
 def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:

@@ -165,7 +165,7 @@ def missing_findings(
 
 
 def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
-    """Return what a test found, by a fit with it unknown where there is one: "sample = 1.379 +- 0.005"."""
+    """Return the size that a test found, in words, of a fit with it free if any: "sample = 1.379 +- 0.005"."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 or name not in CONSTANTS:

@@ -103,7 +103,7 @@ class Setup:
         return float(getattr(self if name in _OWN else self.objective, name))
 
     def scale(self, name: str) -> float:
-        """Return what size and usual error of a constant are relative to."""
+        """Return the unit of size and usual error of a constant: its value where these are relative, else 1."""
         return self.value(name) if name in ("pixel", "diameter") else 1.0
 
     def beside(self, name: str) -> tuple[float, float]:
@@ -335,7 +335,7 @@ def _half(setup: Setup) -> int:
     return HALF + (stride - 1) * 2 + math.ceil(wide * stride / setup.across)
 
 
-def light_of(values: Array, star: Array, before: Array | None = None) -> Array:
+def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:
     """Return the photons and background of each plane, (2, planes), of maximum likelihood for PSFs (planes, ...)."""
     psf = values.reshape(len(values), -1).astype(np.float64)
     counted, _, read, valid = star
@@ -382,7 +382,10 @@ def _regular(square: Array) -> Array:
 
 
 def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
-    """Return what a stack says about parameters, whose derivatives are (planes, parameters, slopes) of `slopes`."""
+    """Return likelihood, information and slope of a stack.
+
+    Derivatives by parameters are `chain` (planes, parameters, slopes) times the images `slopes`.
+    """
     numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
     _, expected, spread = numbers.sum(axis=(-1, -2))
     each, k = products[0], len(slopes)

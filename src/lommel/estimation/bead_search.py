@@ -124,7 +124,7 @@ class BeadModel:
                 yield self.columns(j, len(names))[at], prior, place.depth
 
     def evaluated(self, state: State, most: float = math.inf) -> Evaluated:
-        """Return what a state is worth with the light of maximum likelihood, with priors.
+        """Return a state evaluated: its deviance, priors included, with flux and background of maximum likelihood.
 
         Declined or ValueError where its deviance is not below `most`, before slopes, which take far longer than
         images; where the aberrations are too strong; or where there is no such microscope.
@@ -134,7 +134,7 @@ class BeadModel:
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
-            light.append(bead_images.light_of(psf, stack.star, state.light[k] if state.light else None))
+            light.append(bead_images.flux_background(psf, stack.star, state.light[k] if state.light else None))
             total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
         if not -math.inf < total < most:
             raise Declined("the likelihood is not finite, or no better")
@@ -145,7 +145,7 @@ class BeadModel:
         return Evaluated(state, values, parts, scores)
 
     def normal(self, state: State, values: list[Array], more: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
-        """Return what stacks say, and information and slope of all parameters, with priors.
+        """Return the parts of all stacks, and information and slope of all parameters, priors included.
 
         Constants `more`, of all beads alike, follow what is shared.
         """

@@ -612,7 +612,7 @@ def _inverse(square: Array) -> Array:
 def _beads(
     model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
-    """Return what was found of each bead; of those left out, their fit with all that is shared held."""
+    """Return the fit of each bead; of those left out, a fit with all shared parameters held."""
     found, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):

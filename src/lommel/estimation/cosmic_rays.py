@@ -45,8 +45,8 @@ def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
         else:
             image = fine[row::_SHIFTS, column::_SHIFTS]
         near = _middle(image[None], np.ones((1, *image.shape), dtype=bool))[0]
-        lit = image > _LIT * image.max()
-        found = max(found, float((image / np.maximum(near, 1e-6 * image.max()))[lit].max()))
+        bright = image > _LIT * image.max()
+        found = max(found, float((image / np.maximum(near, 1e-6 * image.max()))[bright].max()))
     return found
 
 

@@ -213,10 +213,10 @@ def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: floa
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard error of one distance, metres."""
-    lit = np.flatnonzero(surface.light)
-    if math.isinf(distance) or not surface.contrast or not lit.size:
+    lighted = np.flatnonzero(surface.light)
+    if math.isinf(distance) or not surface.contrast or not lighted.size:
         return math.inf
-    seen, light = [lenses[int(k)] for k in lit], surface.light[lit]
+    seen, light = [lenses[int(k)] for k in lighted], surface.light[lighted]
     widest = max(lens.aperture_diameter for lens in seen)
     step = _STEP * 2.0 * min(lens.wavelength for lens in seen) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # not beyond infinity

@@ -95,7 +95,7 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
 
 
 def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
-    """Return what stars of a field may lack, but for polynomials of a higher degree."""
+    """Return candidates of effects that the model of the stars lacks, polynomials of higher degrees aside."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())
     constants = star_checks.lacking_constants(stars.one.pupil, stars.known, ())

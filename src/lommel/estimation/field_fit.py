@@ -271,8 +271,8 @@ class FieldFit(FitReport):
         for what, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
             spot = x[k], y[k]
             errors = self.at(*spot)[1] / (2.0 * math.pi)
-            told = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
-            lines.append(f"# standard errors in {what}, waves rms: {told}")
+            listed = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
+            lines.append(f"# standard errors in {what}, waves rms: {listed}")
             if self.distortion is not None:
                 down_error, across_error = self.distortion.at(*spot)[1]
                 lines.append(f"# the same of rows and columns, pixels: {down_error:.2g}, {across_error:.2g}")
@@ -503,12 +503,12 @@ def fit_field(
     target = _target(targets, size, pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
-    lit = np.ones(1)
+    illumination = np.ones(1)
     if targets == "crossing":
         across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
-        lit = relative_light(electrons, valid, across, down)
-        electrons, read = electrons / lit, read / lit**2
+        illumination = relative_light(electrons, valid, across, down)
+        electrons, read = electrons / illumination, read / illumination**2
     behind = _shape(blur, given, pitch, min(height, width), target)
     if target is None:
         sharpest = sharpness(given, pitch, integrate=bool(plan.grid(given).integrate))
@@ -524,11 +524,13 @@ def fit_field(
     search = Search(stars, np.stack([u, v], axis=1), part, highest_degree(most, count), draw, share)
     outcome = _run(search, start is not None)
     blurred = behind if isinstance(behind, tuple) else ()
-    return _answer(search, outcome, given, start, chip, at, counts, (noise, lit), (holes, pose, far), blurred)
+    return _build_field_fit(
+        search, outcome, given, start, chip, at, counts, (noise, illumination), (holes, pose, far), blurred
+    )
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
-    """Return what windows show, None for points."""
+    """Return the target in the windows, None for points."""
     validation.choice("targets", kind, KINDS)
     across = math.inf if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
     if kind == "star" and size is not None:
@@ -626,7 +628,7 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
     return found
 
 
-def _answer(
+def _build_field_fit(
     search: Search,
     outcome: Outcome,
     pupil: Pupil,
@@ -640,7 +642,7 @@ def _answer(
 ) -> FieldFit:
     """Return the answer of a search."""
     found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
-    noise, lit = camera
+    noise, illumination = camera
     # The best search need not be the last, which may have ended with another shape of blur.
     search.places, stars = outcome.places, found.model.of
     search.stars, one = stars, stars.one
@@ -665,7 +667,7 @@ def _answer(
     errors = np.sqrt(np.diag(fitted))[k * m :]
     shift, covariance = outcome.marginal
     coefficients, twin = polynomials + shift.reshape(k, m), None
-    told = list[Finding]()
+    findings = list[Finding]()
     if one.sign_ambiguous:
         other, signs = search.twin(coefficients)
         if _swapped(search, found, coefficients, other):
@@ -676,28 +678,28 @@ def _answer(
             tests = negated(tests, one.unknowns)
             found.x[0, : k * m] = polynomials.ravel()
         twin = field_of(other)
-        told = _sign_findings(start is not None, stars.defocused)
-    told = [*outcome.findings, *missing_findings(tests), *told]
+        findings = _sign_findings(start is not None, stars.defocused)
+    findings = [*outcome.findings, *missing_findings(tests), *findings]
     squares = found.squares()
     blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
-    told += _blur_findings(stars, outcome.shapes)
+    findings += _blur_findings(stars, outcome.shapes)
     table, model = _fitted_stars(search, found, lost, polynomials, places, noise.excess)
     chi2 = float(found.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
         work += f", held-out chi2 {held_out:.4g}"
-    told += _rejected_finding(noun, places[lost])
+    findings += _rejected_finding(noun, places[lost])
     if distortion is not None:
         work += f"; {distortion.summary}"
-        told += distortion.findings
-    if not found.settled and Findings(told).converged:
-        told.append(Finding("not_settled", "error", "the steps have not settled"))
-    if Findings(told).converged:
-        told += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)
-    told += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
+        findings += distortion.findings
+    if not found.settled and Findings(findings).converged:
+        findings.append(Finding("not_settled", "error", "the steps have not settled"))
+    if Findings(findings).converged:
+        findings += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)
+    findings += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
-    told += _left_out_finding(counts.known & ~used_pixels)
+    findings += _left_out_finding(counts.known & ~used_pixels)
     estimated = (one.directions != 0.0).any(axis=0)
     estimated[one.tilts] |= distortion is not None
     kept = tuple(term for term, free in zip(one.terms, estimated, strict=True) if free or start is not None)
@@ -711,13 +713,13 @@ def _answer(
         blur_errors=tuple(tuple(error for _, error in several) for several in blurred),
         chi2=chi2,
         held_out=held_out,
-        findings=Findings(told),
+        findings=Findings(findings),
         summary=work,
         degree=degree,
         distortion=distortion,
         stars=table,
         images=np.where(used_pixels, noise.electrons(counts.filled()), np.nan),
-        model=model.reshape(counts.values.shape) * lit * noise.excess,
+        model=model.reshape(counts.values.shape) * illumination * noise.excess,
         _sensor=chip,
         _terms=kept,
         _pupil=pupil,

@@ -141,7 +141,7 @@ class FieldStars:
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
     def _readout(self, squares: Array, *, always: bool) -> Readout | None:
-        """Return what reads pixels from samples for blur of these squares; None where samples are the pixels."""
+        """Return the readout of pixels from samples, for blur of these variances; None if samples are pixels."""
         reader, shape = self._reader, self.blur
         if self.target is not None:
             if reader is None:
@@ -167,10 +167,11 @@ class FieldStars:
         pixel = pitch * float(self.lens.scale)
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        asked = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
+        dtype = output_type(None, tol)
+        prepared = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
         if pupil.circular or pupil.mask is not None:
-            _, made, rates = asked.images(pupil, by)
+            _, made, rates = prepared.images(pupil, by)
             samples = [made.values, *(slope.values for slope in rates)]
             if slopes == "others" and changes_of(self.lens):
                 samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms, edge).images()
@@ -178,7 +179,7 @@ class FieldStars:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
             if not fast:  # slopes are no nearer to the true ones: of steps, and of standard errors, they hardly show
-                samples.insert(0, asked.images(pupil)[1].values)
+                samples.insert(0, prepared.images(pupil)[1].values)
         if reader is None:
             found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
         else:
@@ -267,7 +268,7 @@ class FieldStars:
         return np.asarray(np.tensordot(np.abs(own[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
 
     def _slope(self, own: Array) -> Array:
-        """Return what the last two of `own` (r, own, e) add to backgrounds, (r, e, pixels)."""
+        """Return the slopes of backgrounds, (r, e, pixels), by the last two parameters of `own` (r, own, e)."""
         y, x = slants(1, self.shape)
         return np.asarray(own[:, -2, :, None] * y.ravel() + own[:, -1, :, None] * x.ravel())
 
@@ -298,11 +299,11 @@ class FieldStars:
         star = light[:, 0, :, None] * psf
         model = star + light[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
-        lit = (valid > 0.0) & (star * star > variance)
-        tested = float(lit.sum()) - unknown
+        bright = (valid > 0.0) & (star * star > variance)
+        tested = float(bright.sum()) - unknown
         if self.cornered or tested < unknown + _BRIGHT:
             return math.nan, math.nan
-        variance, off = variance[lit], (counted - model)[lit]
+        variance, off = variance[bright], (counted - model)[bright]
         share = tested / len(off)
         spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * share) / tested
         return float((off * off / variance).sum()) / tested, spread
@@ -400,7 +401,7 @@ class _StarModel(RowModel):
         found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes=self.slopes)
         return found[0], found[1:]
 
-    def with_light(self, x: Array, values: Any) -> Array:
+    def with_flux_background(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
         found = x.copy()
         own = self.parts(found)[2]

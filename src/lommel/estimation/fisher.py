@@ -287,11 +287,11 @@ def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
 
 def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
     """Return the PSF and its derivatives by the first of the plans whose tolerance can be met."""
-    wanted = tuple(name for name in names if name not in _OWN)
+    derivatives = tuple(name for name in names if name not in _OWN)
     for plan in plans[:-1]:
         with suppress(ToleranceError):
-            return plan(pupil, derivatives=wanted)
-    return plans[-1](pupil, derivatives=wanted)
+            return plan(pupil, derivatives=derivatives)
+    return plans[-1](pupil, derivatives=derivatives)
 
 
 def _root(

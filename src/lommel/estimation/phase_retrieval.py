@@ -369,14 +369,14 @@ def retrieve(
             pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=integrate, tol=tol,
             seed=draw, threads=threads, progress=progress,
         )  # fmt: skip
-        return _of_blurred(several, counts, noise, plan, pixel, start, known)
+        return _build_blurred_retrieval(several, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
     if model.tested < 1:
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
         )
     lowest, scores, settled, tried = _search(model, draw, progress, starts=count, steps=most)
-    return _retrieval(model, lowest, scores, settled, counts, noise, tried)
+    return _build_retrieval(model, lowest, scores, settled, counts, noise, tried)
 
 
 def _search(
@@ -477,7 +477,7 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
     return x
 
 
-def _retrieval(
+def _build_retrieval(
     model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, tried: tuple[int, int]
 ) -> Retrieval:
     """Return the result for parameters `x`, (1, p), of images, after so many steps and starts."""
@@ -552,7 +552,7 @@ def _retrieval(
     )
 
 
-def _of_blurred(
+def _build_blurred_retrieval(
     found: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
 ) -> Retrieval:
     """Return the result of a field of one star, whose images are blurred."""

@@ -253,7 +253,7 @@ def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
 
 
 def _in_words(test: ScoreTest) -> str:
-    """Return what a test found: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
+    """Return the size that a test found, in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
     what, unit = _WORDS.get(test.name, (test.name, " rad"))
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > (2 if test.name in _WORDS else 1):
@@ -301,9 +301,9 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     lacking += [lacking_slopes(model.count, grid.shape, model.count), lacking_gain(mean)]
     _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
     found = products[0]
-    candidates, asked = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
-    tests = score_tests(*asked, candidates)
-    marginal = marginalized(*asked, unseen(candidates, tests), model.shared)
+    candidates, scores = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
+    tests = score_tests(*scores, candidates)
+    marginal = marginalized(*scores, unseen(candidates, tests), model.shared)
     fit = found[:-1, :-1], range(model.size)
     notes += untested_constants(pupil[0], known, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
     return tests, marginal, notes

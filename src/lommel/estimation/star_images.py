@@ -382,7 +382,7 @@ class StarImages(RowModel):
             chain[..., self.size + at, chain.shape[-1] - 3 - q + at] = 1.0
         return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
 
-    def with_light(self, x: Array, values: Pixels) -> Array:
+    def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares, given the PSFs of images."""
         found = x.copy()
         own = self.per_image(found)

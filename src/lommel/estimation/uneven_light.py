@@ -44,8 +44,8 @@ class UnevenLight:
         unit = grid.step(pupil) / grid.side
         # A term changes by up to n^2 over a radius. Images repeat after as many lambda*N as there are cells.
         steep = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
-        wanted = max(2.0 * steep / _TURN, max(grid.shape) * grid.step(pupil) / math.pi)
-        side = min(_MOST, max(_LEAST, _STEP * math.ceil(wanted / _STEP)))
+        needed = max(2.0 * steep / _TURN, max(grid.shape) * grid.step(pupil) / math.pi)
+        side = min(_MOST, max(_LEAST, _STEP * math.ceil(needed / _STEP)))
         at, inside, width = cell_centers(side), pupil.obscuration, 2.0 / side
         rho, theta = np.hypot(at, at[:, None]), np.arctan2(at[:, None], at)
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi

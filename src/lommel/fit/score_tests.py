@@ -123,8 +123,8 @@ def marginalized(
     free = [*unknowns, *(column for one in lacking for column in one.columns)]
     known = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
     wide = covariance(information[np.ix_(free, free)] + np.diag(known))[:count]
-    told = np.isfinite(np.diag(wide))
-    shift = np.where(told, np.where(told[:, None], wide, 0.0) @ slope[free], 0.0)
+    determined = np.isfinite(np.diag(wide))
+    shift = np.where(determined, np.where(determined[:, None], wide, 0.0) @ slope[free], 0.0)
     return Marginal(shift, wide[:, :count])
 
 
@@ -135,7 +135,7 @@ def untested(
     stated: Sequence[Candidate],
     tests: Sequence[ScoreTest],
 ) -> dict[str, tuple[str, float]]:
-    """Return what the data do not test of stated numbers, within their scales.
+    """Return the stated numbers that the data do not test within their scales.
 
     For each of these the unknown that such an error changes most, and by how much. `shown` has the places of unknowns
     among `unknowns`; changes below a standard error are left out.

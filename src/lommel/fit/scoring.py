@@ -62,7 +62,7 @@ class RowModel(Protocol):
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
         """Return the same from images and derivatives."""
 
-    def with_light(self, x: Array, values: Any) -> Array:
+    def with_flux_background(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background from least squares; as they are where these are given."""
         return x
 
@@ -223,7 +223,7 @@ def search_rows(
     problem = _RowProblem(model, fast)
     values, slopes = model.images(x, fast=fast)
     if fast:
-        x = model.with_light(x, values)
+        x = model.with_flux_background(x, values)
     policy = Policy(settled=_NEARLY if fast else _SETTLED)
     now = model.scores_of(x, values, slopes)
     return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)

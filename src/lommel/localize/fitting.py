@@ -246,8 +246,8 @@ def fit(
             progress(min(part.stop, total), total)
     values[:, :2] += places[0]
     for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
-        for light_of in (values, errors):
-            light_of[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
+        for columns in (values, errors):
+            columns[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
     return Molecules(
         **_named(values, several, per),
         errors=MoleculeErrors(**_named(errors, several, per)),
@@ -265,7 +265,7 @@ def _named(of: Array, several: bool, per: int) -> dict[str, Any]:
 
 
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
-    """Return what fits, with its templates, kept with the first table."""
+    """Return the fitter of these tables with its templates, kept with the first table."""
     if len({(each.z, each.along) for each in tables}) > 1:
         raise ValueError("table must have channels of one range of z along the same direction")
     first = tables[0]
@@ -325,8 +325,8 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
     if found.ndim == 2:
         found = np.broadcast_to(found, (channels, *found.shape))
     if found.shape != (channels, count, 2):
-        wanted = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
-        raise ValueError(f"corners must have the shape {wanted}, a row and a column each, got {np.shape(corners)}")
+        shape = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
+        raise ValueError(f"corners must have the shape {shape}, a row and a column each, got {np.shape(corners)}")
     if (found != np.round(found)).any():
         raise ValueError(f"corners must be whole numbers, got {found[found != np.round(found)].flat[0]:g}")
     return found

@@ -379,7 +379,7 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
 
 
 def _yaml(recording: Recording) -> str:
-    """Return what Picasso reads of a movie."""
+    """Return the metadata of a movie as Picasso reads it."""
     facts = {
         "Frames": recording.frames,
         "Height": recording.rows,

@@ -39,7 +39,7 @@ class Checks:
     def __init__(self, recording: Recording, table: Table, again: partial[Molecules], background: str) -> None:
         self._recording, self._table, self._again, self._background = recording, table, again, background
         self._noise: Noise = again.keywords["noise"]
-        self._told: dict[str, Finding] = {}
+        self._once: dict[str, Finding] = {}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
@@ -54,28 +54,28 @@ class Checks:
                 f"a pixel is {format_length(pixel, digits=3)} in the sample, far below Nyquist's "
                 f"{format_length(finest, digits=3)}: `pixel` is that of the camera, before magnification"
             )
-            self._tell("pixel_pitch", "doubt", text, pixel=pixel, nyquist=finest)
-        told = {} if pupil.aberrations is None else pupil.aberrations.amplitudes()
-        if recording.along != "none" and not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in told):
+            self._add_once("pixel_pitch", "doubt", text, pixel=pixel, nyquist=finest)
+        terms = {} if pupil.aberrations is None else pupil.aberrations.amplitudes()
+        if recording.along != "none" and not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in terms):
             text = (
                 "the wavefront has no even term besides defocus, such as astigmatism: images above and below focus "
                 "are nearly alike, and z may have the wrong sign; `flat` gives x and y alone"
             )
-            self._tell("sign_open", "doubt", text)
+            self._add_once("sign_open", "doubt", text)
 
-    def _tell(self, code: str, severity: Severity, text: str, **numbers: Any) -> None:
-        self._told.setdefault(code, Finding(code, severity, text, numbers))
+    def _add_once(self, code: str, severity: Severity, text: str, **numbers: Any) -> None:
+        self._once.setdefault(code, Finding(code, severity, text, numbers))
 
     def first(self, counts: Counts) -> None:
         """Look at the counts of the first block."""
         dark = float(np.mean(counts.values < self._noise.offset))
         if dark > _DARK:
             text = f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check `offset`"
-            self._tell("below_offset", "doubt", text, share=dark)
+            self._add_once("below_offset", "doubt", text, share=dark)
         if words := flat_tops([counts], self._noise, "movie"):
-            self._tell("flat_top", "note", words)
+            self._add_once("flat_top", "note", words)
         if counts.assumed:
-            self._tell("saturation_assumed", "note", counts.assumed)
+            self._add_once("saturation_assumed", "note", counts.assumed)
 
     def tilt(self, spots: Spots, found: Molecules) -> float:
         """Test whether the background of flat fits is tilted, and their noise; return the standard deviations."""
@@ -96,7 +96,7 @@ class Checks:
             )
             text += ': positions are shifted; `background` "tilted" or "auto" fits it' if flat else ": it was fitted"
             numbers = {"slope": slope, "error": error, "sigmas": sigmas}
-            self._tell("tilted_background", "doubt" if flat else "note", text, **numbers)
+            self._add_once("tilted_background", "doubt" if flat else "note", text, **numbers)
         return sigmas
 
     def compare(self, spots: Spots, background: str) -> None:
@@ -141,13 +141,13 @@ class Checks:
     def summary(self) -> str:
         """Number of molecules and median discrepancy."""
         n, frames = self.molecules, self._recording.frames
-        told = f", median discrepancy {self.median:.2g}" if n else ""
-        return f"{n} molecule{'s' * (n != 1)} in {frames} frame{'s' * (frames != 1)}{told}"
+        median = f", median discrepancy {self.median:.2g}" if n else ""
+        return f"{n} molecule{'s' * (n != 1)} in {frames} frame{'s' * (frames != 1)}{median}"
 
     @property
     def findings(self) -> Findings:
         """What was found so far."""
-        each = self._excess, self._of_rivals(), self._of_fits(), self._told.values(), self._of_spots()
+        each = self._excess, self._of_rivals(), self._of_fits(), self._once.values(), self._of_spots()
         return Findings(chain(*each))
 
     def _of_rivals(self) -> Iterator[Finding]:
@@ -165,19 +165,19 @@ class Checks:
             return
         name, (gain, count, error) = max(likelier.items(), key=lambda one: one[1])
         numbers: Json = {"molecules": count, "log_likelihood": gain, "error": error}
-        told = f"{count} molecules of the first frames are likelier"
+        subject = f"{count} molecules of the first frames are likelier"
         text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
         if name == "sign":
             text = (
-                f"{told} with astigmatism of the opposite sign {text}, and z is then reversed: check the sign of the "
-                "astigmatism and the direction of the movie's rows"
+                f"{subject} with astigmatism of the opposite sign {text}, and z is then reversed: check the sign of "
+                "the astigmatism and the direction of the movie's rows"
             )
             yield Finding("opposite_astigmatism", "error", text, numbers)
         else:
             shift = float(name)
             way = "deeper" if shift > 0.0 else "nearer to the cover glass"
             text = (
-                f"{told} {format_length(abs(shift))} {way} {text}: check the depth, the indices and the spherical "
+                f"{subject} {format_length(abs(shift))} {way} {text}: check the depth, the indices and the spherical "
                 "aberration"
             )
             yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
@@ -218,8 +218,8 @@ class Checks:
     def _of_spots(self) -> Iterator[Finding]:
         sums = self._sums
         words = {"saturated": "saturated", "left_out": "NaN, infinite or masked"}
-        if told := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
-            text = f"pixels of boxes that do not count: {', '.join(told)}"
+        if counts := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
+            text = f"pixels of boxes that do not count: {', '.join(counts)}"
             yield Finding("left_out", "note", text, {name: sums[name] for name in words})
         if places := self._recurring():
             row, column, count = places[0]
@@ -321,10 +321,10 @@ def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
 
 def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
     """Yield pupils with the opposite astigmatism and other depths in focus, and by how much the range of z moves."""
-    told = pupil.aberrations
-    if told is not None and any(abs(m) == 2 for _, m in told.amplitudes()):
-        edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(told.terms, told.edge.T, strict=True)}
-        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, told.error)), 0.0
+    wave = pupil.aberrations
+    if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
+        edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(wave.terms, wave.edge.T, strict=True)}
+        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, wave.error)), 0.0
     moving = table.along == "depth"
     depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
     for way in (-1.0, 1.0):

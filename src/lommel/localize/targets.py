@@ -76,13 +76,13 @@ class Targets:
         """How many were found, and how many refused for each reason."""
         raise NotImplementedError
 
-    def _told(self, noun: str, apart: str = "") -> str:
+    def _refusal_note(self, noun: str, apart: str = "") -> str:
         """Return how many were found, and how many refused for each of the reasons."""
         counts = Counter(each.reason for each in self.refused)
         refused = ", ".join(f"{counts[reason]} {reason}" for reason in _REASONS if counts[reason]) or "none"
-        said = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
+        text = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
         lost = self.left_out
-        return said + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
+        return text + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Return matplotlib axes with the image, the windows, and the refused ones by reason.
@@ -146,11 +146,11 @@ class PointSources(Targets):
     @property
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
-        said = self._told("spot")
+        text = self._refusal_note("spot")
         if (best := self.candidate) is not None:
             where = f"at row {best.row}, column {best.column}"
-            said += f"; the highest maximum, {where}, is {best.score:.3g} standard deviations high"
-        return said
+            text += f"; the highest maximum, {where}, is {best.score:.3g} standard deviations high"
+        return text
 
 
 def find_spots(
@@ -277,7 +277,7 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
 def target_windows(
     counts: Counts, single: bool, center: Array, order: Values, box: tuple[int, int], score: Array, reasons: list[str]
 ) -> Json:
-    """Return what :class:`Targets` have: windows around those of an order, masked if pixels are left out anywhere."""
+    """Return the fields of :class:`Targets`: windows in an order, masked if pixels are left out anywhere."""
     (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
     at = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]
     values, out = (np.ascontiguousarray(np.moveaxis(part[at], 0, 1)) for part in (counts.values, left))
@@ -395,7 +395,7 @@ class Crossings(Targets):
     def message(self) -> str:
         """How many were found, and how many refused for each reason."""
         apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        return self._told("crossing", apart)
+        return self._refusal_note("crossing", apart)
 
 
 def find_crossings(

@@ -238,7 +238,7 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
 def test_what_is_held_and_not_tested_is_named():
     found = lm.fit_beads(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
     told = found.findings.get("untested")
-    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip"])
+    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", "wavelength"])
     assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
     bright = [
         lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
@@ -246,6 +246,25 @@ def test_what_is_held_and_not_tested_is_named():
     ]
     change = 0.5 * abs(bright[1].coefficients[4, 0] - bright[0].coefficients[4, 0])
     assert change == pytest.approx(told.numbers["coverslip"]["noll 11 spherical"], rel=0.2)
+
+
+def test_unknowns_that_are_as_their_priors_say_are_named():
+    images, _ = recorded(3, waves(3, 0.1), changed(OIL, "sample", 1.345), light=3e3)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
+    told = found.findings.get("untested")
+    assert told.text.endswith("sample, depth (as their priors say), wavelength")
+    assert told.numbers["sample"] == {}
+
+
+def test_priors_that_the_beads_contradict_within_chance_are_widened():
+    pulls = []
+    for seed in range(3):
+        images, _ = recorded(seed, given := waves(seed, 0.1), light=1e4, depth=85e-9)
+        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"depth": 10e-9})
+        assert found.reliable
+        assert next(one for one in found.tests if one.name == "depth").log_bayes > 0.0
+        pulls += [(found.coefficients[t] - a) / found.errors[t] for t, a in zip(TERMS, given, strict=True)]
+    assert np.abs(pulls).max() < 3.0
 
 
 def test_errors_allow_for_a_constant_that_the_beads_favour_within_chance():

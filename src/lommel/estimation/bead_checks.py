@@ -79,7 +79,9 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     wide = replace(joint, images=images.with_terms(more_terms))
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
     blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    without = {*joint.priors, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors}) | ({"NA"} if blind else set())
+    without = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors}) | (
+        {"NA"} if blind else set()
+    )
     constants = [name for name in available_constants(setup) if name not in without]
     drift = () if joint.drifts else DRIFT
     more = [*constants, *drift, *GRADIENT, NONLINEAR]
@@ -90,20 +92,33 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     for name, (value, known) in joint.priors.items():
         if math.isfinite(known):
             candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
+    if "depth" in joint.own:
+        at = joint.own.index("depth")
+        columns = tuple(joint.columns(j, len(names))[at] for j in range(len(joint.stacks)))
+        off = [place.depth - prior.value for place, prior in zip(found.state.places, joint.depths, strict=True)]
+        known = joint.depths[0].error
+        candidates.append(Candidate("depth", columns, _WIDER * known, known, np.array(off)))
     held = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
     candidates += held
     # Sizes in pixels over half the stack, in electrons over the window, and in the share that is lost at 10^4.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
-    for name, (columns, size) in groups.items():
-        if columns:
-            candidates.append(Candidate(name, tuple(map(names.index, columns)), size))
+    for name, (group, size) in groups.items():
+        if group:
+            candidates.append(Candidate(name, tuple(map(names.index, group)), size))
     tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
-    favoured = {test.name for test in tests if test.log_bayes > 0.0}
-    lacking = [one for one in candidates if one.name in favoured and not {*one.columns} & {*unknowns}]
-    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if lacking else None
+    names_favoured = {test.name for test in tests if test.log_bayes > 0.0}
+    favoured = [one for one in candidates if one.name in names_favoured]
+    for one in favoured:
+        if one.known:  # a prior that is too narrow
+            information, slope = one.widened(information, slope)
+    lacking = [one for one in favoured if not one.known]
+    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if favoured else None
     shown = {label(name): at for at, name in enumerate(images.solved)}
     unseen = untested(information, unknowns, shown, held, tests)
-    notes = untested_findings(unseen, {one.name: f"{_size(one.name, one.scale)} of it" for one in held})
+    errors = {test.name: float(test.errors.max()) for test in tests}
+    priors = [one.name for one in candidates if 0.0 < one.known < errors.get(one.name, math.inf)]
+    sizes = {one.name: f"{_size(one.name, one.scale)} of it" for one in held}
+    notes = untested_findings(unseen, sizes, priors, ["wavelength"])
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
@@ -168,7 +183,12 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluate
     """Return the size that a test found, in words, of a fit with it free if any: "sample = 1.379 +- 0.005"."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
-    if len(test.size) > 1 or name not in CONSTANTS:
+    if len(test.size) > 1 and name in CONSTANTS:
+        factor, unit = UNITS[CONSTANTS[name].unit]
+        beads = zip(test.size, joint.depths, test.errors, strict=True)
+        shown = ", ".join(" +- ".join(with_error(factor * (by + at.value), factor * off)) for by, at, off in beads)
+        return f"{name} of each bead = {shown}{unit} {sigmas}"
+    if name not in CONSTANTS:
         if solved is not None and len(solved.state.waves) > len(joint.images.solved):
             size = float(solved.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")

@@ -379,7 +379,8 @@ def fit_beads(
     their Bayes factors. The likeliest, if it is beyond chance, is then solved for. What the beads favour within
     chance (Bayes factors above 1) is marginalized: `coefficients`, errors and `aberrations` allow for it. Constants
     that are held and that these beads do not tell, though an error of them would change a term by more than a
-    standard error, are named ("untested").
+    standard error, are named ("untested"), and so are those of which a prior says more than the beads, and the
+    wavelength, an error of which is one of pixel and NA.
 
     Examples
     --------

@@ -34,14 +34,22 @@ class Candidate:
 
     `columns` are its places in information and slope, `scale` the size (tau) that it may have. Of an unknown with a
     prior, `known` is the standard deviation of that prior, which information and slope hold, and `offset` how far the
-    answer is from its middle.
+    answer is from its middle, of each column.
     """
 
     name: str
     columns: tuple[int, ...]
     scale: float
     known: float = 0.0
-    offset: float = 0.0
+    offset: float | Array = 0.0
+
+    def widened(self, information: Array, slope: Array) -> tuple[Array, Array]:
+        """Return information and slope with a prior of the standard deviation `scale` in place of the known one."""
+        at, less = list(self.columns), self.known**-2 - self.scale**-2
+        information, slope = information.copy(), slope.copy()
+        information[at, at] -= less
+        slope[at] += less * np.asarray(self.offset)
+        return information, slope
 
 
 @dataclass(frozen=True)
@@ -154,11 +162,24 @@ def untested(
     return found
 
 
-def untested_findings(found: Mapping[str, tuple[str, float]], sizes: Mapping[str, str]) -> list[Finding]:
-    """Return the finding of stated numbers that are `untested`, with sizes of their errors in words."""
-    each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in found.items()]
-    numbers = {name: {term: by} for name, (term, by) in found.items()}
-    return [Finding("untested", "note", f"not tested: {', '.join(each)}", numbers)] if each else []
+def untested_findings(
+    changes: Mapping[str, tuple[str, float]],
+    sizes: Mapping[str, str],
+    priors: Sequence[str] = (),
+    never: Sequence[str] = (),
+) -> list[Finding]:
+    """Return the finding of stated numbers that the data do not test.
+
+    `changes` is by :func:`untested`, `sizes` are of its errors, in words; `priors` are unknowns of which these say
+    more than the data, and `never` what no data test.
+    """
+    each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
+    if priors:
+        each.append(f"{', '.join(priors)} ({'as their priors say' if len(priors) > 1 else 'as its prior says'})")
+    numbers: dict[str, dict[str, float]] = {name: {term: by} for name, (term, by) in changes.items()}
+    numbers |= {name: {} for name in (*priors, *never)}
+    text = f"not tested: {', '.join((*each, *never))}"
+    return [Finding("untested", "note", text, numbers)] if numbers else []
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:

@@ -139,7 +139,12 @@ class DefocusVerdict(FitReport):
             )
         else:
             agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
-        what = ["which image is focused nearer (exchanged, all agrees as well)", "a shift of all foci"]
+        what = [
+            "which image is focused nearer (exchanged, all agrees as well)",
+            "a shift of all foci or of one",
+            "other blur of one image, as of motion",
+            "colours that focus elsewhere",
+        ]
         off = min(abs(each - 1.0) / math.hypot(scale_error, stated) for each in (scale, *others))
         of = f"{scale:.2f} +- {scale_error:.2f}"
         size = {"scale": scale, "error": scale_error}

@@ -251,18 +251,11 @@ def command(
     """
 
     def made(function: Callable[..., Report | None]) -> Command:
-        defaults = {name: each.default for name, each in inspect.signature(function).parameters.items()}
-        groups = {name: type(value) for name, value in defaults.items() if isinstance(value, Group)}
-        every: list[click.Parameter] = []
-        for name, value in defaults.items():
-            if name in groups:
-                every += groups[name].options()
-            elif isinstance(value, click.Parameter):
-                every.append(_named(name, value))
+        every, groups = _parameters_of(function)
         every += params
 
         def guarded(as_json: bool = False, **given: Any) -> None:
-            said: list[str] = []
+            notes: list[str] = []
             if sys.stdout is None:  # the caller has closed it
                 sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
             try:
@@ -271,41 +264,68 @@ def command(
                 _keep_what_is_read(every, given)
                 for name, group in groups.items():
                     given[name] = group.of(given)
-                with _noted(said):
+                with _noted(notes):
                     report = function(**given)
-                if report is not None:
-                    if said:
-                        report += Report({"notes": [*report.facts.get("notes", []), *said]}, _printed("note", said))
-                    report.print(as_json=as_json)
-                sys.stdout.flush()  # now, where a failure can still be reported
-                if report is not None and not report.converged:
-                    sys.exit(3)
+                _print(report, notes, as_json=as_json)
             except (click.ClickException, click.exceptions.Exit, click.Abort):
                 raise
-            except BrokenPipeError:
-                _discard_output()  # the reader of the pipe has left
-                sys.exit(1)
             except Exception as error:
-                if os.environ.get("LOMMEL_TRACEBACK"):
+                if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
                     raise
-                if any(words in str(error) for words in _SHORT):
-                    error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
-                for row in _printed("Note", said):
-                    click.echo(row, err=True)
-                click.echo(f"Error: {_message(error)}", err=True)
-                try:
-                    sys.stdout.flush()
-                except OSError:
-                    _discard_output()  # the error was one of writing
-                sys.exit(2 if isinstance(error, _CAUSED) else 1)
+                sys.exit(_report_error(error, notes))
 
-        # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
-        text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
-        text = text.replace("\n\nExample", "\n\n\b\nExample")
-        text = "\n".join(_continued(row) for row in text.split("\n"))
-        return kind(function.__name__, params=every, help=text, callback=guarded)
+        return kind(function.__name__, params=every, help=_help_of(function), callback=guarded)
 
     return made
+
+
+def _parameters_of(function: Callable[..., object]) -> tuple[list[click.Parameter], dict[str, type[Group]]]:
+    """Return the parameters that the defaults of a function's arguments are, and the groups among them by name."""
+    found: list[click.Parameter] = []
+    groups: dict[str, type[Group]] = {}
+    for name, argument in inspect.signature(function).parameters.items():
+        value = argument.default
+        if isinstance(value, Group):
+            groups[name] = type(value)
+            found += groups[name].options()
+        elif isinstance(value, click.Parameter):
+            found.append(_named(name, value))
+    return found, groups
+
+
+def _help_of(function: Callable[..., object]) -> str:
+    """Return the docstring of a command as its help."""
+    # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
+    text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
+    text = text.replace("\n\nExample", "\n\n\b\nExample")
+    return "\n".join(_continued(row) for row in text.split("\n"))
+
+
+def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
+    """Print a report with the notes of the library; exit with code 3 where its result is not to be trusted."""
+    if report is not None:
+        if notes:
+            report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _printed("note", notes))
+        report.print(as_json=as_json)
+    sys.stdout.flush()  # now, where a failure can still be reported
+    if report is not None and not report.converged:
+        sys.exit(3)
+
+
+def _report_error(error: Exception, notes: list[str]) -> int:
+    """Print an error and the notes before it, and return the exit code."""
+    if isinstance(error, BrokenPipeError):
+        _discard_output()  # the reader of the pipe has left
+        return 1
+    if any(words in str(error) for words in _SHORT):
+        error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
+    for row in (*_printed("Note", notes), f"Error: {_message(error)}"):
+        click.echo(row, err=True)
+    try:
+        sys.stdout.flush()
+    except OSError:
+        _discard_output()  # the error was one of writing
+    return 2 if isinstance(error, _CAUSED) else 1
 
 
 _NOTES = 5  # that are printed
@@ -393,35 +413,37 @@ def _hint(error: OSError) -> str:
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
 # "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+_METHOD = re.compile(r"--method (\w+)\(.*?\)")
+_METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
+_METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 
 
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
     context = click.get_current_context(silent=True)
     params = context.command.params if context else ()
-    flags = {part.name: max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
+    flags = {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
     own = {flag: name for name, flag in flags.items()}
-    names = {kind.__name__: name for name, kind in METHODS.items()}
-    of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-
-    def renamed(found: re.Match[str]) -> str:
-        quoted, name, equals, value = found.groups()
-        word = quoted or name
-        if word in flags and (quoted or equals or "_" in word):
-            return flags[word] + (" " if equals and value else "")
-        if equals and value and word in of_methods and "settings" in flags:
-            return f"--set {found[0]}"
-        return found[0]
-
     first = message.partition(" must ")[0]
-    given = context.get_parameter_source(own[flags[first]] or "") if context and first in flags else None
-    if given is ParameterSource.COMMANDLINE:
+    # What the user did not write may be of a file, which calls it as the library does.
+    if context and first in flags and context.get_parameter_source(own[flags[first]]) is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
-    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", _NAMED.sub(renamed, message))
-    message = message.replace(", in metres", ", with a unit")
-    return re.sub(
-        r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
+    message = _NAMED.sub(partial(_flag_of, flags), message)
+    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
+        ", in metres", ", with a unit"
     )
+    return _METHOD.sub(lambda found: f"--method {_METHOD_NAMES.get(found[1], found[1])}", with_units(message))
+
+
+def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
+    """Return the option for what looks like an argument in a message, or what stands there."""
+    quoted, name, equals, value = found.groups()
+    word = quoted or name
+    if word in flags and (quoted or equals or "_" in word):
+        return flags[word] + (" " if equals and value else "")
+    if equals and value and word in _METHOD_OPTIONS and "settings" in flags:
+        return f"--set {found[0]}"
+    return found[0]
 
 
 def notes_of(facts: Facts) -> list[Wrapped]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field
@@ -341,59 +341,76 @@ class _File(Section):
 
 def _text(of: Microscope) -> str:
     """Return a microscope as the text of a file."""
-    one, lines = of.objective, []
-
-    def section(name: str, **entries: object) -> None:
-        lines.append(f"\n[{name}]" if not name.startswith("[") else f"\n{name}")
-        lines.extend(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None)
-
+    one = of.objective
     if one.working_distance is None:
         raise ValueError("the objective must have a working_distance to be written: files state it")
-    lines += [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
-    dipping = True if one.coverslip is None else None
-    section(
-        "objective",
-        NA=one.NA,
-        magnification=one.magnification,
-        working_distance=_metres(one.working_distance),
-        immersion=one.immersion,
-        dipping=dipping,
-        apodization=list(illumination(one.apodization).powers) or None,
-    )
-    if one.coverslip is not None:
-        section("coverslip", index=one.coverslip.index, thickness=_metres(one.coverslip.thickness))
-    for film in one.films:
-        section("[[films]]", index=film.index, thickness=_metres(film.thickness))
-    if one.design != Design(one.immersion, one.coverslip):
-        section("design", immersion=one.design.immersion)
-        if one.design.coverslip is not None:
-            glass = one.design.coverslip
-            section("design.coverslip", index=glass.index, thickness=_metres(glass.thickness))
-    section("sample", index=one.sample, depth=_metres(of.depth))
-    plain = {"isotropic": emitter_of("isotropic"), "scalar": emitter_of("scalar")}
-    named = next((name for name, emitter in plain.items() if emitter == of.emitter), None)
-    section("emission", wavelength=_metres(of.wavelength), emitter=named)
-    if named is None:
-        if isinstance(of.emitter, Dipole):
-            section("emission.dipole", **vars(of.emitter))
-        elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
-            section("emission.beam", polarization=of.emitter.polarization)
-        else:
-            raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
-    if of.planes > 1:
-        section("stack", planes=of.planes, step=_metres(of.step), origin=of.origin)
-    shape = None if of.shape is None else list(of.shape)
-    section("sensor", pixel=_metres(of.pixel), shape=shape, integrate=of.integrate)
+    lines = [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
+    for name, entries in (*_layer_sections(one), *_light_sections(of), *_plane_sections(of)):
+        lines.append(f"\n[{name}]")
+        lines += [f"{key} = {_value(value)}" for key, value in entries.items() if value is not None]
     if of.aberrations is not None:
         waves = of.aberrations.to_zernike(order="noll", unit="waves")
-        terms = {index: float(c) for index, c in waves.items() if float(c) and index > 1}
-        terms = dict(sorted(terms.items()))
-        section("aberrations.zernike", order="noll", unit="waves", normalization="rms")
-        lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms.items()) + " }")
+        terms = sorted((index, float(c)) for index, c in waves.items() if float(c) and index > 1)
+        lines += ["\n[aberrations.zernike]", 'order = "noll"', 'unit = "waves"', 'normalization = "rms"']
+        lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms) + " }")
     if of.errors:
-        section("errors")
-        lines.extend(f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items())
+        lines.append("\n[errors]")
+        lines += [f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items()]
     return "\n".join(lines) + "\n"
+
+
+_Sections: TypeAlias = Iterator[tuple[str, Mapping[str, object]]]
+
+
+def _layer_sections(one: Objective) -> _Sections:
+    """Yield the sections of an objective and of the layers that it is used with."""
+    assert one.working_distance is not None
+    yield (
+        "objective",
+        {
+            "NA": one.NA,
+            "magnification": one.magnification,
+            "working_distance": _metres(one.working_distance),
+            "immersion": one.immersion,
+            "dipping": True if one.coverslip is None else None,
+            "apodization": list(illumination(one.apodization).powers) or None,
+        },
+    )
+    if one.coverslip is not None:
+        yield "coverslip", _layer_entries(one.coverslip)
+    for film in one.films:
+        yield "[films]", _layer_entries(film)
+    if one.design != Design(one.immersion, one.coverslip):
+        yield "design", {"immersion": one.design.immersion}
+        if one.design.coverslip is not None:
+            yield "design.coverslip", _layer_entries(one.design.coverslip)
+
+
+def _layer_entries(layer: Layer) -> Mapping[str, object]:
+    return {"index": layer.index, "thickness": _metres(layer.thickness)}
+
+
+def _light_sections(of: Microscope) -> _Sections:
+    """Yield the sections of the sample and of the emitter; ValueError for one that files do not state."""
+    yield "sample", {"index": of.objective.sample, "depth": _metres(of.depth)}
+    named = next((name for name in ("isotropic", "scalar") if emitter_of(name) == of.emitter), None)
+    yield "emission", {"wavelength": _metres(of.wavelength), "emitter": named}
+    if named is not None:
+        return
+    if isinstance(of.emitter, Dipole):
+        yield "emission.dipole", vars(of.emitter)
+    elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
+        yield "emission.beam", {"polarization": of.emitter.polarization}
+    else:
+        raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
+
+
+def _plane_sections(of: Microscope) -> _Sections:
+    """Yield the sections of the stack, if it is one, and of the sensor."""
+    if of.planes > 1:
+        yield "stack", {"planes": of.planes, "step": _metres(of.step), "origin": of.origin}
+    shape = None if of.shape is None else list(of.shape)
+    yield "sensor", {"pixel": _metres(of.pixel), "shape": shape, "integrate": of.integrate}
 
 
 def _metres(value: float) -> str:

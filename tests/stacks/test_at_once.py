@@ -20,7 +20,7 @@ import pytest
 import lommel as lm
 from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks.compute import Store
+from lommel.stacks import Store
 
 OTHER = pytest.mark.parametrize("side", [9, 7], ids=["same shape", "another shape"])
 ONE, TWO = np.linspace(2.0, 3.0, 8), np.linspace(0.0, 1.0, 8)
@@ -272,7 +272,7 @@ OWNER = """
     from pathlib import Path
     sys.path.insert(0, sys.argv[1])
     import test_at_once as test
-    from lommel.stacks import compute
+    from lommel import stacks
 
     def computing(*_):
         child = os.fork()  # such as a worker, which outlives who forked it
@@ -282,7 +282,7 @@ OWNER = """
         print(child, flush=True)
         time.sleep(60)
 
-    compute._require_room = computing
+    stacks._require_room = computing
     test.ask(Path(sys.argv[2]), test.ONE)
 """
 

@@ -43,7 +43,7 @@ class _Closing(Protocol):
 _Open = TypeVar("_Open", bound=_Closing)
 
 
-def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
+def contents(save: Callable[..., object], *args: object, **options: object) -> bytes:
     """Return what a function writes into the file that is its first argument."""
     file = io.BytesIO()
     save(file, *args, **options)
@@ -369,7 +369,7 @@ class Unfinished:
 
 
 @contextmanager
-def begun(target: Path, request: Mapping[str, Any], fill: Callable[[Path], object]) -> Iterator[Unfinished]:
+def begun(target: Path, request: Mapping[str, object], fill: Callable[[Path], object]) -> Iterator[Unfinished]:
     """Yield the folder of a request that is unfinished, or that `fill` begins at the path it is given.
 
     ValueError if another call writes it, or the hidden folder is damaged or not ours. What is unfinished of another

@@ -186,6 +186,17 @@ def reason(error: Exception) -> str:
     return validation.brief(" ".join(str(error).split()), 240) or type(error).__name__
 
 
+@contextmanager
+def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None]:
+    """Raise every error as one of a kind, which names the file and `what` it is not; but for a missing library."""
+    try:
+        yield
+    except (ImportError, kind):
+        raise
+    except Exception as error:
+        raise kind(f"{validation.line(source)} {what}: {reason(error)}") from error
+
+
 def pixels(width: int, height: int) -> None:
     """Refuse a picture that is larger than any that this package makes."""
     if not 0 < width * height <= MAX_PIXELS:

@@ -16,6 +16,7 @@ from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, requi
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import (
     Facts,
+    Parts,
     Report,
     Wrapped,
     paragraphs,
@@ -32,8 +33,6 @@ from lommel.localize.targets import find_spots
 from lommel.recorded.frames import of_all, read_each
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from lommel.base.arrays import Values
     from lommel.estimation.beads import BeadFit
     from lommel.recorded.noise import Noise
@@ -182,7 +181,7 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
     return [_Bead(f"{file} [{k}]", one, (row, column)) for k, (one, (row, column)) in each]
 
 
-def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
+def _parts(found: BeadFit, facts: Facts) -> Parts:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants, beads = (list[tuple[str, ...]]() for _ in range(3))
     for name, value in found.coefficients.items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -17,6 +17,7 @@ from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, num
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import (
     Facts,
+    Parts,
     Report,
     Wrapped,
     paragraphs,
@@ -288,7 +289,7 @@ def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
     return f"blur: {'; '.join(said)}{how if any(made.blurs) else ''}"
 
 
-def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any]:
+def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> Parts:
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     waves, distortion = facts["waves"].values(), facts["distortion"]
     rows = [

@@ -11,7 +11,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, option
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, option
 from lommel.cli.output import Facts
 from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
@@ -78,9 +78,9 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return out[0] if len(out) == 1 else out
 
 
-IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
-STACK_FILE: Any = click.Argument(["stack"], type=PATH)
-LENS: Any = click.Argument(["lens"], type=FILE)
+IMAGES = argument("images", type=PATH, nargs=-1, required=True)
+STACK_FILE = argument("stack", type=PATH)
+LENS = argument("lens", type=FILE)
 OBJECT_DISTANCE = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
 CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "

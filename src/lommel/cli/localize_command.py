@@ -6,7 +6,6 @@ import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -15,16 +14,12 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.cli.instruments import DEPTH, LENS, STACK_FILE, CameraMaps, differing, require_microscope, require_order
 from lommel.cli.options import JSON, OUTPUT, PATH, WINDOW, Group, command, documented, notes_of, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, list_of, progress, require_folder, save_figure, written
+from lommel.cli.output import Facts, Parts, Report, Wrapped, list_of, progress, require_folder, save_figure, written
 from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
 from lommel.show.drawing import figure_of
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
@@ -139,7 +134,7 @@ def _brief(part: Localizations) -> Localizations:
     return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
 
 
-def _parts(facts: Facts, camera: str) -> list[RenderableType]:
+def _parts(facts: Facts, camera: str) -> Parts:
     """Return the table of what was found, and what was not corrected."""
     n, (rows, columns) = facts["frames"], facts["shape"]
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"

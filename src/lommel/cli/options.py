@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 Pitch: TypeAlias = float | tuple[float, ...]
 Window: TypeAlias = int | tuple[int, int]
 Value = TypeVar("Value")
+Param = TypeVar("Param", bound=click.Parameter)
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 """Path of a file, which need not exist."""
@@ -174,13 +175,13 @@ class Group:
         return found
 
     @classmethod
-    def of(cls, given: dict[str, Any]) -> Self:
+    def of(cls, given: Facts) -> Self:
         """Return the group of the values of a call, which are taken out."""
         members = cls._members().items()
         return cls(**{name: one.of(given) if isinstance(one, Group) else given.pop(name) for name, one in members})
 
 
-def _named(name: str, one: click.Parameter, heading: str | None = None) -> Any:
+def _named(name: str, one: Param, heading: str | None = None) -> Param:
     """Return a copy of an option or argument for the argument of a function."""
     copied = copy.copy(one)
     copied.name = name
@@ -216,7 +217,7 @@ class Command(click.Command):
                 formatter.write_dl(records)
 
 
-def _keep_what_is_read(params: Iterable[click.Parameter], given: dict[str, Any]) -> None:
+def _keep_what_is_read(params: Iterable[click.Parameter], given: Facts) -> None:
     """Raise ValueError if a file that is written is one that is read, or another that is written."""
     taken: list[tuple[str, Path]] = []
     for param in sorted(params, key=lambda one: isinstance(one.type, _Written)):
@@ -376,7 +377,7 @@ def _continued(row: str) -> str:
     return "\n".join([*rows, current])
 
 
-JSON: Any = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
+JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 
 
 def plot_option(what: str, flag: str = "--plot") -> Any:

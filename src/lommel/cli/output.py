@@ -98,6 +98,9 @@ def progress(description: str, total: int | None = None) -> Iterator[Steps]:
         yield Steps(bar, description, total)
 
 
+Parts: TypeAlias = "list[RenderableType]"
+"""Lines and tables of a report."""
+
 Facts: TypeAlias = Json
 """Plain data as JSON has it: texts, numbers, lists and dictionaries of these, None."""
 
@@ -193,15 +196,15 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
     return table
 
 
-def paragraphs(*parts: Iterable[RenderableType]) -> list[RenderableType]:
+def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
     """Return parts with a blank line between those that hold something."""
-    found: list[RenderableType] = []
+    found: Parts = []
     for part in map(list, parts):
         found += ["", *part] if found and part else part
     return found
 
 
-def refused(facts: Facts) -> list[RenderableType]:
+def refused(facts: Facts) -> Parts:
     """Return the reasons why some results are missing."""
     return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
 

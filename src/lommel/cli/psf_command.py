@@ -1,4 +1,4 @@
-"""The command ``lommel psf``: PSFs of a lens, over its field of view or in colour, and of a microscope."""
+"""The commands ``lommel psf`` (of a lens, its field and colours, or a microscope) and ``lommel stack`` (on disk)."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
+import numpy as np
 
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
-from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, OUTPUT, WINDOW, Group, command, documented, option, plot_option
+from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Planes, Seen, instrument_of, microscope_of
+from lommel.cli.options import JSON, OUTPUT, OUTPUT_PATH, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
@@ -29,13 +30,72 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
 from lommel.show.drawing import STRETCHES, figure_of
+from lommel.stacks import psf_to
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.optics.pupil import Pupil
+
+
+@command(JSON)
+def stack(
+    lens: Path = LENS,
+    between: tuple[float, float] = option(length="m", nargs=2, required=True, metavar="NEAR FAR",
+        help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
+    count: int = option(type=click.IntRange(2, 10**9), required=True,
+        help="Number of distances, equally spaced in defocus."),
+    output: Path = option("-o", "--output", type=OUTPUT_PATH, required=True, help="Store to write, a folder .zarr."),
+    camera: Camera | None = CAMERA,
+    pixel: float | None = SQUARE_PIXEL,
+    shape: int | tuple[int, int] | None = SHAPE,
+    tol: float | None = documented(compute, "tol", type=float,
+        help="Tolerance, relative to the peak; by default 1e-6."),
+    chunk: int | None = option(type=int,
+        help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
+) -> Report:  # fmt: skip
+    """Compute PSFs over a range of object distances, on disk.
+
+    The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
+    it computes only the missing chunks.
+
+    Example:
+      lommel stack phone.toml --between 1m inf --count 200 --shape 17 -o stack.zarr
+    """
+    near, far = between
+    if not 0.0 < near < far:
+        raise ValueError(f"--between must be two rising distances, got {near:g} and {far:g} metres")
+    instrument = instrument_of(lens, camera=camera, pixel=pixel, shape=shape)
+    with np.errstate(divide="ignore"):
+        distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
+    distances[0], distances[-1] = near, far
+    window, begun, steps = instrument.window, time.perf_counter(), 0
+    with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as step:
+
+        def done(chunks: int, total: int) -> None:
+            nonlocal steps
+            steps += 1
+            step(f"chunk {chunks} of {total}", chunks / total)
+
+        made = psf_to(
+            output,
+            instrument.lens.pupil(distances),
+            window,
+            instrument.pixel,
+            tol=tol,
+            chunk=chunk,
+            integrate=instrument.integrate,
+            progress=done,
+        )
+    bound, seconds = float(made.error_bound.max()), time.perf_counter() - begun
+    facts = {"store": str(output), "shape": list(made.shape), "dtype": str(made.dtype), "seconds": seconds}
+    facts |= {"chunks": made.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
+    shown = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
+    computed = f"{steps} of {made.done[1]} chunks computed in {seconds:.3g} s"
+    return Report(facts, [f"{made!r}: {shown}; {computed}"])
+
 
 Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
 
@@ -222,9 +282,11 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
     return report + kept
 
 
-def _mtf(wanted: bool, *of: Any) -> Report:
+def _mtf(
+    wanted: bool, instrument: Instrument, grid: PSFGrid | None = None, channels: Channels | None = None
+) -> Report:
     """Return the report of the MTF if it is wanted."""
-    return reports.describe_mtf(*of) if wanted else Report({}, [])
+    return reports.describe_mtf(instrument, grid, channels) if wanted else Report({}, [])
 
 
 def _of_lens(
@@ -329,8 +391,7 @@ def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
 
 def _named(axes: Axes, name: str, title: str) -> str:
     """Return a title of a figure below the name of its lens, within its width."""
-    from lommel.show.drawing import fitted
-    from lommel.show.labels import name_in_words
+    from lommel.show.drawing import fitted, name_in_words
 
     return f"{fitted(name_in_words(name), axes)}\n{title}".rstrip("\n")
 

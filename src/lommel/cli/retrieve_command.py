@@ -19,7 +19,7 @@ from lommel.cli.instruments import (
     numbers_of,
 )
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import Report, Wrapped, paragraphs, progress, save_figure, table_of, written
+from lommel.cli.output import Parts, Report, Wrapped, paragraphs, progress, save_figure, table_of, written
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
@@ -28,8 +28,6 @@ from lommel.recorded.frames import part_of, read_images
 from lommel.special import zernike
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from lommel.estimation.phase_retrieval import Retrieval
 
 _UNITS = ("radians", "waves", "nm", "um")
@@ -124,7 +122,7 @@ def retrieve(
     return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
 
 
-def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:
+def _parts(found: Retrieval, unit: str, files: list[str]) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
     values, errors = found.in_unit(unit)

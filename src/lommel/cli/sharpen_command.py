@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, tell_of_light
 from lommel.base.units import format_length
 from lommel.cli import depth_maps
@@ -27,7 +27,7 @@ from lommel.imaging.blur import tell_of_depths
 from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
-from lommel.io.registry import Values, formats, suffixes
+from lommel.io.registry import formats, suffixes
 
 if TYPE_CHECKING:
     from lommel.io.depth_maps import DepthKeywords

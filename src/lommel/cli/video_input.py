@@ -14,13 +14,13 @@ import click
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
+from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
 from lommel.base.validation import brief
 from lommel.cli.instruments import noise_of
 from lommel.cli.options import option
 from lommel.cli.output import Facts
 from lommel.cli.photo_commands import PhotoNoise
-from lommel.io.registry import Values
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from collections import deque
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from types import TracebackType
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import click
 import numpy as np
@@ -423,8 +424,10 @@ class Outputs:
         self._window = Window("lommel watch", self._stack) if files.show else None
         return self
 
-    def __exit__(self, *error: Any) -> None:
-        self._stack.__exit__(*error)
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.__exit__(kind, error, trace)
 
     def __call__(self, seen: Seen) -> bool:
         """Write what is made of a pair; return whether the window has been closed."""

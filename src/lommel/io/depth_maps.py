@@ -12,10 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import atomic, options, reading, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.core.answers import DType
 from lommel.io.photos import JPEG, PhotoError, find_depth, told
-from lommel.io.registry import Values
 
 RESAMPLE = ("nearest",)
 

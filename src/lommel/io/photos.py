@@ -22,12 +22,14 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.encoding import ENCODINGS, from_light, scene_light
 from lommel.base.optional import library, version
 from lommel.io import registry
-from lommel.io.registry import Description, Format, Values
+from lommel.io.registry import Description, Format
 
 if TYPE_CHECKING:
+    from PIL.Image import Exif as Tags
     from PIL.Image import Image
 
 PREFIX = b"Exif\0\0"
@@ -185,7 +187,7 @@ START = (b"\x76\x2f\x31\x01",)
 
 
 @contextmanager
-def _opened(data: bytes) -> Iterator[dict[str, Any]]:
+def _opened(data: bytes) -> Iterator[dict[str, Values]]:
     """Yield the channels of a file of one flat part whose size is within limits, by name."""
     exr = library("OpenEXR", "EXR files need", "exr")
     with exr.File(io.BytesIO(data), header_only=True) as file:
@@ -210,7 +212,7 @@ def _opened(data: bytes) -> Iterator[dict[str, Any]]:
         yield {name: channel.pixels for name, channel in file.channels().items()}
 
 
-def read_exr(data: bytes) -> tuple[Values, Any, bytes | None]:
+def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
     """Return the values of a photograph in float32, no tags and no profile."""
     from PIL import Image
 
@@ -381,12 +383,8 @@ def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
     what = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
-    try:
+    with reading.refused_as(PhotoError, source, f"cannot be read as {what}"):
         yield form
-    except ImportError:
-        raise
-    except Exception as error:
-        raise PhotoError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
 
 
 def require_developed(source: Path, data: bytes) -> None:
@@ -522,7 +520,7 @@ def encoded(
 _BAND = 2**20  # pixels that are converted to an array at once
 
 
-def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Any, bytes | None, bytes | None]:
+def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
     """Return the values, the tags, the ICC profile and the EXIF of a file of Pillow, with all 16 bits of a PNG."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
@@ -585,7 +583,7 @@ def _array(image: Image) -> Values:
     return made
 
 
-def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes | None, bytes]:
+def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
     """Return the values, tags, ICC profile and EXIF of a TIFF file of one page, `levels` of any integers."""
     import tifffile
     from PIL import Image
@@ -648,7 +646,7 @@ def write_tiff(values: Values, _quality: int, profile: bytes | None, block: byte
     return file if block is None else in_tiff(file, block)
 
 
-def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: Any) -> bytes:
+def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: object) -> bytes:
     from PIL import Image
 
     if block is not None:

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from lommel.base import atomic, reading, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.checksums import sealed
 from lommel.io import fits_images
-from lommel.io.registry import DAMAGED, Arrays, Description, Values
+from lommel.io.registry import DAMAGED, Arrays, Description
 from lommel.measures.psf_like import ColourPSFLike, PSFLike
 from lommel.optics.colour.spectrum import Spectrum
 from lommel.optics.layers.emitter import Beam

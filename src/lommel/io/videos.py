@@ -22,8 +22,9 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, TypeAlias
 import numpy as np
 
 from lommel.base import atomic, optional, reading, validation
+from lommel.base.arrays import Values
 from lommel.io import photos, registry
-from lommel.io.registry import Format, Values
+from lommel.io.registry import Format
 
 if TYPE_CHECKING:
     from av import Packet, VideoStream

@@ -20,9 +20,9 @@ from typing import Any, Self
 import numpy as np
 
 from lommel.base import reading, validation
-from lommel.base.arrays import Json
+from lommel.base.arrays import Json, Values
 from lommel.base.validation import shown
-from lommel.io.registry import Description, Values
+from lommel.io.registry import Description
 
 # Of these it is known how much comes out of them; the others do not compress.
 _PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")

@@ -22,7 +22,7 @@ from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
-from lommel.show.labels import of_emitter
+from lommel.show.drawing import of_emitter
 from lommel.special import zernike
 
 if TYPE_CHECKING:

@@ -16,17 +16,17 @@ from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, Val
 
 from lommel import telescopes
 from lommel.base import optional, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.encoding import to_light
 from lommel.base.units import parse_length, parse_radius
 from lommel.field.maps import FieldMap, Shading, Vignetting
 from lommel.imaging.datasets import LensRanges
 from lommel.io import fits_images
 from lommel.io.photos import PhotoError, read_raster
-from lommel.io.registry import Values
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import sections, tables, toml_files
+from lommel.lensfiles import camera_files, tables, toml_files
+from lommel.lensfiles.camera_files import PhotoSensor
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import PhotoSensor
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Angle,
@@ -517,7 +517,7 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: Toml | None = None  # checked by `sections.read`
+    zernike: Toml | None = None  # checked by `camera_files.read`
 
 
 class VignettingSection(MadeSection):
@@ -782,7 +782,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
             "lommel.load_microscope reads it, and the commands info, psf, beads and localize take it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = sections.read(raw, text, context)
+    table, found = camera_files.read_zernike(raw, text, context)
     make = partial(_instrument, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
@@ -795,7 +795,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
     aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
-        aberrations += sections.wavefront(table, wavelength)
+        aberrations += camera_files.wavefront_of(table, wavelength)
     given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.made()}
     # As a diameter, since a length with a unit is certainly meant.
     diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))

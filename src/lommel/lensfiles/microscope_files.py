@@ -18,9 +18,9 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
 from lommel.estimation.beads import BeadFit
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import sections, toml_files
+from lommel.lensfiles import camera_files, toml_files
+from lommel.lensfiles.camera_files import Sensor
 from lommel.lensfiles.instrument import Camera
-from lommel.lensfiles.sections import Sensor
 from lommel.lensfiles.toml_files import (
     Angle,
     Context,
@@ -40,7 +40,7 @@ from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, r
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show import notebook
-from lommel.show.labels import length_in_words, of_emitter
+from lommel.show.drawing import length_in_words, of_emitter
 from lommel.special import zernike
 
 PLANES_MOST = 4096
@@ -305,7 +305,7 @@ class _Emission(MadeSection):
 
 
 class _Aberrations(Section):
-    zernike: Toml | None = None  # checked by `sections.read`
+    zernike: Toml | None = None  # checked by `camera_files.read`
 
 
 class _Stack(Section):
@@ -481,7 +481,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
             f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = sections.read(raw, text, context)
+    table, found = camera_files.read_zernike(raw, text, context)
     make = partial(_microscope, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
@@ -503,7 +503,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         file.emission.wavelength,
         file.sample.depth,
         emitter=file.emission.made(),
-        aberrations=None if table is None else sections.wavefront(table, file.emission.wavelength),
+        aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,
         **stack,
         **dict(file.sensor),

@@ -25,8 +25,19 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_psf
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import COLOURS, STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
-from lommel.show.labels import few_of, length_in_words, of_pupils
+from lommel.show.drawing import (
+    COLOURS,
+    STRETCHES,
+    caption,
+    complete_curves,
+    few_of,
+    frequencies,
+    length_in_words,
+    lengths,
+    new_axes,
+    norm_of,
+    of_pupils,
+)
 from lommel.special import zernike
 
 if TYPE_CHECKING:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +14,17 @@ from scipy import ndimage
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.base.units import format_length
-from lommel.show.drawing import COLOURS, USER, entitle, figure_of, fitted, new_axes, pyplot, round_length
-from lommel.show.labels import length_in_words
+from lommel.show.drawing import (
+    COLOURS,
+    USER,
+    entitle,
+    figure_of,
+    fitted,
+    length_in_words,
+    new_axes,
+    pyplot,
+    round_length,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -99,8 +109,7 @@ class DepthColours:
 
 
 _ACROSS = 5
-_STARS = 5
-_STAR_SIGMAS = 4.0
+_SIGMAS = 4.0  # of residuals
 
 
 def field(
@@ -120,14 +129,14 @@ def field(
     # So that numbers beside bars are not cut.
     figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
-    panels: Any = upper.subplots(rows, _ACROSS, squeeze=False)
+    panels = upper.subplots(rows, _ACROSS, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
     for panel, (term, values, errors) in zip(panels.flat, maps, strict=False):
         most = max(float(np.abs(values).max()), 1e-12)
         drawn = panel.imshow(values, cmap="RdBu_r", vmin=-most, vmax=most, extent=extent, aspect="equal")
         bar = upper.colorbar(drawn, ax=panel, shrink=0.75)
         bar.ax.tick_params(labelsize=7)
-        panel.set_title("\n".join([*_wrapped(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
+        panel.set_title("\n".join([*textwrap.wrap(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
     shown = panel.scatter(
@@ -145,7 +154,7 @@ def field(
         rest.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
     _stars(lower, images, (across, down, used))
-    figure.suptitle("\n".join(_wrapped(title, 130)), fontsize=9)
+    figure.suptitle(textwrap.fill(title, 130), fontsize=9)
     return figure
 
 
@@ -155,34 +164,37 @@ def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, ND
     across, down, used = stars
     at = np.flatnonzero(used)
     wide, high = max(float(np.ptp(across)), 1e-300), max(float(np.ptp(down)), 1e-300)
-    spots = [(across.min(), down.min()), (across.max(), down.min()), (np.median(across), np.median(down)),
-             (across.min(), down.max()), (across.max(), down.max())]  # fmt: skip
-    names = ("top left", "top right", "middle", "bottom left", "bottom right")
-    panels = part.subplots(3, _STARS, squeeze=False)
-    norm = library("matplotlib.colors", *USER).PowerNorm
-    for column, ((u, v), name) in enumerate(zip(spots, names, strict=True)):
+    spots = {
+        "top left": (across.min(), down.min()),
+        "top right": (across.max(), down.min()),
+        "middle": (np.median(across), np.median(down)),
+        "bottom left": (across.min(), down.max()),
+        "bottom right": (across.max(), down.max()),
+    }
+    columns = []
+    for name, (u, v) in spots.items():
         k = at[np.argmin(((across[at] - u) / wide) ** 2 + ((down[at] - v) / high) ** 2)]
         image, fit = seen[k, 0], model[k, 0]
-        low, top = np.nanmin(image), np.nanmax(image)
-        scale = norm(0.5, low, top)
-        panels[0, column].imshow(image, cmap=COLOURS, norm=scale, interpolation="nearest")
-        panels[1, column].imshow(fit, cmap=COLOURS, norm=scale, interpolation="nearest")
-        noise = np.sqrt(np.maximum(fit, 1.0))
-        left = panels[2, column].imshow(
-            (image - fit) / noise, cmap="RdBu_r", vmin=-_STAR_SIGMAS, vmax=_STAR_SIGMAS, interpolation="nearest"
-        )
-        panels[0, column].set_title(name, fontsize=8)
-    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
-        row[0].set_ylabel(text, fontsize=8)
-    for panel in panels.flat:
-        panel.set(xticks=[], yticks=[], facecolor="0.5")
+        columns.append((name, image, fit, (image - fit) / np.sqrt(np.maximum(fit, 1.0))))
+    panels, left = _residual_rows(part, columns, letters=8)
     part.colorbar(left, ax=panels.ravel().tolist(), label="residual over photon noise", shrink=0.6)
 
 
-def _wrapped(text: str, width: int) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(text, width)
+def _residual_rows(part: Any, columns: Sequence[tuple[str, Array, Array, Array]], letters: float) -> tuple[Any, Any]:
+    """Draw title, image, model and residual of each column; return the panels, and a drawn residual."""
+    panels = part.subplots(3, len(columns), squeeze=False)
+    norm = library("matplotlib.colors", *USER).PowerNorm
+    for column, (title, image, model, residual) in zip(panels.T, columns, strict=True):
+        scale = norm(0.5, np.nanmin(image), np.nanmax(image))
+        for panel, values in zip(column[:2], (image, model), strict=True):
+            panel.imshow(values, cmap=COLOURS, norm=scale, interpolation="nearest")
+        left = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
+        column[0].set_title(title, fontsize=8)
+    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
+        row[0].set_ylabel(text, fontsize=letters)
+    for panel in panels.flat:
+        panel.set(xticks=[], yticks=[], facecolor="0.5")  # of what was left out
+    return panels, left
 
 
 _COLOURS = "turbo"
@@ -257,7 +269,7 @@ def projections(
     below = max(deep, _LEAST_SHARE * high)
     size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
     figure: Figure = pyplot().figure(figsize=size, layout="compressed")
-    axes: Any = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
+    axes = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
         for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
             for panel, values, extent in zip(
@@ -353,7 +365,6 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
 
 
 _MOST = 8  # images in one figure
-_SIGMAS = 4.0
 
 
 def fit(
@@ -371,19 +382,10 @@ def fit(
     figure: Figure = pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
     parts: Any = figure.subfigures(1, 2, width_ratios=(1.9 * count + 1.2, bars + 1.0))
     pictures, graph = parts
-    axes = pictures.subplots(3, count, squeeze=False)
-    for k in range(count):
-        low, high = np.nanmin(images[k]), np.nanmax(images[k])
-        norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, high)
-        axes[0, k].imshow(images[k], cmap=COLOURS, norm=norm, interpolation="nearest")
-        axes[1, k].imshow(model[k], cmap=COLOURS, norm=norm, interpolation="nearest")
-        left = axes[2, k].imshow(residual[k], cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
-        axes[0, k].set_title(titles[k] if len(titles[k]) < 22 else f"…{titles[k][-20:]}", fontsize=8)
-    for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
-        row[0].set_ylabel(text, fontsize=9)
-    for each in axes.flat:
-        each.set(xticks=[], yticks=[], facecolor="0.5")  # what was left out
-    pictures.colorbar(left, ax=axes[2].tolist(), label="residual / noise", shrink=0.9)
+    short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
+    columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
+    panels, left = _residual_rows(pictures, columns, letters=9)
+    pictures.colorbar(left, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in errors]

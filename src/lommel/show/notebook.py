@@ -26,8 +26,17 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import COLOURS, HOW, MEANING, round_length
-from lommel.show.labels import few, few_of, length_in_words, of_emitter, of_pupils
+from lommel.show.drawing import (
+    COLOURS,
+    HOW,
+    MEANING,
+    few,
+    few_of,
+    length_in_words,
+    of_emitter,
+    of_pupils,
+    round_length,
+)
 from lommel.show.pupils import across
 from lommel.special import zernike
 

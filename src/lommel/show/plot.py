@@ -19,6 +19,7 @@ from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, checke
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
+from lommel.show.curves import encircled_energy, focus_curves, mtf, through_focus
 from lommel.show.drawing import (
     COLOURS,
     HOW,
@@ -35,20 +36,23 @@ from lommel.show.drawing import (
     lengths,
     new_axes,
     norm_of,
+    of_pupils,
     only_outer,
     only_single,
     pyplot,
     round_length,
     stretched,
     tiles,
+    true_minus,
 )
-from lommel.show.labels import of_pupils, true_minus
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
+
+__all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
 
 _LONGEST = 3.0  # how much longer one axis may be than another, at the same scale
 _SIDE = 3.4  # inches of the longest axis

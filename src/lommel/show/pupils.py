@@ -14,8 +14,17 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import at_most, caption, circle, even_norm, new_axes, only_single, tiles
-from lommel.show.labels import of_pupils, of_wavefronts
+from lommel.show.drawing import (
+    at_most,
+    caption,
+    circle,
+    even_norm,
+    new_axes,
+    of_pupils,
+    of_wavefronts,
+    only_single,
+    tiles,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -1,7 +1,5 @@
 """Stacks of PSFs larger than memory: computed chunk by chunk into a store, a Zarr folder, and read in parts.
 
-Stacks of PSFs in a store, a Zarr folder: how chunks are cut, written, marked, checked, and read in parts.
-Stores of PSF stacks, Zarr folders: how chunks are cut, written, marked and checked.
 A chunk is a file of each array. Writing one changes nothing else, and a process that is killed meanwhile leaves all
 others as they were.
 
@@ -21,13 +19,14 @@ from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Self, TypeAlias, Unpack
+from typing import Any, Protocol, Self, TypeAlias, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
-from lommel.base.arrays import Array, Json
+from lommel.base.arrays import Array, Json, Values
+from lommel.base.arrays import Index as ArrayIndex
 from lommel.base.cached import cached_property
 from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.optional import library, version
@@ -36,7 +35,7 @@ from lommel.blur.blurs import blurs_from_dicts
 from lommel.channel_psf import PSFKeywords
 from lommel.io import zarr_folders
 from lommel.io.psf_files import NORMALIZE, FileError, told
-from lommel.io.registry import Arrays, Description, Values
+from lommel.io.registry import Arrays, Description
 from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.methods.choice import candidates, first_proven, settled
 from lommel.methods.method import Method
@@ -67,6 +66,20 @@ OF_CHUNK = ("values", "error_bound", "scale", "method")
 
 Index = tuple[int, ...]
 Center: TypeAlias = tuple[ArrayLike, ArrayLike]
+Places: TypeAlias = ArrayLike | tuple[ArrayLike, str]
+"""Coordinates along an axis of a stack, or these and their unit."""
+
+
+class Cluster(Protocol):
+    """A client of ``distributed``, as far as it is used."""
+
+    def get_executor(self) -> futures.Executor:
+        """Return an executor of the workers."""
+        ...
+
+    def nthreads(self) -> Mapping[str, int]:
+        """Return the number of threads of each worker."""
+        ...
 
 
 def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
@@ -420,7 +433,7 @@ class PSFStack:
         there = "" if done == total else f", {done} of {total} chunks there"
         return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{there}>"
 
-    def __getitem__(self, index: Any) -> PSF:
+    def __getitem__(self, index: ArrayIndex) -> PSF:
         """Return part of the stack in memory, indexed as a NumPy array.
 
         Raises
@@ -468,7 +481,7 @@ class PSFStack:
         kept = {"integrate": said["integrate"], "fill": tuple(said["fill"])}
         return Grid(tuple(said["window"]), pixel, center=center, **kept)
 
-    def _members(self, index: Any, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
+    def _members(self, index: ArrayIndex, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
         """Return the members of the flattened stack at an index, and their arrays by name."""
         stack = self.shape[:-2]
         which = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
@@ -500,7 +513,7 @@ class _Values:
     def __init__(self, stack: PSFStack) -> None:
         self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
 
-    def __getitem__(self, index: Any) -> Values:
+    def __getitem__(self, index: ArrayIndex) -> Values:
         parts = index if isinstance(index, tuple) else (index,)
         lead = self.ndim - 2
         values = self._stack._members(parts[:lead], ("values",))[1]["values"]
@@ -623,7 +636,7 @@ class Request:
 
 
 def requested(
-    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Any] | None, chunk: int | None
+    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Places] | None, chunk: int | None
 ) -> Request:
     """Return a checked request; see :func:`lommel.psf_to`."""
     stacks, listed, grid = _stacks(pupils, plan)
@@ -712,7 +725,7 @@ def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Desc
 
 
 def _axes(
-    given: Mapping[str, Any] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
+    given: Mapping[str, Places] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
 ) -> tuple[dict[str, Array], dict[str, str]]:
     """Return the coordinates of each axis of the stack, by name, and their units."""
     if given is None:
@@ -756,10 +769,10 @@ def psf_to(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     *,
-    axes: Mapping[str, Any] | None = None,
+    axes: Mapping[str, Places] | None = None,
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    client: Any = None,
+    client: futures.Executor | Cluster | None = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
@@ -922,7 +935,7 @@ def _require_room(store: Store, chunks: int) -> None:
         )
 
 
-def _pool(client: Any) -> tuple[futures.Executor | None, int]:
+def _pool(client: futures.Executor | Cluster | None) -> tuple[futures.Executor | None, int]:
     """Return the executor of a client, and how many chunks to submit at a time."""
     if client is None:
         return None, 0

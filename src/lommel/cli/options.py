@@ -94,9 +94,6 @@ def _window(text: str) -> Window:
     return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
 
-MICROMETRES, NANOMETRES = (Parsed("length", partial(_length, unit)) for unit in ("um", "nm"))
-"""Lengths with a unit, in metres, which errors suggest in another."""
-
 SIDES = Parsed("length", _sides)
 """A length with a unit, or several with an x between them, in metres."""
 

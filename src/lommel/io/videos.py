@@ -114,7 +114,24 @@ class _Reader(Protocol):
 _Numbered: TypeAlias = tuple[int, VideoFrame]
 
 
-class VideoFrames:
+class _Closed:
+    """An iterator that ``with`` closes."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Self:
+        return self
+
+    def close(self) -> None:
+        """Close the source or the sources."""
+        raise NotImplementedError
+
+
+class VideoFrames(_Closed):
     """Frames of one source in the order of their times: an iterator of :class:`~lommel.io.VideoFrame`.
 
     Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
@@ -181,15 +198,6 @@ class VideoFrames:
         height, width = self.shape[:2]
         return f"<VideoFrames of {self.name}: {width} x {height}, {self.dtype}>"
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __iter__(self) -> Self:
-        return self
-
     @property
     def bits(self) -> float | None:
         """Bits a pixel so far, if the source is compressed with losses; None if it is not, or that is not known."""
@@ -207,7 +215,7 @@ class VideoFrames:
         """Yield frames with numbers that grow by more than 1 where times show that some are missing."""
         frames = self._reader.frames()
         # Stated rates may be wrong, and a frame may be missing among the first: no number without some differences.
-        waiting, end = list[VideoFrame](), None
+        waiting, end = deque[VideoFrame](), None
         try:
             for frame in islice(frames, _FIRST):
                 waiting.append(frame)
@@ -215,7 +223,8 @@ class VideoFrames:
             end = error
         self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
         number, last = 0, math.nan
-        for k, frame in enumerate(chain(_emptied(waiting), frames)):
+        first = (waiting.popleft() for _ in range(len(waiting)))  # which are not kept
+        for k, frame in enumerate(chain(first, frames)):
             step = frame.time - last
             if k >= _FIRST and step > 0.0:
                 self._times.append(step)
@@ -260,12 +269,6 @@ class VideoFrames:
         """Close the source."""
         if self._waiting is None or self._waiting.stop():
             self._reader.close()
-
-
-def _emptied(frames: list[VideoFrame]) -> Iterator[VideoFrame]:
-    """Yield what a list has, which is not kept."""
-    while frames:
-        yield frames.pop(0)
 
 
 class _Waiting:
@@ -319,7 +322,7 @@ class _Waiting:
         return not self._thread.is_alive()
 
 
-class FramePairs:
+class FramePairs(_Closed):
     """Pairs of frames of one moment: an iterator of :class:`~lommel.io.FramePair`.
 
     Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
@@ -350,15 +353,6 @@ class FramePairs:
         height, width = self.shape[:2]
         names = " and ".join(one.name for one in self.sources)
         return f"<FramePairs of {names}: {width} x {height}, {self.dtype}>"
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __iter__(self) -> Self:
-        return self
 
     def __next__(self) -> FramePair:
         """Return the next pair."""
@@ -483,7 +477,8 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
-        return VideoFrames(_Coded(source, _without_password(source), True, grey, say), say)
+        named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # without a password
+        return VideoFrames(_Coded(source, named, True, grey, say), say)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
         return VideoFrames(_Images(path, grey, say), say)
@@ -547,10 +542,6 @@ def frame_pairs(
 def _told(tell: Tell | None) -> Tell:
     validation.function("tell", tell, required=False)
     return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
-
-
-def _without_password(address: str) -> str:
-    return validation.line(re.sub(r"//[^/@]*@", "//", address))
 
 
 def _limited(name: str, width: int, height: int) -> None:

@@ -202,16 +202,7 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
 
 
 @display.save.register(Wavefront)
-def save_wavefront(
-    wavefront: Wavefront,
-    path: str | PathLike[str],
-    *,
-    order: str = "noll",
-    unit: str = "waves",
-    normalization: str = "rms",
-    wavelength: float | None = None,
-    obscuration: float = 0.0,
-) -> None:
+def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: Any) -> None:
     """Write the Zernike coefficients of a single wavefront: :meth:`ZernikeTable.from_wavefront`, saved.
 
     Parameters
@@ -219,12 +210,8 @@ def save_wavefront(
     wavefront : Wavefront
     path : path
         Ending in .json, .toml or .csv.
-    order, unit, normalization : str
-        Of the table.
-    wavelength : float, optional
-        Metres; units of length need it.
-    obscuration : float, default 0
-        Of annular terms.
+    **options
+        Of :meth:`ZernikeTable.from_wavefront`.
 
     Raises
     ------
@@ -235,15 +222,7 @@ def save_wavefront(
         If the file cannot be written.
     """
     find(path)  # before anything is computed
-    table = ZernikeTable.from_wavefront(
-        wavefront,
-        order=order,
-        unit=unit,
-        normalization=normalization,
-        wavelength=wavelength,
-        obscuration=obscuration,
-    )
-    save_zernike(path, table)
+    save_zernike(path, ZernikeTable.from_wavefront(wavefront, **options))
 
 
 def _unit(unit: str) -> tuple[str, float]:

@@ -629,7 +629,7 @@ def _first_rows(setting: Setting) -> list[Facts]:
             "settings": text,
             "searched": searched,
             "closest": {v: _closest("window", WINDOWS, means[v], PAPER_MSE) for v in VARIANTS},
-            "remark": f"Comes out with Eq. (12) as printed, {_apart(found['printed']['mse'], PAPER_MSE)}.",
+            "remark": f"Comes out with Eq. (12) as printed, {_deviation(found['printed']['mse'], PAPER_MSE)}.",
         },
         {
             "quantity": "peak error of the slice",
@@ -651,7 +651,7 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
     found = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
     searched = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
     best = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
-    apart = [_apart(value, paper) for value, paper in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
+    apart = [_deviation(value, paper) for value, paper in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
     remark = (
         "The two do not come out together: no C_d and window of the range gives both within 10 %. Closest, as "
         f"printed, the one for TLC = {TANGENTS[0]:g} is {apart[0]} and the one for {TANGENTS[1]:g} {apart[1]}. "
@@ -755,7 +755,7 @@ def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wa
     return {"value": value, "at": {name: at}}
 
 
-def _apart(value: float, wanted: float) -> str:
+def _deviation(value: float, wanted: float) -> str:
     return f"{100.0 * abs(value / wanted - 1.0):.0f} % too {'large' if value > wanted else 'small'}"
 
 

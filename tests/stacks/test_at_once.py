@@ -186,8 +186,8 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
 
 def test_a_chunk_of_another_store_of_the_same_request_is_damaged(tmp_path):
     made = [ask(tmp_path / f"{name}.zarr", ONE) for name in "ab"]
-    parts = {name: made[0]._store.given(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
-    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.given("chunks/checksum", (1,))}, (1,))
+    parts = {name: made[0]._store.require(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
+    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.require("chunks/checksum", (1,))}, (1,))
     with pytest.raises(FileError, match="damaged: its checksum is another"):
         lm.open_stack(tmp_path / "b.zarr")[2]
     assert made[1][0].pupil == made[0][0].pupil
@@ -197,7 +197,7 @@ def test_pupils_that_are_others_than_those_computed_are_damage(tmp_path, first):
     path = tmp_path / "a.zarr"
     one = first(path)
     store = lm.open_stack(path)._store
-    store.put({"pupil/edge": store.given("pupil/edge", (0,)) + 1.0}, (0, 0))
+    store.put({"pupil/edge": store.require("pupil/edge", (0,)) + 1.0}, (0, 0))
     first.go()
     stack = one.result(60)
     with pytest.raises(FileError, match="damaged: its checksum is another"):

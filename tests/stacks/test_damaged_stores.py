@@ -128,7 +128,7 @@ def test_a_method_that_a_store_does_not_have_is_a_fault_of_the_file(place, good,
     with pytest.raises(FileError, match="its checksum is another"):
         lm.open_stack(path)[:]
     own = lm.open_stack(path)._store
-    made, pupils = ({name: own.given(name, (0,)) for name in names} for names in (stacks.OF_CHUNK, own.pupils))
+    made, pupils = ({name: own.require(name, (0,)) for name in names} for names in (stacks.OF_CHUNK, own.pupils))
     own.keep((0,), made, crc32({}, pupils))
     with pytest.raises(FileError, match=r"a\.zarr is not a stack .*: it names method 31 of 2"):
         lm.open_stack(path)[:]

@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
-from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, require_microscope
+from lommel.cli.instruments import IMAGES, LENS, CameraOptions, header_differences, require_microscope
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import (
     Facts,
@@ -116,7 +116,7 @@ def beads(
     camera.require()
     with progress("reading") as started:
         read = list(read_each(stacks))
-        noise, saturation, header = camera.settled(of_all([each.said for each in read]), microscope.camera)
+        noise, saturation, header = camera.resolve(of_all([each.said for each in read]), microscope.camera)
         recorded, words = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {words}.", *header]
         cut: list[_Bead] = []
@@ -124,7 +124,7 @@ def beads(
             file = stack.names[0].removesuffix(" [0]")
             notes += [
                 *stack.notes,
-                *(each for each in differing(stack.said, microscope, model.step) if each not in notes),
+                *(each for each in header_differences(stack.said, microscope, model.step) if each not in notes),
             ]
             values = stack.values
             if (mask := camera.mask(values)) is not None:

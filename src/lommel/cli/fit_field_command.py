@@ -196,7 +196,7 @@ def fit_field(
     instrument = camera.on(lens)
     with progress("reading") as started:
         read = read_images(list(images))
-        noise, saturation, header = camera.settled(read.said, instrument.camera)
+        noise, saturation, header = camera.resolve(read.said, instrument.camera)
         pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
         arguments = model.arguments(len(read.values), focal_length)
         started(f"finding {chart.targets}s")

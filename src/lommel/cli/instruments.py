@@ -210,7 +210,7 @@ def require_order(order: str, images: Path, lens: Path) -> None:
 _MISSING = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
 
 
-def _of_camera(camera: Camera | None) -> Facts:
+def _camera_facts(camera: Camera | None) -> Facts:
     """Return what a camera states of the noise, None of the rest."""
     if camera is None:
         return {}
@@ -223,7 +223,7 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
 
     Images are in counts, or `photographs` that end at white and have no offset.
     """
-    known, found = _of_camera(camera), {}
+    known, found = _camera_facts(camera), {}
     if photographs:
         known |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
@@ -252,7 +252,7 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
 
     An option counts more than the camera, and that more than the header, whose other values are named.
     """
-    known, notes = _of_camera(camera), []
+    known, notes = _camera_facts(camera), []
     for name, (key, words) in _STATED.items():
         value = said.get(key)
         if isinstance(value, Unusable):
@@ -276,7 +276,7 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
     return notes
 
 
-def differing(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
+def header_differences(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
     """Return what images state of pixels, emission and `step` where it is not that of the command, which is taken."""
     known = {
         "pixels of {} in the sample": (said.get("pixel"), microscope.pixel / microscope.objective.magnification),
@@ -330,7 +330,7 @@ class CameraOptions(Group, heading="Camera and noise"):
         """Return gain, read noise, offset and excess, None where they are left out."""
         return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
 
-    def settled(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+    def resolve(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
         """Return noise, saturation and notes; an option counts more than the camera, and that than the header."""
         given = self.values() | {"saturation": self.saturation}
         notes = take_header(given, said, camera)
@@ -338,7 +338,7 @@ class CameraOptions(Group, heading="Camera and noise"):
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""
-        known, name = _of_camera(camera), camera and camera.name
+        known, name = _camera_facts(camera), camera and camera.name
         sources = {
             "option": "by the option",
             "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",

@@ -62,7 +62,7 @@ def examples(
         if path.is_dir() or path.read_bytes() != copies[path]:
             raise FileExistsError(errno.EEXIST, "File exists and differs from the example", str(path))
     folder.mkdir(parents=True, exist_ok=True)
-    with atomic.together() as put:
+    with atomic.whole_files() as put:
         for path in copies.keys() - present:
             put(path, copies[path])
     report = written(path for path in copies if path not in present)

@@ -262,7 +262,7 @@ def command(
                 _keep_what_is_read(every, given)
                 for name, group in groups.items():
                     given[name] = group.of(given)
-                with _noted(notes):
+                with _collected_notes(notes):
                     report = function(**given)
                 _print(report, notes, as_json=as_json)
             except (click.ClickException, click.exceptions.Exit, click.Abort):
@@ -303,7 +303,7 @@ def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
     """Print a report with the notes of the library; exit with code 3 where its result is not to be trusted."""
     if report is not None:
         if notes:
-            report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _printed("note", notes))
+            report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
         report.print(as_json=as_json)
     sys.stdout.flush()  # now, where a failure can still be reported
     if report is not None and not report.converged:
@@ -317,7 +317,7 @@ def _report_error(error: Exception, notes: list[str]) -> int:
         return 1
     if any(words in str(error) for words in _SHORT):
         error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
-    for row in (*_printed("Note", notes), f"Error: {_message(error)}"):
+    for row in (*_note_lines("Note", notes), f"Error: {_message(error)}"):
         click.echo(row, err=True)
     try:
         sys.stdout.flush()
@@ -329,14 +329,14 @@ def _report_error(error: Exception, notes: list[str]) -> int:
 _NOTES = 5  # that are printed
 
 
-def _printed(word: str, said: list[str]) -> list[str]:
+def _note_lines(word: str, said: list[str]) -> list[str]:
     """Return the lines of the first notes, and of how many more there are."""
     more = [f"{len(said) - _NOTES} more, which --json lists"] if len(said) > _NOTES else []
     return [f"{word}: {note}" for note in [*said[:_NOTES], *more]]
 
 
 @contextmanager
-def _noted(said: list[str]) -> Iterator[None]:
+def _collected_notes(said: list[str]) -> Iterator[None]:
     """Add the notes of the library, its UserWarnings, to a list, each once."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)
@@ -444,13 +444,13 @@ def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
     return found[0]
 
 
-def notes_of(facts: Facts) -> list[Wrapped]:
+def finding_lines(facts: Facts) -> list[Wrapped]:
     """Return the findings of a result and its notes, a line each."""
     findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
 
 
-def judged(facts: Facts, *parts: RenderableType) -> Report:
+def report_findings(facts: Facts, *parts: RenderableType) -> Report:
     """Return the report of a fit with findings and notes, which come last and name the options of the command."""
     facts = facts | {"notes": [with_options(note) for note in facts["notes"]]}
-    return Report(facts, [*parts, *notes_of(facts)], facts["converged"])
+    return Report(facts, [*parts, *finding_lines(facts)], facts["converged"])

@@ -89,7 +89,7 @@ class Coding(NamedTuple):
         return {"bits": bits, "noise_bits": noise}, sentence
 
 
-def evened(first: Values, second: Values, coding: Coding) -> list[Values]:
+def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:
     """Return two frames whose ratio of brightness is the same in all rows; full pixels are NaN.
 
     Lamps that flicker make bands where a shutter rolls over the rows, and no smooth ratio of exposures follows them.

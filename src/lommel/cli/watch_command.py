@@ -25,7 +25,7 @@ from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_o
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
 from lommel.cli.output import Report, require_folder, written
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, evened
+from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, equalize_rows
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
@@ -207,7 +207,7 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    found = tally.found(limit, taken.magnification == "registered", verdict) + outputs.report()
+    found = tally.summary(limit, taken.magnification == "registered", verdict) + outputs.report()
     return read + setting + _counts(tally, pairs, ended) + found + Report({}, [], pairs.lost is None)
 
 
@@ -272,7 +272,7 @@ class Estimator:
         passed, start = pair.time - self.first, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            found = self.live(*(evened(*frames, self.coding) if self.even else frames))
+            found = self.live(*(equalize_rows(*frames, self.coding) if self.even else frames))
         except ValueError as error:
             took = time.perf_counter() - start
             fault = with_options(str(error))
@@ -334,7 +334,7 @@ class Tally:
             text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def found(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
+    def summary(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
         """Return the report of known share, depth and misfit over the pairs, and of the verdict of the last one."""
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
@@ -434,7 +434,7 @@ class Outputs:
         if self._table is not None:
             numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, seen.unfit, *seen.median)]
             assert self._files.table is not None
-            with atomic.told_as(self._files.table):
+            with atomic.as_path_error(self._files.table):
                 self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
         for writer, metres in zip(self._lossless, (seen.depth, seen.errors), strict=False):
             writer(self._levels(metres), seen.time)

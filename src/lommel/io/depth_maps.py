@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from lommel.base import atomic, options, reading, validation
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import DType
-from lommel.io.photos import JPEG, PhotoError, find_depth, told
+from lommel.io.photos import JPEG, PhotoError, find_depth, recognized
 
 RESAMPLE = ("nearest",)
 
@@ -231,7 +231,7 @@ def read_depth(
     name = validation.line(source)
     if data.startswith(JPEG):
         raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
-    with told(source, "depth map", data) as form:
+    with recognized(source, "depth map", data) as form:
         # Disparities are as they are stored, and what a PFM states as their scale is no scale of metres.
         values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
     del data  # to save memory

@@ -107,10 +107,10 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
         return number if 0.0 < number < math.inf else None
 
     focal, film = known(0x920A), known(0xA405)
-    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _kept(stored))
+    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _without_maker_notes(stored))
 
 
-def _kept(stored: bytes) -> bytes | None:
+def _without_maker_notes(stored: bytes) -> bytes | None:
     """Return what is passed on of EXIF, or of a TIFF file, as a TIFF file without image; None if that is nothing."""
     data = stored.removeprefix(PREFIX)
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
@@ -370,12 +370,12 @@ def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
     """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
     source = validation.path("path", path)
     data = reading.contents(source)
-    with told(source, "photo", data) as form:
+    with recognized(source, "photo", data) as form:
         return upright(form, data)
 
 
 @contextmanager
-def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
+def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails."""
     require_developed(source, data)
     try:
@@ -809,21 +809,21 @@ def write_frames(
     duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
     if not _NUMBER.search(target.name):
-        kept = list(_alike(frames))
+        kept = list(_of_one_shape(frames))
         form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
         atomic.write(target, form.write(kept, duration, quality))
         return [target]
     if not target.parent.is_dir():  # before the first frame is made
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
-    with atomic.together() as put:
-        for number, frame in enumerate(_alike(frames), 1):
+    with atomic.whole_files() as put:
+        for number, frame in enumerate(_of_one_shape(frames), 1):
             made.append(target.with_name(target.name % number))
             put(made[-1], encoded(target, frame, quality, None, block))
     return made
 
 
-def _alike(frames: Iterable[Values]) -> Iterable[Values]:
+def _of_one_shape(frames: Iterable[Values]) -> Iterable[Values]:
     first = None
     if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")

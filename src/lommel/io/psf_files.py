@@ -94,7 +94,7 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
     """Write PSFs and their description, with the file beside, if there is one."""
     made = form.write(psf, description)
-    with atomic.together() as put:
+    with atomic.whole_files() as put:
         for place, data in zip(form.places(target), made if form.beside else (made,), strict=True):
             put(place, data)
 
@@ -107,12 +107,12 @@ def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
 def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Rebuilt]) -> _Rebuilt:
     """Return what `rebuild` makes of the arrays and the description of a file; FileError if it is damaged."""
     data = [reading.contents(place) for place in form.places(source)]
-    with told(source, what):
+    with as_file_error(source, what):
         arrays, text = form.read(*data)
         return rebuild(arrays, reading.json(text))
 
 
-def told(source: Path, what: str) -> AbstractContextManager[None]:
+def as_file_error(source: Path, what: str) -> AbstractContextManager[None]:
     """Return what turns every error into a FileError that names the file, but for a missing library."""
     return reading.refused_as(FileError, source, f"is not {what} written by lommel")
 

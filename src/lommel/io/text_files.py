@@ -170,7 +170,7 @@ def place(text: str, keys: Sequence[str]) -> str:
     return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
 
 
-def together(path: Path, errors: Sequence[str], count: int | None = None) -> str:
+def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -> str:
     """Return one message about the first errors of a file, on one line if there is one; `count` is the total."""
     count, shown = len(errors) if count is None else count, [line(error) for error in errors[:TOLD]]
     if count > TOLD:

@@ -469,7 +469,7 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
         If it cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
     """
     grey = validation.truth("grey", grey)
-    say = _told(tell)
+    say = _warner(tell)
     if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
         source = int(source)
     if isinstance(source, int | np.integer):
@@ -526,7 +526,7 @@ def frame_pairs(
     if validation.truth("alternating", alternating) is (b is not None):
         got = "two sources" if alternating else "one source"
         raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
-    say = _told(tell)
+    say = _warner(tell)
     with ExitStack() as stack:
         opened = tuple(
             stack.enter_context(video_frames(one, grey=True, tell=say)) for one in (a, b) if one is not None
@@ -539,7 +539,7 @@ def frame_pairs(
         return FramePairs(opened, say)
 
 
-def _told(tell: Tell | None) -> Tell:
+def _warner(tell: Tell | None) -> Tell:
     validation.function("tell", tell, required=False)
     return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
 
@@ -788,13 +788,13 @@ class VideoWriter:
         frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(values), format="rgb24" if values.ndim == 3 else grey)
         self._last = frame.pts = max(round(1e3 * seconds), self._last + 1)
         frame.time_base = Fraction(1, 1000)
-        with atomic.told_as(self._path):
+        with atomic.as_path_error(self._path):
             self._container.mux(self._stream.encode(frame))
 
     def _open(self, values: Values) -> None:
         import av
 
-        temporary = self._stack.enter_context(atomic.placed(self._path))
+        temporary = self._stack.enter_context(atomic.temporary_for(self._path))
         container = self._stack.enter_context(
             atomic.closed(lambda: av.open(str(temporary), "w", format=self._form), self._path)
         )
@@ -817,7 +817,7 @@ class VideoWriter:
     ) -> None:
         if kind is None and self._container is not None:
             try:
-                with atomic.told_as(self._path):
+                with atomic.as_path_error(self._path):
                     self._container.mux(self._stream.encode(None))
             except BaseException as fault:
                 self._stack.__exit__(type(fault), fault, fault.__traceback__)

@@ -197,8 +197,8 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
     indices: list[Any] = sorted(table.terms, key=lambda i: (isinstance(i, tuple), i))
     held: Mapping[Any, float] = table.terms
     terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): held[i] for i in indices}
-    told = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
-    atomic.write(validation.path("path", path), find(path).write(settings, terms, told).encode())
+    shown = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
+    atomic.write(validation.path("path", path), find(path).write(settings, terms, shown).encode())
 
 
 @display.save.register(Wavefront)
@@ -374,7 +374,7 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
         rows = _standing(rows, plain, errors)
         plain = ["index", "value"]
     kept = [k for k, name in enumerate(plain) if name not in _NAMES]
-    index, _, unit = _told([plain[k] for k in kept], order)
+    index, _, unit = _column_roles([plain[k] for k in kept], order)
     if columns and not index:
         wanted = "n,m,value" if order == "nm" else "index,value"
         errors.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
@@ -397,7 +397,7 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     return (None if errors else table), [*errors, *more]
 
 
-def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
+def _column_roles(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
     """Return the index columns, the value column and its unit, or nothing if the columns are others."""
     *index, last = columns or [""]
     value = _COLUMN.fullmatch(last)
@@ -447,8 +447,8 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     kind, annulus = "".join(kinds), _RATIO.search(text)
     found: list[str] = []
     if len(kinds) != 1:
-        told = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
-        found.append(f"the terms must be Standard, Fringe or Annular, {told}")
+        shown = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
+        found.append(f"the terms must be Standard, Fringe or Annular, {shown}")
     if not _WAVES.search(text):
         found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
     wavelength = _listed_wavelength(text, found)
@@ -600,7 +600,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     except ValueError as error:
         raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
-        raise ZernikeFileError(text_files.together(source, found))
+        raise ZernikeFileError(text_files.joined_errors(source, found))
     return table
 
 

@@ -23,10 +23,10 @@ from lommel.lensfiles.camera_files import Sensor
 from lommel.lensfiles.instrument import Camera
 from lommel.lensfiles.toml_files import (
     Angle,
+    BuiltSection,
     Context,
     Length,
     LensFileError,
-    MadeSection,
     Number,
     Section,
     SignedLength,
@@ -243,7 +243,7 @@ def _illumination(value: float | list[float]) -> Apodization:
     return illumination(Apodization(tuple(value)) if isinstance(value, list) else value)
 
 
-class _Objective(MadeSection):
+class _Objective(BuiltSection):
     NA: Annotated[Number, Field(gt=0)]
     magnification: Annotated[Number, Field(gt=0)]
     working_distance: Length
@@ -251,16 +251,16 @@ class _Objective(MadeSection):
     dipping: Annotated[bool, Field(strict=True)] = False
     apodization: Annotated[Number | list[Number], AfterValidator(_illumination)] = 0.0
 
-    def made(self) -> Objective:
+    def build(self) -> Objective:
         """Return the objective without what is between it and the emitter."""
         return Objective(**{name: value for name, value in self if name != "dipping"})
 
 
-class _Layer(MadeSection):
+class _Layer(BuiltSection):
     index: Index
     thickness: Length
 
-    def made(self) -> Layer:
+    def build(self) -> Layer:
         """Return the layer."""
         return Layer(self.index, self.thickness)
 
@@ -285,7 +285,7 @@ class _Beam(Section):
     polarization: Annotated[str, Field(strict=True), AfterValidator(lambda p: Beam(p).polarization)] = "circular"
 
 
-class _Emission(MadeSection):
+class _Emission(BuiltSection):
     wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     emitter: Literal["isotropic", "scalar"] = "isotropic"
     dipole: _Dipole | None = None
@@ -297,7 +297,7 @@ class _Emission(MadeSection):
         both = sorted({"emitter", "dipole", "beam"} & set(given))
         return f"takes one of emitter, dipole and beam, got {' and '.join(both)}" if len(both) > 1 else None
 
-    def made(self) -> Emitter:
+    def build(self) -> Emitter:
         """Return the emitter or the excitation beam."""
         if self.dipole is not None:
             return Dipole(**dict(self.dipole))
@@ -487,13 +487,13 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
 
 def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
-    used, design = None if file.coverslip is None else file.coverslip.made(), None
+    used, design = None if file.coverslip is None else file.coverslip.build(), None
     if file.design is not None:
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
-        design = Design(meant, used if glass is None else glass.made())
+        design = Design(meant, used if glass is None else glass.build())
     given: Toml = {name: value for name, value in file.objective if name != "dipping"}
-    films = [film.made() for film in file.films]
+    films = [film.build() for film in file.films]
     objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     found = Microscope(
@@ -502,7 +502,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         objective,
         file.emission.wavelength,
         file.sample.depth,
-        emitter=file.emission.made(),
+        emitter=file.emission.build(),
         aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,
         **stack,

@@ -58,7 +58,7 @@ class Real(NamedTuple):
             raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
         return number
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
         return self._asdict() | {"row": self.row._asdict()}
 
@@ -70,9 +70,9 @@ class Whole(Real):
         """Return the number, which is in the range."""
         return validation.integer(name, value, least=int(self.low), most=int(self.high))
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
-        return super().told() | {"whole": True}
+        return super().description() | {"whole": True}
 
 
 class Distance(Real):
@@ -82,9 +82,9 @@ class Distance(Real):
         """Return the number, which is in the range."""
         return self.high if value == math.inf else super().accepted(name, value)
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
-        return super().told() | {"infinite": True}
+        return super().description() | {"infinite": True}
 
 
 class Word(NamedTuple):
@@ -98,7 +98,7 @@ class Word(NamedTuple):
         """The default."""
         return self.choices[0]
 
-    def told(self) -> Json:
+    def description(self) -> Json:
         """Return the description for the page."""
         return {"initial": self.initial, "choices": list(self.choices), "about": self.about}
 
@@ -117,7 +117,7 @@ class Terms(NamedTuple):
         """The default."""
         return ""
 
-    def told(self) -> Json:
+    def description(self) -> Json:
         """Return the description for the page."""
         limits: Json = {"terms": MOST_TERMS, "degree": HIGHEST_DEGREE, "waves": MOST_WAVES}
         return {"initial": self.initial, "about": self.about} | limits

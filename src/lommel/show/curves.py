@@ -30,7 +30,7 @@ from lommel.show.drawing import (
     STRETCHES,
     caption,
     complete_curves,
-    few_of,
+    evenly_spaced_members,
     frequencies,
     length_in_words,
     lengths,
@@ -247,7 +247,7 @@ def through_focus(
     axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
     axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
-        caption(axes, _told(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
+        caption(axes, _through_focus_title(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
     return axes
 
 
@@ -304,7 +304,7 @@ def focus_curves(
                 word = f"MTF at {each * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
-    title = _told(thing, here, object_distance) if ax is None else None
+    title = _through_focus_title(thing, here, object_distance) if ax is None else None
     complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
     return axes
 
@@ -318,7 +318,7 @@ def _shift(through: Moved) -> tuple[Array, str]:
     return through.at * factor, f"sensor moved away from the lens ({unit})"
 
 
-def _told(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
+def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
     """Return a title: f-number, wavelength, object, and what the dashed line is."""
     text = "through focus"
     if pupil.wavelength is not None:
@@ -368,7 +368,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         pupil = checked_pupil(thing)
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
-    places = few_of(pupil.shape, _MOST)
+    places = evenly_spaced_members(pupil.shape, _MOST)
     words = of_pupils(pupil)
     axes = new_axes(ax)
     factor, unit = frequencies(pupil.unit)
@@ -377,7 +377,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     for k, (place, index) in enumerate(places.items()):
         one = thing[index] if pupil.shape else thing
         name = f"{words[place]}, " if pupil.shape else ""
-        if _alike(one, sides):
+        if _same_along_both(one, sides):
             axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
         axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
@@ -403,7 +403,7 @@ def _of_pixel(f: Array, side: float) -> Array:
     return np.asarray(np.abs(np.sinc(f * side)))
 
 
-def _alike(thing: Any, sides: tuple[float, float]) -> bool:
+def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
     """Return whether the curves along x and y are one."""
     if not is_psf(thing):
         return bool(thing.radial)
@@ -468,7 +468,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
     axes = new_axes(ax)
     if pupil.shape:
         titles = of_pupils(pupil)
-        for place, index in few_of(pupil.shape, _MOST).items():
+        for place, index in evenly_spaced_members(pupil.shape, _MOST).items():
             axes.plot(factor * at, within(psf[index], at), label=titles[place])
     else:
         curve = np.asarray(within(psf, at))

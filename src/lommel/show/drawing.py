@@ -107,16 +107,16 @@ def _indices(shape: tuple[int, ...]) -> list[str]:
     return [", ".join(map(str, index)) for index in np.ndindex(shape)]
 
 
-def few(items: Sequence[_Item], most: int) -> list[_Item]:
+def evenly_spaced(items: Sequence[_Item], most: int) -> list[_Item]:
     """Return at most so many of some items, evenly spread, the first and the last among them."""
     if len(items) <= most:
         return list(items)
     return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]
 
 
-def few_of(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
-    """Return a :func:`few` of a stack, at most so many: their places in it flattened, and their indices."""
-    chosen = few(range(math.prod(shape)), most)
+def evenly_spaced_members(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
+    """Return a :func:`evenly_spaced` of a stack, at most so many: their places in it flattened, and their indices."""
+    chosen = evenly_spaced(range(math.prod(shape)), most)
     return {place: tuple(int(i) for i in np.unravel_index(place, shape)) for place in chosen}
 
 

@@ -30,8 +30,8 @@ from lommel.show.drawing import (
     COLOURS,
     HOW,
     MEANING,
-    few,
-    few_of,
+    evenly_spaced,
+    evenly_spaced_members,
     length_in_words,
     of_emitter,
     of_pupils,
@@ -55,7 +55,7 @@ Row = tuple[str, str | Callable[[], str] | None]
 def psf(psf: PSFLike) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
     stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
-    seen = [_window(psf, index) for index in few_of(stack, _TILES).values()]
+    seen = [_window(psf, index) for index in evenly_spaced_members(stack, _TILES).values()]
     whole = psf.values.size <= _MANY
     values = psf.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
@@ -104,7 +104,7 @@ def grid(thing: PSFGridLike) -> str:
     first = () if thing.depths is None else (0,)
 
     def picture() -> str:
-        at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
+        at_rows, at_columns = evenly_spaced(list(range(rows)), 5), evenly_spaced(list(range(columns)), 7)
         seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
         parts = [[_lit(_smaller(part, 48)) for part in line] for line in seen]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
@@ -179,7 +179,7 @@ _PHASE = "phase, blue to red"
 
 
 def _phase(pupil: BasePupil) -> str:
-    chosen = list(few_of(pupil.shape, _TILES).values())
+    chosen = list(evenly_spaced_members(pupil.shape, _TILES).values())
     # A wavefront of very many terms takes as long for each point as one of few for all.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))

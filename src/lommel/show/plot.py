@@ -140,13 +140,13 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     locator = library("matplotlib.ticker", *USER).MaxNLocator
     xz.yaxis.set_major_locator(locator(4))
     yz.xaxis.set_major_locator(locator(3 if deep > 0.6 * wide else 2, symmetric=True))
-    told = _told(psf, z, scales[0] == scales[1] == scales[2], stretch)
-    entitle(figure, "\n".join([", ".join(told[:3]), "; ".join(told[3:])]))
+    lines = _title_lines(psf, z, scales[0] == scales[1] == scales[2], stretch)
+    entitle(figure, "\n".join([", ".join(lines[:3]), "; ".join(lines[3:])]))
     figure.colorbar(mesh, ax=grid, label=MEANING[psf.normalize])
     return np.array([xy, xz, yz])
 
 
-def _told(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
+def _title_lines(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
     """Return what there is to say of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()

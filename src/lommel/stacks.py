@@ -650,7 +650,7 @@ def requested(
     flat = [way for each in ways for way in each]
     methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
     dtype = np.dtype(plan.dtype)
-    # Sums of transforms by several threads differ in their last bits.
+    # Sums of transforms by several threads differ in their last bits, and chunks are the same wherever computed.
     asked: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
     asked |= {"integrate": grid.integrate, "fill": grid.fill}
     prepare = partial(Plan, grid.shape, grid.pixel, **asked)

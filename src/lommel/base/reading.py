@@ -76,7 +76,7 @@ _TAGS = 4096  # of a page
 DEFLATE = (8, 32946)
 """The compressions of TIFF files that deflate."""
 
-_BEST = 1032  # times as much comes out of what deflate makes
+_BEST = 1032  # times as much comes out of what deflate makes: 258 bytes of two bits (RFC 1951, 3.2.5)
 # Of these the size of what comes out is known.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
 _SCANS = 20  # of a JPEG; cameras write one, progressive ones have ten
@@ -254,6 +254,7 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
+    # Counted before it is opened, since Python makes an object of each.
     if data.count(b"PK\1\2") > _MEMBERS:
         raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
@@ -293,6 +294,7 @@ def jpeg(data: bytes) -> Image:
     """Return a JPEG file as Pillow opens it, none of it decoded."""
     from PIL.JpegImagePlugin import JpegImageFile
 
+    # Each scan goes over the whole image again: a small file of many takes minutes.
     scans = data.count(b"\xff\xda")
     file = JpegImageFile(io.BytesIO(data))
     width, height = file.size

@@ -173,7 +173,7 @@ def _lenses(file: Path | None, stated: Facts) -> LensRanges:
     return LensRanges(**known)
 
 
-_AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
+_AGREE = 0.02  # relative: EXIF has the nominal figures of a lens, rounded
 _TYPES: dict[str, np.dtype[np.generic]] = {
     "8": np.dtype(np.uint8),
     "16": np.dtype(np.uint16),

@@ -24,8 +24,8 @@ from lommel.base.units import format_length
 from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
-from lommel.cli.output import Report, require_folder, written
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, equalize_rows
+from lommel.cli.output import Report, Steps, progress, require_folder, written
+from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of, equalize_rows
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
@@ -167,14 +167,13 @@ def watch(
         files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
     files.require()
     stop, tally = Stop(), Tally()
-    with Status() as status, ExitStack() as stack:
-        status.step("opening the sources")
+    with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         second = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
         coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noisy, instrument.camera, taken.encoding)
         if coding.guess:
             status.tell(coding.guess)
-        status.step("computing the filters of every distance")
+        status("computing the filters of every distance")
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
             exposures=taken.exposures or "smooth", magnification=taken.magnification,
@@ -183,7 +182,7 @@ def watch(
         estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not taken.exposures)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         ended = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
-        status.step("finishing")
+        status("finishing")
         bits, lossy = coding.compressed(pairs.bits, tally.light)
         if lossy and tally.pairs < _SOON:
             status.tell(lossy)
@@ -225,7 +224,7 @@ def _estimate_all(
     estimator: Estimator,
     outputs: Outputs,
     tally: Tally,
-    status: Status,
+    status: Steps,
     stop: Stop,
     *,
     alternating: bool,

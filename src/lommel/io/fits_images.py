@@ -23,7 +23,7 @@ PACKED = (".fits.gz", ".fit.gz")
 PACKED_STARTS = (b"\x1f\x8b", b"BZh")
 
 _MOST_AXES = 16
-_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes
+_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
 _END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
 _TIMES = 4  # of a file unpacked are in memory while its values are read

@@ -106,6 +106,7 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
         number = math.nan if value is None else float(value)
         return number if 0.0 < number < math.inf else None
 
+    # FocalLength, FocalLengthIn35mmFilm and FNumber of EXIF 2.32, of which the first two are in millimetres.
     focal, film = known(0x920A), known(0xA405)
     return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _without_maker_notes(stored))
 
@@ -659,6 +660,7 @@ def png_of_16_bits(
 ) -> bytes:
     """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
     height, width = values.shape[:2]
+    # Rows with the filter "up" (PNG, 9.2): differences of neighbours, which deflate packs better than levels.
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
     lines = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
     lines[0, 1:] = rows[0]

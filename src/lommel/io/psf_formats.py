@@ -384,7 +384,7 @@ def write_fits(psf: Kept, description: Description) -> bytes:
             cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
             cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
-    # FITS counts its axes from the last, and their entries from 1.
+    # FITS counts its axes from the last, and their entries from 1 (FITS standard 4.0, 8.2).
     for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
         step = pitches[name] if name in pitches else places is not None and _step(places)

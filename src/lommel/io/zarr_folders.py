@@ -29,7 +29,7 @@ _PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")
 _PLAIN = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
           "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
 _ROOM = 2**20  # bytes that a chunk may unpack to beyond what it holds
-_BLOCK = 2**17  # most bytes of a block of zstd
+_BLOCK = 2**17  # most bytes of a block of zstd (RFC 8878, 3.1.1.2.4)
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")
 
 

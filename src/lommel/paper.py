@@ -825,11 +825,7 @@ def names(figure: str) -> tuple[str, str, str]:
 
 
 def reproduce(
-    folder: Path,
-    chosen: Iterable[str] | None = None,
-    started: Callable[[str], object] = str,
-    *,
-    dpi: float = 130.0,
+    folder: Path, chosen: Iterable[str] | None = None, started: Callable[[str], object] = str, *, dpi: float = 130.0
 ) -> Facts:
     """Write figures by their names, or all of them and the table; return files, facts of figures, and the table."""
     wanted = list(FIGURES) if chosen is None else list(dict.fromkeys(chosen))

@@ -19,7 +19,7 @@ from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol, Self, TypeAlias, Unpack
+from typing import Any, Self, TypeAlias, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -68,18 +68,6 @@ Index = tuple[int, ...]
 Center: TypeAlias = tuple[ArrayLike, ArrayLike]
 Places: TypeAlias = ArrayLike | tuple[ArrayLike, str]
 """Coordinates along an axis of a stack, or these and their unit."""
-
-
-class Cluster(Protocol):
-    """A client of ``distributed``, as far as it is used."""
-
-    def get_executor(self) -> futures.Executor:
-        """Return an executor of the workers."""
-        ...
-
-    def nthreads(self) -> Mapping[str, int]:
-        """Return the number of threads of each worker."""
-        ...
 
 
 def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
@@ -772,7 +760,7 @@ def psf_to(
     axes: Mapping[str, Places] | None = None,
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    client: futures.Executor | Cluster | None = None,
+    client: object = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
@@ -935,7 +923,7 @@ def _require_room(store: Store, chunks: int) -> None:
         )
 
 
-def _pool(client: futures.Executor | Cluster | None) -> tuple[futures.Executor | None, int]:
+def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     """Return the executor of a client, and how many chunks to submit at a time."""
     if client is None:
         return None, 0

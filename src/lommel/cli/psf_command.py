@@ -339,10 +339,7 @@ def _of_field(
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(
-            _named(axes, setting, axes.get_title("left")),
-            fontsize=9,
-            loc="left",
-            pad=22,
+            _named(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
         ),
         drawn="" if channels else ": {}, each PSF normalized to its maximum",
     )

@@ -11,13 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
-from lommel.cli.instruments import (
-    IMAGES,
-    LENS,
-    SeveralNumbers,
-    StarCamera,
-    numbers_of,
-)
+from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import Parts, Report, Wrapped, paragraphs, progress, save_figure, table_of, written
 from lommel.estimation.field_fit import in_words

@@ -182,12 +182,7 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 
 
 def _clip(
-    clip: Path,
-    output: Path,
-    known: Callable[..., Coding],
-    encoding: str | None,
-    status: Steps,
-    stack: ExitStack,
+    clip: Path, output: Path, known: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
 ) -> Clip:
     """Open a photo or a video, and what is written."""
     if (

@@ -415,12 +415,7 @@ def write_hdf5(psf: Kept, description: Description) -> bytes:
     """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
     arrays, places = _arrays(psf), axes(psf, description)
     waves, shares = light(psf)
-    plain: Description = {
-        "pixel": psf.pixel,
-        "unit": psf.unit,
-        "normalize": psf.normalize,
-        "sampling": psf.sampling,
-    }
+    plain: Description = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 

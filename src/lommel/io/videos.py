@@ -17,7 +17,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from statistics import median
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, Self, TypeAlias
 
 import numpy as np
 
@@ -88,29 +88,6 @@ class FramePair(NamedTuple):
     time: float
 
 
-class _Reader(Protocol):
-    """What gives the frames of one source."""
-
-    name: str
-    live: bool
-    interval: float  # seconds from a frame to the next, as stated; 0 if it is not
-    levels: int  # that stored values may have; 0 for floats
-    grey: bool  # whether the source has no colour
-
-    @property
-    def bits(self) -> float | None:
-        """Bits a pixel so far, of compression with losses; None where it is not known, or has none."""
-        ...
-
-    def frames(self) -> Iterator[VideoFrame]:
-        """Yield all frames; VideoError where they break off."""
-        ...
-
-    def close(self) -> None:
-        """Close the source, from which nobody reads any more."""
-        ...
-
-
 _Numbered: TypeAlias = tuple[int, VideoFrame]
 
 
@@ -140,7 +117,7 @@ class VideoFrames(_Closed):
     Parameters
     ----------
     reader : object
-        What reads the source.
+        What reads the source: a file or stream, a camera, or numbered images.
     tell : callable
         Called with a sentence about each fault that reading goes on after.
 
@@ -173,7 +150,7 @@ class VideoFrames(_Closed):
         If the source holds no frame.
     """
 
-    def __init__(self, reader: _Reader, tell: Tell) -> None:
+    def __init__(self, reader: _Coded | _Camera | _Images, tell: Tell) -> None:
         self._reader, self._tell = reader, tell
         self.name, self.live, self.levels = reader.name, reader.live, reader.levels
         self.dropped = self.refused = self.number = 0
@@ -549,6 +526,8 @@ def _limited(name: str, width: int, height: int) -> None:
         raise VideoError(f"{name} has frames of {width} x {height} pixels; the limit is {MAX_FRAME} pixels")
 
 
+# Each reader states: `interval`, seconds from a frame to the next, 0 if not known; `levels` of stored values,
+# 0 for floats; `grey`, whether the source has no colour; `bits` a pixel of compression with losses, None if unknown.
 class _Coded:
     """A video file or a stream, by PyAV."""
 

@@ -119,14 +119,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     for axes, across, up, level, aspect, title in (
         (xy, x, y, values[plane], scales[1] / scales[0], f"xy at z = {true_minus(f'{z[plane]:.4g}')} µm"),
         (xz, x, z, values[:, row], scales[2] / scales[0], f"xz at y = {true_minus(f'{y[row] + 0.0:.3g}')} µm"),
-        (
-            yz,
-            z,
-            y,
-            values[:, :, column].T,
-            scales[1] / scales[2],
-            f"yz at x = {aside} µm",
-        ),
+        (yz, z, y, values[:, :, column].T, scales[1] / scales[2], f"yz at x = {aside} µm"),
     ):
         mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=COLOURS, rasterized=True)
         axes.set_title(title, fontsize=9)

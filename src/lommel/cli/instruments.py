@@ -11,7 +11,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, option
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
 from lommel.cli.output import Facts
 from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
@@ -42,23 +42,24 @@ EXCESS = option(type=float,
 
 
 def camera_map(text: str, name: str) -> float | Array:
-    """Return the number that an option `name` states, or the map of its file."""
+    """Return the number that the option for the argument `name` states, or the map of its file."""
     from lommel.recorded.frames import read_images
 
+    flag = flag_of(name)
     try:
         return float(text)
     except ValueError:
         path = Path(text)
     if not path.suffix:
-        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
+        raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
     found = read_images([path]).values
     if len(found) != 1:
-        raise ValueError(f"--{name} must be one image, got {len(found)} in {validation.line(path)}")
+        raise ValueError(f"{flag} must be one image, got {len(found)} in {validation.line(path)}")
     values = np.asarray(found[0], np.float64)
     if (bad := ~np.isfinite(values)).any():
         place = ", ".join(map(str, np.argwhere(bad)[0]))
         defect = "; a read noise of 1000 electrons tells that a pixel is a defect" if name == "read" else ""
-        raise ValueError(f"--{name} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
+        raise ValueError(f"{flag} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
     return values
 
 
@@ -380,8 +381,8 @@ class CameraMaps(CameraOptions, heading="Camera"):
 
     def values(self) -> Facts:
         """Return gain, read noise, offset and excess, None where they are left out."""
-        texts = {"white": (self.white, "gain"), "read": (self.read, "read"), "offset": (self.offset, "offset")}
-        maps = {name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()}
+        texts = {"white": self.white, "read": self.read, "offset": self.offset}
+        maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
         return maps | {"excess": self.excess}
 
 

@@ -418,9 +418,7 @@ _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasse
 
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
-    context = click.get_current_context(silent=True)
-    params = context.command.params if context else ()
-    flags = {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
+    context, flags = click.get_current_context(silent=True), _flags()
     own = {flag: name for name, flag in flags.items()}
     first = message.partition(" must ")[0]
     # What the user did not write may be of a file, which calls it as the library does.
@@ -431,6 +429,18 @@ def with_options(message: str) -> str:
         ", in metres", ", with a unit"
     )
     return _METHOD.sub(lambda found: f"--method {_METHOD_NAMES.get(found[1], found[1])}", with_units(message))
+
+
+def flag_of(name: str) -> str:
+    """Return the option of the running command for an argument, as messages name it."""
+    return _flags().get(name, name)
+
+
+def _flags() -> dict[str, str]:
+    """Return the options of the running command by the names of their arguments."""
+    context = click.get_current_context(silent=True)
+    params = context.command.params if context else ()
+    return {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
 
 
 def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:

@@ -377,9 +377,8 @@ def draw_comparison(data: FigureData) -> Figure:
         fontsize=10,
     )
     halves: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.15))
-    pictures: Any = halves[0].subplots(1, 4, sharey=True)
+    pictures = halves[0].subplots(1, 4, squeeze=False, sharey=True)[0]
     norm = _intensity_norm(max(float(data.arrays[name].max()) for name in _LABELS))
-    drawn = None
     for axes, (name, label) in zip(pictures, _LABELS.items(), strict=True):
         title = label if name == "exact" else f"{label}\nMSE {facts[name]['mse']:.3g}"
         drawn = _picture(axes, data.arrays[name], facts["window"], norm, title)
@@ -448,8 +447,7 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     figure = new_figure(2.35 * len(cases) + 1.3, 2.5 * len(VARIANTS) + 0.6)
     fixed = ", ".join(f"{one.label} = {data.facts[key]:g}" for key, one in VARIED.items() if key != varies)
     figure.suptitle(f"{'CFIS less the exact PSF' if errors else 'CFIS'}, {fixed}; {_V_AXIS}", fontsize=10)
-    grid: Any = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
-    drawn: Any = None
+    grid = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
     for variant, axes_row in zip(VARIANTS, grid, strict=True):
         for axes, values, case in zip(axes_row, images[variant], cases, strict=True):
             title = f"{VARIED[varies].label} = {case[varies]:g}"
@@ -574,9 +572,8 @@ def draw_validity(data: FigureData) -> Figure:
     from matplotlib.colors import LogNorm
 
     figure = new_figure(2.9 * len(_FORMS) + 1.2, 4.2)
-    grid: Any = figure.subplots(1, len(_FORMS), sharex=True, sharey=True)
+    grid = figure.subplots(1, len(_FORMS), squeeze=False, sharex=True, sharey=True)[0]
     defocus, v = data.arrays["defocus"], data.arrays["v"]
-    drawn: Any = None
     for axes, name in zip(grid, _FORMS, strict=True):
         error = np.maximum(data.arrays[name], 1e-9)
         drawn = axes.pcolormesh(defocus, v, error.T, norm=LogNorm(1e-9, 1.0), cmap="viridis", shading="nearest")

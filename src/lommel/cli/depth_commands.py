@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -23,6 +23,7 @@ from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_ph
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
+from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
@@ -252,8 +253,8 @@ def precision(
         from lommel.show import estimates
 
         title = f"{instrument.name}\nf/{one.f_number:.3g}, {photons:g} electrons a pixel"
-        drawn: Any = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
-        save_figure(drawn.figure, figure)
+        drawn = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
+        save_figure(figure_of(drawn), figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
         "f_number": one.f_number,

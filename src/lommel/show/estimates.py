@@ -309,13 +309,13 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     figure: Figure = pyplot().figure(
         figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
     )
-    axes: Any = figure.subplots(1, count)
+    axes = figure.subplots(1, count, squeeze=False)[0]
     known = np.isfinite(errors)
     low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
     shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
     figure.colorbar(shown, ax=axes[0], label="depth (m)", extend="both", shrink=0.85)
     axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=10)
-    norm: Any = None
+    norm = None
     millimetres = np.where(known, 1e3 * errors, np.nan)
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])

@@ -6,7 +6,7 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,6 +146,9 @@ COLOURS = "inferno"
 
 MOST = 64
 """Pictures in one figure."""
+
+Drawn: TypeAlias = "Axes | NDArray[np.object_]"
+"""Axes of one picture, or of each of a stack."""
 
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +27,7 @@ from lommel.show.drawing import (
     MOST,
     STRETCHES,
     USER,
+    Drawn,
     at_most,
     caption,
     circle,
@@ -161,7 +162,7 @@ def _edges(at: Array) -> Array:
     return np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
 
 
-def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Drawn:
     """Draw a PSF, a stack of PSFs side by side on one scale, or three sections of a z stack.
 
     Parameters
@@ -229,7 +230,7 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     return axes
 
 
-def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Drawn:
     """Draw PSFs of three channels in colour, each scaled to its maximum, or those of other channels side by side.
 
     Parameters
@@ -603,7 +604,7 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     validation.axes("ax", ax)
     factor, unit = lengths(psf.unit)
     x, y = ray_positions(pupil, rings).T * factor
-    axes: Axes = plot(psf, ax, stretch=stretch)
+    axes = cast("Axes", plot(psf, ax, stretch=stretch))  # of a single PSF
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
     airy = pupil.airy_radius * factor

@@ -15,6 +15,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show.drawing import (
+    Drawn,
     at_most,
     caption,
     circle,
@@ -43,7 +44,7 @@ class Across(NamedTuple):
 
 
 @display.plot.register(Wavefront)
-def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Drawn:
     """Draw the phase of a wavefront over the full disc, without its mean; a stack side by side on one scale.
 
     Parameters
@@ -72,7 +73,7 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
 
 
 @display.plot.register(BasePupil)
-def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
+def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Drawn:
     """Draw the phase across a pupil, without its mean, or its amplitude; a stack side by side on one scale.
 
     Parameters
@@ -165,7 +166,7 @@ def _few(pupil: BasePupil, ax: Axes | None) -> Across:
     return across(pupil, side if count < 9 else side // 2)
 
 
-def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> Any:
+def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> Drawn:
     """Draw the phase of a pupil, or of a stack of them."""
     if unit == "nm" and pupil.wavelength is None:
         raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; take "waves" or "radians"')
@@ -183,7 +184,7 @@ def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> A
 
 def _draw(
     pupil: BasePupil, values: Array, ax: Axes | None, words: tuple[str, str], titles: list[str], **how: Any
-) -> Any:
+) -> Drawn:
     """Draw what is known across a pupil, with a title and what the bar says."""
 
     def one(index: tuple[int, ...], axes: Axes) -> AxesImage:

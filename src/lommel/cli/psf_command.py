@@ -228,16 +228,17 @@ def psf(
     if place is not None and (field is not None or colour or mtf):
         raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
     channels = (instrument.channels or Channels.rgb()) if colour else None
+    transfer = (instrument, channels) if mtf else None
     if field is not None:
-        return _write(_of_field(instrument, field, channels, mtf, options), *files)
+        return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
     if channels is not None:
-        return _write(_in_colour(instrument, channels, mtf, options), *files)
+        return _write(_in_colour(instrument, channels, options), *files, mtf=transfer)
     pupil, said = instrument.pupil, air.words()
     if place is not None:
         pupil = partial(instrument.field().pupil, *place)
         where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
         said = [f"{' and '.join(where)} the middle of the sensor", *said]
-    return _write(_of_lens(instrument, pupil, mtf, options, said), *files)
+    return _write(_of_lens(instrument, pupil, options, said), *files, mtf=transfer)
 
 
 _ARCSEC = math.pi / 648000.0
@@ -247,8 +248,14 @@ _WAYS = ("right of", "left of"), ("below", "above")
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
 
 
-def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | None, stretch: str) -> Report:
-    """Compute a product, write its files, and return its report."""
+def _write(
+    product: _Product[Made],
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    stretch: str,
+    mtf: tuple[Instrument, Channels | None] | None = None,
+) -> Report:
+    """Compute a product, write its files, and return its report, with the `mtf` of a lens in channels."""
     # All is checked before anything is computed.
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
     for path in (*outputs, *files):
@@ -263,6 +270,8 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
         start = time.perf_counter()
         made = product.make()
         report = product.report(made, time.perf_counter() - start)
+        if mtf is not None:
+            report += reports.describe_mtf(mtf[0], made if isinstance(made, PSFGrid) else None, mtf[1])
         for path in outputs:
             if path not in drawn:
                 made.save(path)
@@ -282,16 +291,7 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
     return report + kept
 
 
-def _mtf(
-    wanted: bool, instrument: Instrument, grid: PSFGrid | None = None, channels: Channels | None = None
-) -> Report:
-    """Return the report of the MTF if it is wanted."""
-    return reports.describe_mtf(instrument, grid, channels) if wanted else Report({}, [])
-
-
-def _of_lens(
-    instrument: Instrument, pupil: Callable[[], Pupil], mtf: bool, options: Facts, said: list[str]
-) -> _Product[PSF]:
+def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts, said: list[str]) -> _Product[PSF]:
     """Return the PSF of a lens at one place, with what is said of that and of its blur."""
     return _Product(
         size=_size(instrument.window),
@@ -301,7 +301,6 @@ def _of_lens(
             reports.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])
             + reports.describe_psf(made, seconds)
-            + _mtf(mtf, instrument)
         ),
         entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
@@ -310,7 +309,7 @@ def _of_lens(
 
 
 def _of_field(
-    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, mtf: bool, options: Facts
+    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, options: Facts
 ) -> _Product[PSFGrid]:
     """Return PSFs on a grid over the sensor, in channels where these are given."""
     if not isinstance(field, tuple):
@@ -328,10 +327,8 @@ def _of_field(
 
     def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
-            found = reports.describe_colour(instrument, made.psf, seconds)
-        else:
-            found = reports.describe_field(instrument, made, seconds)
-        return found + _mtf(mtf, instrument, made, channels)
+            return reports.describe_colour(instrument, made.psf, seconds)
+        return reports.describe_field(instrument, made, seconds)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
@@ -345,15 +342,13 @@ def _of_field(
     )
 
 
-def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: Facts) -> _Product[ColourPSF]:
+def _in_colour(instrument: Instrument, channels: Channels, options: Facts) -> _Product[ColourPSF]:
     """Return the PSFs of a lens in colour channels."""
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
         make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=lambda made, seconds: (
-            reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
-        ),
+        report=lambda made, seconds: reports.describe_colour(instrument, made, seconds),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
 

@@ -14,17 +14,7 @@ from scipy import ndimage
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.base.units import format_length
-from lommel.show.drawing import (
-    COLOURS,
-    USER,
-    entitle,
-    figure_of,
-    fitted,
-    length_in_words,
-    new_axes,
-    pyplot,
-    round_length,
-)
+from lommel.show import drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -125,7 +115,7 @@ def field(
     across, down, chi2, used = stars
     factor, name = (1e3, "mm") if length == "m" else (1.0, "lambda*N")
     rows = math.ceil((len(maps) + 1) / _ACROSS)
-    figure: Figure = pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
+    figure: Figure = drawing.pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
     # So that numbers beside bars are not cut.
     figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
@@ -140,7 +130,7 @@ def field(
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
     shown = panel.scatter(
-        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=COLOURS, vmin=0.8, vmax=1.4
+        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=drawing.COLOURS, vmin=0.8, vmax=1.4
     )
     if not used.all():
         panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6)
@@ -183,11 +173,11 @@ def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, ND
 def _residual_rows(part: Any, columns: Sequence[tuple[str, Array, Array, Array]], letters: float) -> tuple[Any, Any]:
     """Draw title, image, model and residual of each column; return the panels, and a drawn residual."""
     panels = part.subplots(3, len(columns), squeeze=False)
-    norm = library("matplotlib.colors", *USER).PowerNorm
+    norm = library("matplotlib.colors", *drawing.USER).PowerNorm
     for column, (title, image, model, residual) in zip(panels.T, columns, strict=True):
         scale = norm(0.5, np.nanmin(image), np.nanmax(image))
         for panel, values in zip(column[:2], (image, model), strict=True):
-            panel.imshow(values, cmap=COLOURS, norm=scale, interpolation="nearest")
+            panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
         left = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         column[0].set_title(title, fontsize=8)
     for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
@@ -208,17 +198,17 @@ def picture(
     rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
 ) -> Axes:
     """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
-    axes = new_axes(ax, figsize=(6.4, 5.6))
+    axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
     side = max(_LEAST_WIDTH, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST_PIXELS)
     flat = along == "none"
     heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
     low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
-    map_ = library("matplotlib.cm", *USER).ScalarMappable(cmap=_COLOURS)
+    map_ = library("matplotlib.cm", *drawing.USER).ScalarMappable(cmap=_COLOURS)
     map_.set_clim(low, max(high, low + 1e-3))
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
     colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
     axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
-    figure = figure_of(axes)
+    figure = drawing.figure_of(axes)
     if not flat:
         figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
@@ -268,7 +258,7 @@ def projections(
     inch = _SIDE / max(wide, high)
     below = max(deep, _LEAST_SHARE * high)
     size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
-    figure: Figure = pyplot().figure(figsize=size, layout="compressed")
+    figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
     axes = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
         for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
@@ -277,7 +267,11 @@ def projections(
             ):
                 how: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
                 if words != "residual":
-                    how = {"cmap": COLOURS, "vmin": 0.0, "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30)))}
+                    how = {
+                        "cmap": drawing.COLOURS,
+                        "vmin": 0.0,
+                        "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30))),
+                    }
                     values = np.sqrt(np.maximum(values, 0.0))
                 drawn = panel.imshow(values, extent=extent, interpolation="nearest", **how)
                 panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
@@ -287,13 +281,13 @@ def projections(
         rows[1, 0].set_ylabel("xz", fontsize=9)
         figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
         _scale_bar(rows[1, 0], wide)
-    entitle(figure, title)
+    drawing.entitle(figure, title)
     return figure
 
 
 def _scale_bar(axes: Any, width: float) -> None:
     """Draw a bar below axes whose width is in metres, with its length beside it."""
-    length = round_length(0.3 * width)
+    length = drawing.round_length(0.3 * width)
     color = axes.yaxis.label.get_color()  # which is white in dark styles
     place = axes.get_xaxis_transform()
     axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
@@ -306,7 +300,7 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     height, width = depth.shape
     count = 2 if light is None else 3
     side = 4.4
-    figure: Figure = pyplot().figure(
+    figure: Figure = drawing.pyplot().figure(
         figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
     )
     axes = figure.subplots(1, count, squeeze=False)[0]
@@ -319,8 +313,8 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     millimetres = np.where(known, 1e3 * errors, np.nan)
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])
-        norm = library("matplotlib.colors", *USER).LogNorm(*(ends * [0.99, 1.01]))
-    shown = axes[1].imshow(millimetres, cmap=COLOURS, norm=norm, interpolation="nearest")
+        norm = library("matplotlib.colors", *drawing.USER).LogNorm(*(ends * [0.99, 1.01]))
+    shown = axes[1].imshow(millimetres, cmap=drawing.COLOURS, norm=norm, interpolation="nearest")
     figure.colorbar(shown, ax=axes[1], label="standard error of depth (mm)", extend="both", shrink=0.85)
     axes[1].set_title("standard error", fontsize=10)
     if light is not None:
@@ -338,7 +332,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
 
     Dotted lines mark the focus distances `foci` that are within the range.
     """
-    axes = new_axes(None, figsize=(7.0, 4.4))
+    axes = drawing.new_axes(None, figsize=(7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
@@ -347,17 +341,17 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
     axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
-    axes.set_title(fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
     axes.grid(which="both", alpha=0.3)
     for focus in foci:
         if distance[0] <= focus <= distance[-1]:
             axes.axvline(focus, color="0.4", linewidth=1.0, linestyle=":")
-            words = f" focus {length_in_words(focus)}"
+            words = f" focus {drawing.length_in_words(focus)}"
             place = axes.get_xaxis_transform()
             axes.text(focus, 0.98, words, transform=place, fontsize=8, rotation=90, va="top", ha="right")
     if len(curves) > 1:
         axes.legend(fontsize=9)
-    plain = library("matplotlib.ticker", *USER).FuncFormatter(lambda value, _: f"{value:g}")
+    plain = library("matplotlib.ticker", *drawing.USER).FuncFormatter(lambda value, _: f"{value:g}")
     axes.yaxis.set_major_formatter(plain)
     if finite.size and math.log10(axes.get_ylim()[1] / axes.get_ylim()[0]) < 1.5:
         axes.yaxis.set_minor_formatter(plain)
@@ -379,7 +373,7 @@ def fit(
     names, values, errors, unit = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
-    figure: Figure = pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
+    figure: Figure = drawing.pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
     parts: Any = figure.subfigures(1, 2, width_ratios=(1.9 * count + 1.2, bars + 1.0))
     pictures, graph = parts
     short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
@@ -419,12 +413,12 @@ def spots(
     ax: Axes | None,
 ) -> Axes:
     """Draw an image with the windows around spots, and those refused by reason."""
-    axes = new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
+    axes = drawing.new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
     low, high = np.nanpercentile(image, [1.0, 99.8])
-    norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
+    norm = library("matplotlib.colors", *drawing.USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
     axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")
     axes.set_facecolor(_LEFT_OUT)
-    rectangle = library("matplotlib.patches", *USER).Rectangle
+    rectangle = library("matplotlib.patches", *drawing.USER).Rectangle
     for k, (row, column) in enumerate(places.tolist()):
         corner = column - box[1] // 2 - 0.5, row - box[0] // 2 - 0.5
         label = "window" if k == 0 else None
@@ -436,5 +430,5 @@ def spots(
     if len(places) or refused:
         axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=3, frameon=False)
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
-    axes.set_title(fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
     return axes

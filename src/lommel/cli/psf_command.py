@@ -233,12 +233,16 @@ def psf(
         return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
     if channels is not None:
         return _write(_in_colour(instrument, channels, options), *files, mtf=transfer)
-    pupil, said = instrument.pupil, air.words()
-    if place is not None:
-        pupil = partial(instrument.field().pupil, *place)
-        where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
-        said = [f"{' and '.join(where)} the middle of the sensor", *said]
-    return _write(_of_lens(instrument, pupil, options, said), *files, mtf=transfer)
+    pupil, where = _at(instrument, place)
+    return _write(_of_lens(instrument, pupil, options, [*where, *air.words()]), *files, mtf=transfer)
+
+
+def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
+    """Return what makes the pupil of a place on the sensor, by default the axis, and a line on the place."""
+    if place is None:
+        return instrument.pupil, []
+    where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
+    return partial(instrument.field().pupil, *place), [f"{' and '.join(where)} the middle of the sensor"]
 
 
 _ARCSEC = math.pi / 648000.0

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from PIL import Image
 
+from lommel import paper
 from lommel.base import atomic
 from lommel.methods import ClosedForm
-from lommel.paper import write
-from lommel.paper.write import FIGURES, reproduce
+from lommel.paper import FIGURES, reproduce
 
 HERE = Path(__file__).resolve().parent
 
@@ -137,7 +137,7 @@ def main() -> None:
         for figure in FIGURES:
             picture = (Path(folder) / f"figure-{figure}.png").read_bytes()
             atomic.write(HERE / "paper" / f"figure-{figure}.png", small(picture, figure))
-    parts.append(write.markdown(made["table"]))
+    parts.append(paper.markdown(made["table"]))
     for figure, plan in FIGURES.items():
         name = {"eq17": "Eq. 17", "validity": "Beyond the paper"}.get(figure, f"Fig. {figure}")
         shown = f"![{plan.caption}](paper/figure-{figure}.png)"

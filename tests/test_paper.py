@@ -12,15 +12,15 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import figures, write
-from lommel.paper.figures import VARIANTS, Setting
+from lommel import paper
+from lommel.paper import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
 
 
 @pytest.fixture(scope="module")
 def table():
-    return {row["quantity"]: row for row in write.rows()}
+    return {row["quantity"]: row for row in paper.rows()}
 
 
 def test_the_window_is_what_the_setting_says():
@@ -75,12 +75,12 @@ def test_where_the_search_says_a_number_is_closest_the_image_has_that_number(tab
 
 def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the_window_squared():
     v = (np.arange(20_000) + 0.5) * 0.01
-    assert write.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
-    assert write.mean_over_window((v, v**2), 100.0) == pytest.approx(2.0e4 / 3.0, rel=1e-4)
+    assert paper.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
+    assert paper.mean_over_window((v, v**2), 100.0) == pytest.approx(2.0e4 / 3.0, rel=1e-4)
 
 
 def test_errors_of_the_comparison_are_those_of_its_images():
-    data = figures.compare_with_fft(SMALL)
+    data = paper.compare_with_fft(SMALL)
     exact = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 96, SMALL.pixel, method=lm.Hankel(), normalize="strehl")
     np.testing.assert_allclose(data.arrays["exact"], exact.values / exact.values.max(), atol=1e-6)
     for variant in VARIANTS:
@@ -91,22 +91,22 @@ def test_errors_of_the_comparison_are_those_of_its_images():
 
 
 def test_rings_at_the_edge_fade_as_the_series_of_erf_gets_longer():
-    data = figures.vary("terms", SMALL)
+    data = paper.vary("terms", SMALL)
     for variant in VARIANTS:
-        rims = [data.arrays[f"{variant}_{n}"][0].mean() for n in figures.VARIED["terms"].values]
+        rims = [data.arrays[f"{variant}_{n}"][0].mean() for n in paper.VARIED["terms"].values]
         assert all(later < earlier for earlier, later in pairwise(rims))
         errors = [panel[variant]["mse"] for panel in data.facts["panels"]]
         assert errors == sorted(errors, reverse=True)
 
 
 def test_strong_defocus_is_worse_as_printed():
-    panels = figures.vary("defocus", SMALL).facts["panels"]
+    panels = paper.vary("defocus", SMALL).facts["panels"]
     errors = [panel["printed"]["mse"] for panel in panels if panel["defocus"] >= 10]
     assert errors == sorted(errors)
 
 
 def test_forms_of_j0_agree_where_each_is_meant_to_hold():
-    c = figures.bessel_forms(samples=301).columns
+    c = paper.bessel_forms(samples=301).columns
     assert np.abs(c["error of series"][c["a"] <= 1.0]).max() < 5e-4
     assert np.abs(c["error of asymptotic"][c["a"] > 50.0]).max() < 5e-4
     beyond = c["a"] > 1.0
@@ -115,7 +115,7 @@ def test_forms_of_j0_agree_where_each_is_meant_to_hold():
 
 
 def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
-    data = figures.methods_cost(sizes=(16, 32), budget=0.0)
+    data = paper.methods_cost(sizes=(16, 32), budget=0.0)
     names = list(data.arrays["methods"])
     assert np.all(data.arrays["ratio"][:, 0] > 0)
     assert np.all(np.isnan(data.arrays["ratio"][:, 1]))
@@ -127,7 +127,7 @@ def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
 
 
 def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
-    data = figures.quartic_phase(samples=4000, most=5)
+    data = paper.quartic_phase(samples=4000, most=5)
     for kind in ("printed", "corrected"):
         mean = np.mean(data.columns[f"{kind} error"] ** 2)
         assert data.facts[kind]["mse"] == pytest.approx(mean, rel=1e-2)
@@ -138,12 +138,12 @@ def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
 @pytest.mark.parametrize(
     ("data", "draw", "panels"),
     [
-        (lambda: figures.methods_cost(sizes=(16,), budget=0.0), figures.draw_methods_cost, 2),
-        (lambda: figures.bessel_forms(samples=51), figures.draw_bessel_forms, 2),
-        (lambda: figures.compare_with_fft(SMALL), figures.draw_comparison, 7),
-        (lambda: figures.vary("terms", SMALL, (10, 30)), figures.draw_varied, 5),
-        (lambda: figures.vary("defocus", SMALL, (5.0, 20.0)), write._draw_errors, 5),
-        (lambda: figures.quartic_phase(samples=50, most=5), figures.draw_quartic_phase, 3),
+        (lambda: paper.methods_cost(sizes=(16,), budget=0.0), paper.draw_methods_cost, 2),
+        (lambda: paper.bessel_forms(samples=51), paper.draw_bessel_forms, 2),
+        (lambda: paper.compare_with_fft(SMALL), paper.draw_comparison, 7),
+        (lambda: paper.vary("terms", SMALL, (10, 30)), paper.draw_varied, 5),
+        (lambda: paper.vary("defocus", SMALL, (5.0, 20.0)), paper._draw_errors, 5),
+        (lambda: paper.quartic_phase(samples=50, most=5), paper.draw_quartic_phase, 3),
     ],
     ids=["cost", "bessel", "comparison", "intensity", "error", "spherical"],
 )
@@ -153,10 +153,10 @@ def test_every_figure_is_drawn_and_its_data_read_back(data, draw, panels):
     figure.canvas.draw()
     assert len(figure.axes) == panels
     assert all(axes.get_xlabel() or axes.images or axes.get_ylabel() for axes in figure.axes)
-    with np.load(io.BytesIO(write.archive(made)), allow_pickle=False) as file:
+    with np.load(io.BytesIO(paper.archive(made)), allow_pickle=False) as file:
         assert set(file.files) == {*made.arrays, "description"}
         assert json.loads(str(file["description"]))["title"] == made.title
-    rows = list(csv.reader(io.StringIO(write.spreadsheet(made).decode())))
+    rows = list(csv.reader(io.StringIO(paper.spreadsheet(made).decode())))
     assert rows[0] == list(made.columns)
     for k, values in enumerate(made.columns.values()):
         read = [math.nan if row[k] == "" else float(row[k]) for row in rows[1:]]
@@ -167,7 +167,7 @@ def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
     result = call_lommel("paper", "new/out", "--figure", 2, "--figure", "3", "--json", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     files = sorted(path.name for path in (tmp_path / "new" / "out").iterdir())
-    assert files == sorted([*write.names("2"), *write.names("3")])
+    assert files == sorted([*paper.names("2"), *paper.names("3")])
     assert (tmp_path / "new/out/figure-2.png").read_bytes().startswith(b"\x89PNG")
     facts = json.loads(result.stdout)
     assert list(facts["figures"]) == ["2", "3"]
@@ -175,30 +175,30 @@ def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
     assert len(facts["files"]) == 6
 
 
-TINY = write._Plan("tiny", lambda: figures.bessel_forms(51), figures.draw_bessel_forms)
+TINY = paper._Plan("tiny", lambda: paper.bessel_forms(51), paper.draw_bessel_forms)
 
 
 def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
     tiny = dict.fromkeys(("1", "eq17"), TINY)
-    monkeypatch.setattr(write, "FIGURES", tiny)
-    monkeypatch.setattr(write, "WINDOWS", np.array([145.0, 150.0]))
-    monkeypatch.setattr(write, "DEFOCI", np.array([22.0]))
-    monkeypatch.setattr(write, "SPHERICALS", np.array([10.0]))
+    monkeypatch.setattr(paper, "FIGURES", tiny)
+    monkeypatch.setattr(paper, "WINDOWS", np.array([145.0, 150.0]))
+    monkeypatch.setattr(paper, "DEFOCI", np.array([22.0]))
+    monkeypatch.setattr(paper, "SPHERICALS", np.array([10.0]))
     result = call_lommel("paper", "out", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
-    wanted = {name for number in tiny for name in write.names(number)} | set(write.TABLE)
+    wanted = {name for number in tiny for name in paper.names(number)} | set(paper.TABLE)
     assert {path.name for path in (tmp_path / "out").iterdir()} == wanted
     rows = json.loads((tmp_path / "out/table.json").read_text(encoding="utf-8"))["rows"]
     text = (tmp_path / "out/table.md").read_text(encoding="utf-8")
     for row in rows:
         assert row["quantity"] in text
         assert row["quantity"] in result.stdout
-        assert write.number(row["printed"]) in text
+        assert paper.number(row["printed"]) in text
 
 
 def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
     with pytest.raises(ValueError, match="there is no figure 9; there are 1, 2, 3, 4, 5, 6, 7, eq17, validity"):
-        write.reproduce(tmp_path / "out", ["9"])
+        paper.reproduce(tmp_path / "out", ["9"])
     assert not list(tmp_path.iterdir())
 
 
@@ -234,11 +234,11 @@ def test_a_folder_that_cannot_be_written_is_one_line_and_leaves_nothing(call_lom
 
 
 def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near():
-    made = figures.validity(5, 31)
+    made = paper.validity(5, 31)
     largest = made.facts["largest"]
     assert largest["tuned to 1e-4"] <= 1e-4
     assert min(largest[name] for name in ("printed", "corrected", "corrected, exact erf")) > 0.1
     assert made.arrays["printed"].shape == (5, 31)
-    figure = figures.draw_validity(made)
+    figure = paper.draw_validity(made)
     figure.canvas.draw()
     assert len(figure.axes) == 5

@@ -132,7 +132,7 @@ def module(entry: str) -> str:
     made["style.js"] = constants(styleText=bare(style))
     made["shipped.js"] = constants(SHIPPED=presets())
     terms = [{"name": name, "n": n, "m": m} for name, (n, m) in DIRECTED.items()]
-    fields = {name: field.told() for name, field in FIELDS.items()}
+    fields = {name: field.description() for name, field in FIELDS.items()}
     other = {"DIRECTED": terms, "WHITE": WHITE.tolist(), "COLOURS": colour_weights().round(6).tolist()}
     made["fields.js"] = constants(FIELDS=fields, **other)
     # What the page and its workers both run is one function, whose text the workers get from the page.

@@ -128,7 +128,7 @@ from lommel.blur.blurs import (
     Seeing as Seeing,
 )
 from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
-from lommel.stacks.compute import psf_to as psf_to
-from lommel.stacks.compute import PSFStack as PSFStack, open_stack as open_stack
+from lommel.stacks import psf_to as psf_to
+from lommel.stacks import PSFStack as PSFStack, open_stack as open_stack
 
 __version__: str

@@ -97,7 +97,7 @@ def test_of_several_files_none_is_written_if_one_cannot_be(tmp_path):
     (tmp_path / "third").mkdir()
 
     def write_all():
-        with atomic.together() as put:
+        with atomic.whole_files() as put:
             for name in ("first", "second", "third"):
                 put(tmp_path / name, b"new")
 
@@ -141,7 +141,7 @@ def test_a_folder_that_cannot_be_made_leaves_the_old_one(tmp_path):
 
 
 def test_what_a_killed_process_left_is_removed_a_day_later_but_never_the_only_copy(tmp_path):
-    code = "import os, sys; from lommel.base import atomic\nwith atomic.together() as put:\n"
+    code = "import os, sys; from lommel.base import atomic\nwith atomic.whole_files() as put:\n"
     code += "    put(__import__('pathlib').Path(sys.argv[1]) / 'a', b'x'); os.kill(os.getpid(), 9)"
     subprocess.run([sys.executable, "-c", code, str(tmp_path)], check=False)
     (left,) = tmp_path.iterdir()

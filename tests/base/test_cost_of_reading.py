@@ -41,10 +41,10 @@ ARGUED = {
     ("page/server.py", "read_text"): "the package's own live page",
     ("page/server.py", "read_bytes"): "the package's own live page",
     ("cli/main.py", "read_text"): "the package's own commands",
-    ("cli/examples_command.py", "read_bytes"): "the package's own examples",
-    ("cli/examples_command.py", "loads"): "the package's own notebooks",
+    ("cli/lens_commands.py", "read_bytes"): "the package's own examples",
+    ("cli/lens_commands.py", "loads"): "the package's own notebooks",
     ("cli/options.py", "open"): "the null device, to write to",
-    ("cli/live_command.py", "open"): "a browser",
+    ("cli/lens_commands.py", "open"): "a browser",
     ("base/atomic.py", "open"): "to write, and a store to lock it",
     ("base/checksums.py", "open"): "a regular file, piece by piece",
     ("base/checksums.py", "loads"): "of what was just written as JSON",
@@ -61,7 +61,7 @@ ARGUED = {
     ("microscopy/restoration.py", "open"): "a folder that it wrote itself",
     ("io/videos.py", "open"): "frame by frame, and to write",
     ("localize/localizations.py", "File"): "to write, in memory",
-    ("stacks/compute.py", "open"): "a store, by its own reader",
+    ("stacks.py", "open"): "a store, by its own reader",
     ("optics/aperture/mask.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.

@@ -20,7 +20,7 @@ def fill(folder):
 
 
 def begun(place, request=1):
-    return atomic.begun(place, {"of": request}, fill)
+    return atomic.unfinished_folder(place, {"of": request}, fill)
 
 
 def interrupted(place, request=1):

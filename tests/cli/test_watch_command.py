@@ -239,7 +239,7 @@ def test_frames_are_made_even_in_brightness_row_by_row(kind):
     frames = [((each + 100.0) / scale).clip(0, 65535 / scale) for each in (first, second)]
     if kind == np.uint16:
         frames = [np.nan_to_num(each, nan=65535.0) for each in frames]
-    even = video_input.evened(*(each.astype(kind) for each in frames), coding)
+    even = video_input.equalize_rows(*(each.astype(kind) for each in frames), coding)
     light = [each * scale - 100.0 for each in even]
     assert np.isnan(light[1][60, 50]) if kind == np.uint16 else light[1][60, 50] > 1000.0
     assert np.isnan(light[0][30, 20])

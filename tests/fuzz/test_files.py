@@ -23,11 +23,10 @@ from PIL import Image
 
 import lommel as lm
 import readers
-from lommel import imaging, localize, microscopy
+from lommel import imaging, localize, microscopy, stacks
 from lommel.io import fits_images, psf_files, psf_formats
 from lommel.lensfiles.tables import read_csv
 from lommel.recorded.frames import read_images
-from lommel.stacks import compute
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)
@@ -396,7 +395,7 @@ def test_a_mutated_file_whose_checksums_are_right_is_refused_or_read(kind, good,
     path, read, _ = copied(kind, good, tmp_path)
     parts = contents(path)
     read(path)  # libraries are there, before any child needs them
-    for module in (psf_files, compute):
+    for module in (psf_files, stacks):
         for name in {"checksum", "crc32"} & vars(module).keys():
             monkeypatch.setattr(module, name, lambda *_: Right())
 

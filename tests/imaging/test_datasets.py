@@ -222,7 +222,7 @@ def test_what_cannot_be_read_is_left_out_and_what_cannot_be_written_is_an_error(
 
     (files / "photos" / "b.png").unlink()
     (files / "depths" / "b.tif").unlink()
-    monkeypatch.setattr("lommel.imaging.datasets.atomic.together", full)
+    monkeypatch.setattr("lommel.imaging.datasets.atomic.whole_files", full)
     with pytest.raises(OSError, match="No space left"):
         rendered(files, "full", psfs=0, on_error="skip")
 

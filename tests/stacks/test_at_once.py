@@ -20,7 +20,7 @@ import pytest
 import lommel as lm
 from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks.compute import Store
+from lommel.stacks import Store
 
 OTHER = pytest.mark.parametrize("side", [9, 7], ids=["same shape", "another shape"])
 ONE, TWO = np.linspace(2.0, 3.0, 8), np.linspace(0.0, 1.0, 8)
@@ -186,8 +186,8 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
 
 def test_a_chunk_of_another_store_of_the_same_request_is_damaged(tmp_path):
     made = [ask(tmp_path / f"{name}.zarr", ONE) for name in "ab"]
-    parts = {name: made[0]._store.given(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
-    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.given("chunks/checksum", (1,))}, (1,))
+    parts = {name: made[0]._store.require(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
+    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.require("chunks/checksum", (1,))}, (1,))
     with pytest.raises(FileError, match="damaged: its checksum is another"):
         lm.open_stack(tmp_path / "b.zarr")[2]
     assert made[1][0].pupil == made[0][0].pupil
@@ -197,7 +197,7 @@ def test_pupils_that_are_others_than_those_computed_are_damage(tmp_path, first):
     path = tmp_path / "a.zarr"
     one = first(path)
     store = lm.open_stack(path)._store
-    store.put({"pupil/edge": store.given("pupil/edge", (0,)) + 1.0}, (0, 0))
+    store.put({"pupil/edge": store.require("pupil/edge", (0,)) + 1.0}, (0, 0))
     first.go()
     stack = one.result(60)
     with pytest.raises(FileError, match="damaged: its checksum is another"):
@@ -272,7 +272,7 @@ OWNER = """
     from pathlib import Path
     sys.path.insert(0, sys.argv[1])
     import test_at_once as test
-    from lommel.stacks import compute
+    from lommel import stacks
 
     def computing(*_):
         child = os.fork()  # such as a worker, which outlives who forked it
@@ -282,7 +282,7 @@ OWNER = """
         print(child, flush=True)
         time.sleep(60)
 
-    compute._require_room = computing
+    stacks._require_room = computing
     test.ask(Path(sys.argv[2]), test.ONE)
 """
 

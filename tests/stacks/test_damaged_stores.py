@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import stacks
 from lommel.base.checksums import crc32, sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import FileError
 from lommel.io.zarr_folders import Layout
-from lommel.stacks import compute
 
 PUPILS = lm.Pupil(lm.Wavefront(np.linspace(0.0, 1.0, 6), nonradial={(3, 1): 0.2}))
 
@@ -128,7 +128,7 @@ def test_a_method_that_a_store_does_not_have_is_a_fault_of_the_file(place, good,
     with pytest.raises(FileError, match="its checksum is another"):
         lm.open_stack(path)[:]
     own = lm.open_stack(path)._store
-    made, pupils = ({name: own.given(name, (0,)) for name in names} for names in (compute.OF_CHUNK, own.pupils))
+    made, pupils = ({name: own.require(name, (0,)) for name in names} for names in (stacks.OF_CHUNK, own.pupils))
     own.keep((0,), made, crc32({}, pupils))
     with pytest.raises(FileError, match=r"a\.zarr is not a stack .*: it names method 31 of 2"):
         lm.open_stack(path)[:]

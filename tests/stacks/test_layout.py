@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel.io.zarr_folders import Layout
-from lommel.stacks.compute import cut, layouts
+from lommel.stacks import cut, layouts
 
 SHAPES = st.lists(st.integers(1, 9), min_size=1, max_size=4).map(tuple)
 

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import stacks
 from lommel.io.psf_files import FileError
-from lommel.stacks import compute
 
 pytest.importorskip("zarr")
 
@@ -100,7 +100,7 @@ def test_few_chunks_are_under_way_at_any_time(tmp_path, monkeypatch):
     def count(*_: int) -> None:
         executor.under_way -= 1
 
-    monkeypatch.setattr(compute.os, "cpu_count", lambda: 2)
+    monkeypatch.setattr(stacks.os, "cpu_count", lambda: 2)
     with Counted(2) as executor:
         run(tmp_path / "a.zarr", chunk=1, client=executor, progress=count)
     assert executor.under_way == 0
@@ -133,16 +133,16 @@ KILLED = """
     from pathlib import Path
     sys.path[:0] = sys.argv[2:]
     import test_psf_to as test
-    from lommel.stacks import compute
+    from lommel import stacks
 
     def die(*_):
         os.kill(os.getpid(), signal.SIGKILL)
 
     def case(path, when):
-        put, count = compute.Store.put, [0]
+        put, count = stacks.Store.put, [0]
 
         def dying(self, parts, index):
-            mark = compute.MARKS in parts
+            mark = stacks.MARKS in parts
             count[0] += mark == (when == "before the mark")
             if when != "after a chunk" and count[0] == 3:
                 if when == "within the values":
@@ -151,7 +151,7 @@ KILLED = """
                 die()
             put(self, parts, index)
 
-        compute.Store.put = dying
+        stacks.Store.put = dying
         test.run(path, threads=1, progress=lambda done, _: when == "after a chunk" and done == 2 and die())
 
     for when in test.WHEN:
@@ -274,7 +274,7 @@ def test_a_chunk_that_is_damaged_is_refused_until_it_is_removed(how, begun, tmp_
 
 
 def test_a_disk_without_room_is_told_before_anything_is_computed(tmp_path, monkeypatch):
-    monkeypatch.setattr(compute.shutil, "disk_usage", lambda _: SimpleNamespace(free=9))
+    monkeypatch.setattr(stacks.shutil, "disk_usage", lambda _: SimpleNamespace(free=9))
     with pytest.raises(OSError, match=r"the store needs .* GB more, and 9e-09 GB are free"):
         run(tmp_path / "a.zarr")
 

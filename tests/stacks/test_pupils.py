@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.stacks.compute import apart, together
+from lommel.stacks import join_pupils, split_pupils
 from objectives import OIL
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
@@ -30,22 +30,22 @@ STACKS = {
 @pytest.mark.parametrize("name", STACKS)
 def test_what_is_taken_apart_comes_back_bit_by_bit_and_so_does_part_of_it(name):
     pupil = STACKS[name]
-    shared, arrays = apart(pupil)
+    shared, arrays = split_pupils(pupil)
     shared = json.loads(json.dumps(shared, allow_nan=False))
     assert all(at.shape[: len(pupil.shape)] == pupil.shape for at in arrays.values())
-    back = together(shared, arrays)
+    back = join_pupils(shared, arrays)
     assert back == pupil
     assert type(back) is type(pupil)
     front, known = (getattr(one, "wavefront", None) or getattr(one, "aberrations", None) for one in (back, pupil))
     assert front is known is None or front.edge.tobytes() == known.edge.tobytes()
     if pupil.shape:
         index = (-1,) * len(pupil.shape)
-        assert together(shared, {part: at[index] for part, at in arrays.items()}) == pupil[index]
+        assert join_pupils(shared, {part: at[index] for part, at in arrays.items()}) == pupil[index]
 
 
 def test_what_stacks_share_does_not_depend_on_how_many_there_are():
-    said, _ = apart(STACKS["distances"])
-    more, _ = apart(LENS.pupil(np.linspace(0.7, 5.0, 999)))
+    said, _ = split_pupils(STACKS["distances"])
+    more, _ = split_pupils(LENS.pupil(np.linspace(0.7, 5.0, 999)))
     assert said == more
 
 
@@ -59,7 +59,7 @@ def test_what_stacks_share_does_not_depend_on_how_many_there_are():
     ],
 )
 def test_what_is_no_pupil_is_told(change, fault):
-    said, arrays = apart(STACKS["distances"])
+    said, arrays = split_pupils(STACKS["distances"])
     change(said, arrays)
     with pytest.raises(ValueError, match=fault):
-        together(said, arrays)
+        join_pupils(said, arrays)

@@ -254,50 +254,68 @@ def field_map(
     `ideal` is where light arrives without distortion (metres, upwards), of a fraction of the edge of the field:
     positions are then these, and tilts move the light to where chief rays meet the sensor.
     """
-    if ideal is not None and fields is not None:
-        raise ValueError("fields must be left out with distortion, which is that of a rotationally symmetric lens")
     round_ = validation.truth("circular", circular)
-    if not round_ and fields is not None:
-        raise ValueError("fields must be left out for elliptical pupils, which follow the symmetry of the lens")
     points, trace = sample_points(degree, tol), _checked(trace, wavelength)
+    if fields is None:
+        return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=round_)
+    if ideal is not None:
+        raise ValueError("fields must be left out with distortion, which is that of a rotationally symmetric lens")
+    if not round_:
+        raise ValueError("fields must be left out for elliptical pupils, which follow the symmetry of the lens")
+    if not isinstance(fields, Sequence | np.ndarray):
+        raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
-    if fields is not None:
-        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
-        if not isinstance(fields, Sequence | np.ndarray):
-            raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
-        at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
-        several = [trace(hx, hy, *points) for hx, hy in at]
-        wavefront = _stack([fit(one, degree, tol)[0] for one in several])
-        x, y = np.array([one.position for one in several]).reshape(-1, 2).T
-        return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
+    at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
+    several = [trace(hx, hy, *points) for hx, hy in at]
+    wavefront = _stack([fit(one, degree, tol)[0] for one in several])
+    x, y = np.array([one.position for one in several]).reshape(-1, 2).T
+    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+    return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
+
+
+def _radial_map(
+    trace: Trace,
+    points: tuple[Array, Array],
+    heights: int,
+    wavelength: float,
+    degree: int,
+    tol: float,
+    obscuration: float,
+    ideal: Callable[[float], float] | None,
+    *,
+    circular: bool,
+) -> FieldMap:
+    """Return the map of a rotationally symmetric lens, by rays along y at so many image heights."""
+    f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     count = validation.integer("heights", heights, least=2, most=1000)
-    along = [trace(0.0, float(hy), *points) for hy in np.linspace(0.0, 1.0, count)]
+    shares = np.linspace(0.0, 1.0, count)
+    along = [trace(0.0, float(hy), *points) for hy in shares]
     position = np.array([one.position for one in along]) - along[0].position
     upwards = math.copysign(1.0, position[-1, 1])
     distances = upwards * position[:, 1]
     if not distances[-1] > 0.0:
         raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
     axes = np.abs([np.diag(_transform(one)) for one in along])  # across the direction of the field, and along it
-    half = 0.5 / f_number if round_ else float(axes.max())
+    half = 0.5 / f_number if circular else float(axes.max())
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
 
     def terms(traced: TracedField) -> dict[tuple[int, int], float]:
-        if round_:
+        if circular:
             return fit(traced, degree, tol)[0]
         x, y = _transform(traced) @ np.stack([traced.x, traced.y]) / half
         return _terms(traced.phase, x, y, degree, tol)
 
+    azimuth = -0.5 * math.pi * upwards
     wavefront = _stack([terms(one) for one in along])
-    made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
-    _require_symmetry(made, terms(across := trace(1.0, 0.0, *points)), across.position, distances[-1], tol)
-    ellipses = None if round_ else axes.T / half
-    if ideal is None:
-        return made if ellipses is None else made.seen_through(Foreshortening(distances, *ellipses[::-1]))
-    straight = np.array([upwards * ideal(float(h)) for h in np.linspace(0.0, 1.0, count)])
-    tilt = -upwards * math.pi / aperture.scale * (distances - straight)
-    bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
-    made = FieldMap.radial(straight, bent, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
-    return made if ellipses is None else made.seen_through(Foreshortening(straight, *ellipses[::-1]))
+    made = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
+    across = trace(1.0, 0.0, *points)
+    _require_symmetry(made, terms(across), across.position, distances[-1], tol)
+    if ideal is not None:
+        straight = np.array([upwards * ideal(float(h)) for h in shares])
+        tilt = -upwards * math.pi / aperture.scale * (distances - straight)
+        bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
+        made, distances = FieldMap.radial(straight, bent, azimuth=azimuth, aperture=aperture), straight
+    return made if circular else made.seen_through(Foreshortening(distances, *(axes.T / half)[::-1]))
 
 
 def _require_symmetry(

@@ -43,7 +43,7 @@ class _Closing(Protocol):
 _Open = TypeVar("_Open", bound=_Closing)
 
 
-def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
+def contents(save: Callable[..., object], *args: object, **options: object) -> bytes:
     """Return what a function writes into the file that is its first argument."""
     file = io.BytesIO()
     save(file, *args, **options)
@@ -51,28 +51,28 @@ def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
 
 
 def write(target: Path, data: bytes) -> None:
-    """Write a file; see :func:`together`."""
-    with together() as put:
+    """Write a file; see :func:`whole_files`."""
+    with whole_files() as put:
         put(target, data)
 
 
 @contextmanager
-def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
+def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
     """Yield a writer of paths and contents; at the end all files move into place, or none after an error.
 
     Until then they are in the folder of each, or in a `room`.
     """
-    with _made(room) as make:
+    with _temporaries(room) as make:
 
         def put(target: Path, data: bytes | memoryview) -> None:
-            with told_as(target):
+            with as_path_error(target):
                 make(target).write_bytes(data)
 
         yield put
 
 
 @contextmanager
-def _made(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
+def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
     """Yield what makes an empty file for a target, and returns its path; at the end they get the names of these."""
     # Links are followed, permissions kept; a hard link is cut, since the other name keeps the old contents. Contents
     # are on the disk before a name is given to them. Remains of a killed process are removed a day later, by the
@@ -82,7 +82,7 @@ def _made(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[
         _sweep(room)
 
     def make(target: Path) -> Path:
-        with told_as(target):
+        with as_path_error(target):
             place = _place(target)
             temporary = (room or place.parent) / (_PREFIX + secrets.token_hex(8))
             mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
@@ -94,12 +94,12 @@ def _made(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[
     try:
         yield make
         for temporary, place, mode in made:
-            with told_as(place):
+            with as_path_error(place):
                 _settle(temporary)
                 if mode is not None:
                     temporary.chmod(mode)
         for temporary, place, _ in made:
-            with told_as(place):
+            with as_path_error(place):
                 _link(temporary, place) if new else temporary.replace(place)
         for folder in {place.parent for _, place, _ in made}:
             _settle(folder)
@@ -111,17 +111,17 @@ def _made(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[
 
 def write_by(target: Path, fill: Callable[[Path], None]) -> None:
     """Write a file through `fill`, which gets a temporary path."""
-    with placed(target) as temporary, told_as(target):
+    with temporary_for(target) as temporary, as_path_error(target):
         fill(temporary)
 
 
 @contextmanager
-def placed(target: Path, *, new: bool = False) -> Iterator[Path]:
+def temporary_for(target: Path, *, new: bool = False) -> Iterator[Path]:
     """Yield the path of an empty file, which gets the name of `target` at the end; after an error there is none.
 
     FileExistsError if `new` and there is a file of that name.
     """
-    with _made(new=new) as make:
+    with _temporaries(new=new) as make:
         yield make(target)
 
 
@@ -137,7 +137,7 @@ def _link(temporary: Path, place: Path) -> None:
 
 def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
     """Write a folder that `fill` makes at the path it is given, as `write_by` writes a file."""
-    with told_as(target):
+    with as_path_error(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
         room = place.with_name(_PREFIX + secrets.token_hex(8))
@@ -162,10 +162,10 @@ def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
         (room / "new").replace(place)
         _settle(place.parent)
     finally:
-        put_back(room, place)
+        restore_old(room, place)
 
 
-def put_back(room: Path, place: Path) -> None:
+def restore_old(room: Path, place: Path) -> None:
     """Give the folder `old` of a room its name again, if nothing has taken it."""
     if (room / "old").exists() and not place.exists():
         (room / "old").replace(place)
@@ -182,7 +182,7 @@ def _place(target: Path) -> Path:
 
 
 @contextmanager
-def told_as(target: Path) -> Iterator[None]:
+def as_path_error(target: Path) -> Iterator[None]:
     """Tell an error of the operating system with the name that was asked for."""
     try:
         yield
@@ -197,14 +197,14 @@ def told_as(target: Path) -> Iterator[None]:
 @contextmanager
 def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
     """Yield a file that gets the name of `target` at the end; errors of closing it are told with that, too."""
-    with placed(target) as temporary, closed(lambda: temporary.open(mode, **options), target) as file:
+    with temporary_for(target) as temporary, closed(lambda: temporary.open(mode, **options), target) as file:
         yield file
 
 
 @contextmanager
 def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
     """Yield what is made to write a file, and close it; errors of both are told with the name of `target`."""
-    with told_as(target):
+    with as_path_error(target):
         file = make()
     try:
         yield file
@@ -212,7 +212,7 @@ def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
         with suppress(OSError):  # of what is left to write, where a write failed
             file.close()
         raise
-    with told_as(target):
+    with as_path_error(target):
         file.close()
 
 
@@ -258,7 +258,7 @@ _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.
 
 
 @contextmanager
-def in_use(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
+def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
     """Hold the file by which calls write to a place, alone or shared with others; ValueError if that cannot be.
 
     Yield whether the file system tells. Nothing is written for it, so nothing of a killed process has to be judged or
@@ -267,7 +267,7 @@ def in_use(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
     if sys.platform == "win32" and alone:
         yield True  # nothing takes the place of a file that is open, not even who holds it
         return
-    with told_as(place):
+    with as_path_error(place):
         handle = os.open(mark, os.O_RDWR)
     _held.add(handle)
     known = True
@@ -290,7 +290,7 @@ def in_use(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
             os.close(handle)
 
 
-def unsure(place: Path) -> ValueError:
+def unknown_use(place: Path) -> ValueError:
     """Return the error for a place that may not be begun anew, since another call may write to it."""
     return ValueError(
         f"{line(place)} was begun by another call, and its file system does not tell whether that goes on; remove it "
@@ -340,7 +340,7 @@ class Unfinished:
     def put(self, name: str, request: str, values: Values) -> None:
         """Tell that a part is done, of which the values are written."""
         self.require_there()
-        with told_as(self.place):
+        with as_path_error(self.place):
             write(self._parts / name, self._sum(name, request, values))
 
     def require_there(self) -> None:
@@ -356,7 +356,7 @@ class Unfinished:
 
     def remove(self) -> None:
         """Remove what is there, that which tells whose it is at last."""
-        put_back(self.room, self.place)  # of a process that was killed between two renames
+        restore_old(self.room, self.place)  # of a process that was killed between two renames
         for path in self.room.iterdir():
             if path.name != _MARK:
                 shutil.rmtree(path)
@@ -369,7 +369,9 @@ class Unfinished:
 
 
 @contextmanager
-def begun(target: Path, request: Mapping[str, Any], fill: Callable[[Path], object]) -> Iterator[Unfinished]:
+def unfinished_folder(
+    target: Path, request: Mapping[str, object], fill: Callable[[Path], object]
+) -> Iterator[Unfinished]:
     """Yield the folder of a request that is unfinished, or that `fill` begins at the path it is given.
 
     ValueError if another call writes it, or the hidden folder is damaged or not ours. What is unfinished of another
@@ -385,14 +387,14 @@ def begun(target: Path, request: Mapping[str, Any], fill: Callable[[Path], objec
             continue
         with ExitStack() as hold:
             try:
-                known = hold.enter_context(in_use(room / _MARK, place))
+                known = hold.enter_context(locked(room / _MARK, place))
             except FileNotFoundError:
                 continue  # the other one has just ended
             if _opened(place, room) != there:
                 continue
             if there.said["request"] != asked or not there.new.is_dir():
                 if not known:
-                    raise unsure(room)
+                    raise unknown_use(room)
                 there.remove()
                 continue
             try:
@@ -414,7 +416,7 @@ def _create(place: Path, room: Path, request: Json, fill: Callable[[Path], objec
         fill(folder / "new")
         (folder / _MARK).write_text(json.dumps(sealed(said, {})), encoding="utf-8")
 
-    with told_as(place):
+    with as_path_error(place):
         write_folder(room, make, new=True)
 
 

@@ -6,7 +6,6 @@ import json
 import zlib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from lommel.base import reading
 from lommel.base.arrays import Json
 
 
-def plain(description: Mapping[str, Any]) -> Json:
+def plain(description: Mapping[str, object]) -> Json:
     """Return a description as JSON holds it."""
     found: Json = json.loads(json.dumps(description))
     return found

@@ -73,15 +73,10 @@ _TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
 _TIFF_FRAME = 2**10  # bytes that it takes for a page like the first one
 _PLANE = 2**6  # bytes that it and we take for a plane that a description tells of
 _TAGS = 4096  # of a page
-_MANY = 64  # pages; of fewer tifffile finds the pages as soon
-_ENTRIES = 1024  # bytes of the tags of a page that are kept
-# Tags by which pages are of one size and type, and those of which each page may have its own that tifffile reads.
-_LIKE = (254, 256, 257, 258, 259, 262, 266, 277, 278, 284, 317, 338, 339, 32997)
-_OWN = {270, 322, 323, 324, 325, 330, 347}
 DEFLATE = (8, 32946)
 """The compressions of TIFF files that deflate."""
 
-_BEST = 1032  # times as much comes out of what deflate makes
+_BEST = 1032  # times as much comes out of what deflate makes: 258 bytes of two bits (RFC 1951, 3.2.5)
 # Of these the size of what comes out is known.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
 _SCANS = 20  # of a JPEG; cameras write one, progressive ones have ten
@@ -191,6 +186,17 @@ def reason(error: Exception) -> str:
     return validation.brief(" ".join(str(error).split()), 240) or type(error).__name__
 
 
+@contextmanager
+def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None]:
+    """Raise every error as one of a kind, which names the file and `what` it is not; but for a missing library."""
+    try:
+        yield
+    except (ImportError, kind):
+        raise
+    except Exception as error:
+        raise kind(f"{validation.line(source)} {what}: {reason(error)}") from error
+
+
 def pixels(width: int, height: int) -> None:
     """Refuse a picture that is larger than any that this package makes."""
     if not 0 < width * height <= MAX_PIXELS:
@@ -248,6 +254,7 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
+    # Counted before it is opened, since Python makes an object of each.
     if data.count(b"PK\1\2") > _MEMBERS:
         raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
@@ -287,6 +294,7 @@ def jpeg(data: bytes) -> Image:
     """Return a JPEG file as Pillow opens it, none of it decoded."""
     from PIL.JpegImagePlugin import JpegImageFile
 
+    # Each scan goes over the whole image again: a small file of many takes minutes.
     scans = data.count(b"\xff\xda")
     file = JpegImageFile(io.BytesIO(data))
     width, height = file.size
@@ -374,17 +382,16 @@ def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     """
     import tifffile
 
-    tags, pages, entries = _tiff_first(path)
+    tags, sizes = _tiff_first(path)
     text = tags[_DESCRIPTION].tobytes().decode(errors="replace").partition("\0")[0] if _DESCRIPTION in tags else ""
     _afford_xml(text)
     if text.strip().endswith("OME>"):
-        _afford_ome(path.resolve(), text.strip(), list(pages.values()))
+        _afford_ome(path.resolve(), text.strip(), sizes)
     if _MANAGER in tags:
         _afford_manager(path.resolve())
     with quietly() as errors:
         found = tifffile.TiffFile(path)
         try:
-            _tell_pages(found, list(pages), entries)
             found.series  # noqa: B018 (finds the pages)
         except BaseException:
             found.close()
@@ -392,8 +399,8 @@ def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     return found, errors
 
 
-def _tiff_first(path: Path) -> tuple[Tags, dict[int, int], list[bytes]]:
-    """Check the first page of a file; return its tags, and what :func:`_tiff_chain` does."""
+def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
+    """Check the first page of a file; return its tags, and the number of pixels of each page."""
     if size(path) < 16:
         raise ValueError("its header is not that of a TIFF file")
     with path.open("rb") as file:
@@ -401,93 +408,53 @@ def _tiff_first(path: Path) -> tuple[Tags, dict[int, int], list[bytes]]:
         if (tags := next(_tiff_pages(mapped), None)) is None:
             raise ValueError("it has no page")
         _tiff_page(mapped, tags)
-        return tags, *_tiff_chain(file.fileno(), mapped)
+        return tags, _tiff_chain(file.fileno(), mapped)
 
 
-def _tiff_chain(file: int, data: mmap.mmap) -> tuple[dict[int, int], list[bytes]]:
-    """Return the number of pixels of each page by its place, in little time, and the tags of each as they are stored.
+def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
+    """Return the number of pixels of each page; ValueError where pages run in a circle or beyond the end.
 
-    No tags if pages have many, or other numbers of them after the first. Pages are read, not mapped: of a mapping
-    what lies around each would be in memory, too. ValueError where they run in a circle.
+    Pages are read, not mapped: of a mapping what lies around each would be in memory, too.
     """
     order, big = _tiff_order(data)
     head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
-    kinds = {kind: struct.Struct(order + part) for kind, part in ((1, "B"), (3, "H"), (4, "I"), (16, "Q"))}
-    each, room, start, pages, entries = entry.size + word.size, 2**9, b"", dict[int, int](), list[bytes]()
     (at,) = word.unpack_from(data, 8 if big else 4)
+    seen, sizes, room = set[int](), list[int](), 2**9
+    start, pixels_of_start = b"", 0  # entries up to those of both sides, with which most pages begin alike
     try:
         while at:
-            if at in pages:
+            if at in seen:
                 raise ValueError("its pages run in a circle")
-            afford(_TIFF_FRAME * (len(pages) + 1), len(data), _TIMES)
+            seen.add(at)
+            afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
             part = os.pread(file, room, min(at, len(data)))
             (count,) = head.unpack_from(part)
             if count > _TAGS:
                 raise ValueError(f"it has a page of {count} tags; the limit is {_TAGS}")
-            end = head.size + count * each
+            end = head.size + count * (entry.size + word.size)
             if end + word.size > len(part):
                 room = end + word.size
                 part = os.pread(file, room, at)
             if not start or end < head.size + len(start) or not part.startswith(start, head.size):
-                sides, place = dict[int, int](), head.size
-                while place < end and len(sides) < 2:
-                    tag, kind, _ = entry.unpack_from(part, place)
-                    if tag in (256, 257) and kind in kinds:
-                        (sides[tag],) = kinds[kind].unpack_from(part, place + entry.size)
-                    place += each
-                start = part[head.size : place] if len(sides) == 2 else b""  # the next page may well begin so, too
-            if len(entries) == len(pages) and (len(pages) < 2 or end - head.size == len(entries[1]) <= _ENTRIES):
-                entries.append(part[head.size : end])
-            pages[at] = math.prod(sides.values())
+                start, pixels_of_start = _tiff_sides(part[head.size : end], order, entry, entry.size + word.size)
+            sizes.append(pixels_of_start)
             (at,) = word.unpack_from(part, end)
     except struct.error:
         raise ValueError("its pages go beyond its end") from None
-    return pages, entries if len(entries) == len(pages) else []
+    return sizes
 
 
-def _tell_pages(file: TiffFile, places: list[int], entries: list[bytes]) -> None:
-    """Tell tifffile of all pages, if they are like the first and each is one strip, as it would find them itself.
-
-    It takes ten times as long. Of what is not so, or by another release of it, it finds the pages.
-    """
-    import tifffile
-
-    pages, order, big = file.pages, file.byteorder, file.is_bigtiff
-    if len(entries) < _MANY or not hasattr(pages, "_loaded"):
-        return
-    each, value = (20, 12) if big else (12, 8)
-    first, second = (
-        {struct.unpack_from(f"{order}H", one)[0]: one for one in map(bytes, np.split(part, len(part) // each))}
-        for part in (np.frombuffer(entry, np.uint8) for entry in entries[:2])
-    )
-    rest = np.frombuffer(b"".join(entries[1:]), np.uint8).reshape(len(entries) - 1, -1, each)
-    columns = {tag: k for k, tag in enumerate(second)}
-    alike = [columns[tag] for tag in _LIKE if tag in second]
-    if (
-        len(second) < rest.shape[1]
-        or not {273, 279} <= second.keys()
-        or _OWN & second.keys()
-        or any(first.get(tag) != second.get(tag) for tag in _LIKE)
-        or any(first[tag][:value] != second[tag][:value] for tag in (273, 279))
-        or (rest[:, :, :value] != rest[0, :, :value]).any()
-        or (rest[:, alike] != rest[0, alike]).any()
-    ):
-        return
-    found = []
-    for tag in (273, 279):
-        kind, number = struct.unpack_from(f"{order}H{'Q' if big else 'I'}", second[tag], 2)
-        if number != 1 or kind not in (3, 4, 16):
-            return
-        width = _TIFF_TYPES[kind]
-        column = np.ascontiguousarray(rest[:, columns[tag], value : value + width])
-        found.append(column.view(f"{order}u{width}")[:, 0].tolist())
-    key = None if file.is_ome else pages.first  # as it does
-    for k, (at, place, held) in enumerate(zip(places[1:], *found, strict=True), 1):
-        own = key.databytecounts if key is not None and key.is_contiguous else (held,)
-        pages._loaded[k] = tifffile.TiffFrame(
-            file, k, offset=at, keyframe=key, dataoffsets=(place,), databytecounts=own
-        )
-    pages._offsets[:], pages._indexed = places, True
+def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> tuple[bytes, int]:
+    """Return the entries of a page up to those of width and height, b"" where one is missing; and their product."""
+    kinds = {1: "B", 3: "H", 4: "I", 16: "Q"}
+    sides: dict[int, int] = {}
+    for place in range(0, len(entries) - each + 1, each):
+        tag, kind, _ = entry.unpack_from(entries, place)
+        if tag in (256, 257) and kind in kinds:
+            (sides[tag],) = struct.unpack_from(order + kinds[kind], entries, place + entry.size)
+        if len(sides) == 2:
+            return entries[: place + each], math.prod(sides.values())
+    return b"", math.prod(sides.values())
 
 
 def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
@@ -503,7 +470,7 @@ def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
             own, known = one.text, {one.text}
         elif one.text not in known and (beside := _beside(path, name)) is not None:
             known.add(one.text)
-            others = _tiff_first(beside)[1].values()
+            others = _tiff_first(beside)[1]
             held, count, least = held + size(beside), count + len(others), min(least, *others)
     stated = listed = 0
     for part in root.iter():

@@ -187,6 +187,7 @@ def _parse(text: str | float, units: dict[str, float], kind: str, example: str, 
 
 def _scaled(number: str, unit: str) -> float:
     """Return the float nearest to a decimal number times a power of ten."""
+    # In decimal: of a product of two floats the last digit may be another.
     digits, _, power = number.lower().partition("e")
     if digits.lstrip("+-").startswith("inf") or len(power) > 9:
         return float(number)

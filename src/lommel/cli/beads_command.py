@@ -12,10 +12,11 @@ import numpy as np
 
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
-from lommel.cli.instruments import IMAGES, LENS, CameraOptions, differing, require_microscope
-from lommel.cli.options import JSON, OUTPUT, command, documented, option, plot_option
+from lommel.cli.instruments import IMAGES, LENS, CameraOptions, header_differences, require_microscope
+from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import (
     Facts,
+    Parts,
     Report,
     Wrapped,
     paragraphs,
@@ -32,8 +33,6 @@ from lommel.localize.targets import find_spots
 from lommel.recorded.frames import of_all, read_each
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from lommel.base.arrays import Values
     from lommel.estimation.beads import BeadFit
     from lommel.recorded.noise import Noise
@@ -53,26 +52,40 @@ class BeadCamera(CameraOptions, heading="Camera and noise"):
     # fmt: on
 
 
+class BeadModel(Group):
+    """How the planes were taken, what the beads are, and what is estimated."""
+
+    # fmt: off
+    step: float = option(length="nm", required=True,
+        help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
+        "the other way.")
+    diameter: float = option("--bead", length="um", default="0.1um",
+        help="Diameter of the beads, such as 0.1um.")
+    depth: float | None = option(length="um",
+        help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass.")
+    terms: int = option(type=click.IntRange(1, 200), default=18,
+        help="Number of Zernike terms from Noll 5 on.")
+    apodization: int = documented(fit_beads, "apodization", type=click.IntRange(0, 4))
+    fixed: bool = option("--fixed/--free", default=False,
+        help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
+        "uncertainties.")
+    drift: bool = documented(fit_beads, "drift", is_flag=True)
+    wavelength: float | None = option(length="nm",
+        help="Emission wavelength of the beads; by default that of LENS.")
+    # fmt: on
+
+    def arguments(self, planes: int) -> Facts:
+        """Return the arguments of :func:`lommel.fit_beads`."""
+        given = {name: getattr(self, name) for name in ("diameter", "depth", "terms", "apodization", "drift")}
+        z = (np.arange(planes) - planes // 2) * self.step
+        return given | {"z": z, "priors": {} if self.fixed else None}
+
+
 @command(JSON)
 def beads(
     stacks: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
-    step: float = option(length="nm", required=True,
-        help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
-        "the other way."),
-    diameter: float = option("--bead", length="um", default="0.1um",
-        help="Diameter of the beads, such as 0.1um."),
-    depth: float | None = option(length="um",
-        help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
-    terms: int = option(type=click.IntRange(1, 200), default=18,
-        help="Number of Zernike terms from Noll 5 on."),
-    apodization: int = documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
-    fixed: bool = option("--fixed/--free", default=False,
-        help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
-        "uncertainties."),
-    drift: bool = documented(fit_beads, "drift", is_flag=True),
-    wavelength: float | None = option(length="nm",
-        help="Emission wavelength of the beads; by default that of LENS."),
+    model: BeadModel = BeadModel(),
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Microscope file (.toml) with what was found, for all other commands."),
     figure: Path | None = plot_option("Figure of planes, model, residuals and terms"),
@@ -96,37 +109,33 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     require_file(output, ".toml")
-    given = {"pixel": camera.pixel, "camera": camera.camera, "wavelength": wavelength}
+    given = {"pixel": camera.pixel, "camera": camera.camera, "wavelength": model.wavelength}
     microscope = require_microscope("beads", lens, **given)
     optics = {key: getattr(microscope, key) for key in ("objective", "wavelength", "pixel", "emitter", "aberrations")}
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     camera.require()
     with progress("reading") as started:
         read = list(read_each(stacks))
-        noise, saturation, header = camera.settled(of_all([each.said for each in read]), microscope.camera)
+        noise, saturation, header = camera.resolve(of_all([each.said for each in read]), microscope.camera)
         recorded, words = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {words}.", *header]
         cut: list[_Bead] = []
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
-            notes += [*stack.notes, *(each for each in differing(stack.said, microscope, step) if each not in notes)]
+            notes += [
+                *stack.notes,
+                *(each for each in header_differences(stack.said, microscope, model.step) if each not in notes),
+            ]
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
             cut += _beads(file, values, camera, noise, saturation)
-        planes = len(cut[0].window)
         started("fitting")
         found = fit_beads(
             [one.window for one in cut[:_MOST]],
             **optics,
-            z=(np.arange(planes) - planes // 2) * step,
+            **model.arguments(len(cut[0].window)),
             noise=noise,
-            diameter=diameter,
-            depth=depth,
-            terms=terms,
-            priors={} if fixed else None,
-            apodization=apodization,
-            drift=drift,
             saturation=saturation,
             integrate=microscope.integrate is not False,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
@@ -172,7 +181,7 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
     return [_Bead(f"{file} [{k}]", one, (row, column)) for k, (one, (row, column)) in each]
 
 
-def _parts(found: BeadFit, facts: Facts) -> list[RenderableType]:
+def _parts(found: BeadFit, facts: Facts) -> Parts:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants, beads = (list[tuple[str, ...]]() for _ in range(3))
     for name, value in found.coefficients.items():

@@ -14,7 +14,17 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import LENS, STACK_FILE, CameraMaps, camera_option, require_microscope, require_order
-from lommel.cli.options import JSON, LENGTHS, OUTPUT_PATH, Group, command, documented, judged, option, plot_option
+from lommel.cli.options import (
+    JSON,
+    LENGTHS,
+    OUTPUT_PATH,
+    Group,
+    command,
+    documented,
+    option,
+    plot_option,
+    report_findings,
+)
 from lommel.cli.output import Facts, Report, list_of, progress, require_folder, save_figure, written
 from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
 from lommel.microscopy import restore
@@ -74,7 +84,7 @@ class StackCamera(CameraMaps, heading="Camera"):
             raise ValueError(
                 "--read must be given with --gain, --offset or --excess: electrons of read noise, 0 for none"
             )
-        return self.settled({}, self.camera)[0]
+        return self.resolve({}, self.camera)[0]
 
 
 class Restoring(Group, heading="Restoration"):
@@ -189,7 +199,7 @@ def deconvolve(
         raise
     seconds = time.perf_counter() - begun
     facts = {"stack": str(stack), "name": microscope.name} | found.to_dict() | {"seconds": seconds}
-    return judged(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
+    return report_findings(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
 
 
 _STOPPED = {

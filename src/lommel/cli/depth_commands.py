@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -23,6 +23,7 @@ from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_ph
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
+from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
@@ -173,16 +174,37 @@ def _write_sharp(path: Path, found: DefocusDepth) -> None:
     write_photo(path, light, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
 
 
+class FocusChoice(Group):
+    """The focus distances of photos that have not been taken yet."""
+
+    # fmt: off
+    foci: tuple[float, ...] = option("--focus", length="m", multiple=True,
+        help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
+        "--best.")
+    pair: float | None = option(type=float,
+        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther.")
+    best: bool = option(is_flag=True,
+        help="Find the two focus distances that give the best precision for a surface at --focus.")
+    # fmt: on
+
+    def require(self) -> None:
+        """Refuse focus distances that are not chosen one way."""
+        if (self.pair is not None) + self.best + (len(self.foci) > 1) != 1 or not self.foci:
+            raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
+
+    def lenses(self, lens: Lens, pixel: float, texture: Facts) -> list[Lens]:
+        """Return the lens of each photo."""
+        if self.best:
+            return list(best_foci(lens, self.foci[0], pixel, **texture).lenses)
+        if self.pair is not None:
+            return _around(lens, self.foci[0], self.pair)
+        return [lens.focused(focus) for focus in self.foci]
+
+
 @command(JSON)
 def precision(
     lens: Path = LENS,
-    foci: tuple[float, ...] = option("--focus", length="m", multiple=True,
-        help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
-        "--best."),
-    pair: float | None = option(type=float,
-        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther."),
-    best: bool = option(is_flag=True,
-        help="Find the two focus distances that give the best precision for a surface at --focus."),
+    choice: FocusChoice = FocusChoice(),
     photons: float = documented(depth_precision, "photons", type=float, required=True,
         help="Mean signal per pixel, in detected photons (electrons)."),
     f_number: float | None = option(type=float, help="F-number; overrides the lens file."),
@@ -215,15 +237,9 @@ def precision(
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
     texture: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
-    if (pair is not None) + best + (len(foci) > 1) != 1 or not foci:
-        raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
+    choice.require()
     start = time.perf_counter()
-    if best:
-        lenses = list(best_foci(one, foci[0], instrument.side, **texture).lenses)
-    elif pair is not None:
-        lenses = _around(one, foci[0], pair)
-    else:
-        lenses = [one.focused(focus) for focus in foci]
+    lenses = choice.lenses(one, instrument.side, texture)
     nearest, *_, farthest = sorted(each.focus_distance for each in lenses)
     # By default from a little nearer than the nearest focus to a little farther than the farthest.
     near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
@@ -237,8 +253,8 @@ def precision(
         from lommel.show import estimates
 
         title = f"{instrument.name}\nf/{one.f_number:.3g}, {photons:g} electrons a pixel"
-        drawn: Any = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
-        save_figure(drawn.figure, figure)
+        drawn = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
+        save_figure(figure_of(drawn), figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
         "f_number": one.f_number,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -17,6 +17,7 @@ from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, num
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import (
     Facts,
+    Parts,
     Report,
     Wrapped,
     paragraphs,
@@ -31,11 +32,10 @@ from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.localize.targets import Crossings, find_crossings, find_spots, grid_indices
 from lommel.recorded.frames import read_images
+from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from lommel.base.arrays import Array
+    from lommel.base.arrays import Array, Values
     from lommel.estimation.field_fit import FieldFit
     from lommel.localize.targets import PointSources
 
@@ -45,8 +45,101 @@ _WAVE = 2.0 * math.pi  # radians
 _LISTED = 12  # stars left out, that are printed one by one
 
 
-class Targets(Group, heading="Stars and crossings"):
-    """What is fitted, and where in the images it is."""
+class Chart(Group):
+    """What the images show."""
+
+    # fmt: off
+    targets: str = documented(fit, "targets", type=click.Choice(KINDS))
+    size: float | None = option(length="um",
+        help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
+        "measured by default.")
+    # fmt: on
+
+    def side(self, found: PointSources | Crossings, pitch: float) -> float | None:
+        """Return the size that is stated, or of squares the one that was measured, metres."""
+        if isinstance(found, Crossings) and self.size is None and math.isfinite(found.square):
+            return found.square * pitch
+        return self.size
+
+
+class FieldModel(Group):
+    """What is estimated, and what is known of it."""
+
+    # fmt: off
+    degree: int = documented(fit, "degree", type=click.IntRange(0, 6))
+    distortion: int | None = option(type=click.IntRange(0, 9), metavar="DEGREE",
+        help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
+        "of pinholes or squares.")
+    terms: int = option(type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on.")
+    defocus: str | None = option(metavar="NUMBERS",
+        help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
+        "was moved towards the lens. One wave of defocus is C_d = pi. By default 0.")
+    known_blur: float | None = option(type=click.FloatRange(0.0), metavar="PIXELS",
+        help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
+        "estimated.")
+    seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+        help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known.")
+    # fmt: on
+
+    def require(self, chart: Chart) -> None:
+        """Refuse what contradicts the targets, or itself."""
+        if chart.targets == "star" and chart.size is not None:
+            raise ValueError("--size must be left out for stars, which are points; choose --targets")
+        if chart.targets == "star" and self.distortion is not None:
+            raise ValueError(
+                "--distortion must be left out for stars, whose places are not known; lommel.fit_field takes those "
+                "of a catalogue as ideal"
+            )
+        if chart.targets == "pinhole" and chart.size is None:
+            raise ValueError(
+                "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
+            )
+        if self.seeing is not None and self.known_blur is not None:
+            raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
+
+    def arguments(self, exposures: int, focal_length: float) -> Facts:
+        """Return the arguments of :func:`lommel.fit_field` but that of the distortion."""
+        if self.defocus is None and exposures > 1:
+            raise ValueError(f"--defocus must be given for {exposures} exposures: one number each, such as -3 3")
+        blur: float | bool | Seeing = True if self.known_blur is None else self.known_blur
+        if self.seeing is not None:
+            blur = Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length)
+        known = numbers_of(self.defocus or "0")
+        return {"degree": self.degree, "terms": self.terms, "defocus": known, "blur": blur}
+
+
+class Files(Group):
+    """Tables and figures to write."""
+
+    # fmt: off
+    output: Path | None = option("-o", "--output", type=OUTPUT,
+        help="Table for `[field] file =` of the lens file: .csv.")
+    twin: Path | None = option(type=OUTPUT,
+        help="Table of the other sign of the even terms, which one focus leaves open: .csv.")
+    figure: Path | None = plot_option("Figure of the terms over the sensor, stars, models and residuals")
+    spots: Path | None = option(type=OUTPUT, help="Figure of the image with the windows used and what was refused.")
+    # fmt: on
+
+    def require(self) -> None:
+        """Refuse tables that are none, before anything is computed."""
+        require_file(self.output, ".csv")
+        require_file(self.twin, ".csv", "--twin")
+
+    def write(self, made: FieldFit) -> Report:
+        """Write what was asked for of a fit, and return the report of the files."""
+        if self.output is not None:
+            made.save(self.output)
+        if self.twin is not None:
+            made.save(self.twin, twin=True)
+        if self.figure is not None:
+            save_figure(made.plot(), self.figure)
+        verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
+        tables = (self.output, self.twin)
+        return written([*tables, self.figure, self.spots], lambda path: verdict if path in tables else "")
+
+
+class Search(Group, heading="Stars and crossings"):
+    """How stars or crossings are found in the images, and windows around them."""
 
     # fmt: off
     window: int | None = option(type=click.IntRange(9, 401),
@@ -60,37 +153,25 @@ class Targets(Group, heading="Stars and crossings"):
         help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of these.")
     # fmt: on
 
+    def find(self, exposures: Values, targets: str, radius: float, recorded: Facts) -> PointSources | Crossings:
+        """Return what is found of some targets, images of stars and holes having this geometric radius in pixels."""
+        given = recorded | {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
+        if targets == "crossing":
+            return find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
+        side = max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
+        return find_spots(exposures, window=self.window or side, most=self.most, **given)
+
 
 @command(JSON, kind=SeveralNumbers)
 def fit_field(
     images: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
-    targets: str = documented(fit, "targets", type=click.Choice(KINDS)),
-    size: float | None = option(length="um",
-        help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
-        "measured by default."),
-    degree: int = documented(fit, "degree", type=click.IntRange(0, 6)),
-    distortion: int | None = option(type=click.IntRange(0, 9), metavar="DEGREE",
-        help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
-        "of pinholes or squares."),
-    terms: int = option(type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
-    defocus: str | None = option(metavar="NUMBERS",
-        help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
-        "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
-    known_blur: float | None = option(type=click.FloatRange(0.0), metavar="PIXELS",
-        help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
-        "estimated."),
-    seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-        help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known."),
-    output: Path | None = option("-o", "--output", type=OUTPUT,
-        help="Table for `[field] file =` of the lens file: .csv."),
-    twin: Path | None = option(type=OUTPUT,
-        help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
-    figure: Path | None = plot_option("Figure of the terms over the sensor, stars, models and residuals"),
-    spots: Path | None = option(type=OUTPUT, help="Figure of the image with the windows used and what was refused."),
-    shown: Targets = Targets(),
+    chart: Chart = Chart(),
+    model: FieldModel = FieldModel(),
+    files: Files = Files(),
+    search: Search = Search(),
     camera: StarCamera = StarCamera(),
-) -> Report:  # fmt: skip
+) -> Report:
     """Estimate wavefronts over the field from stars or a chart.
 
     IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
@@ -110,51 +191,26 @@ def fit_field(
       lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
       lommel fit-field chart.tif nifty-fifty.toml --targets crossing --terms 5 --read 2 --saturation 60000
     """
-    require_file(output, ".csv")
-    require_file(twin, ".csv", "--twin")
-    if targets == "star" and size is not None:
-        raise ValueError("--size must be left out for stars, which are points; choose --targets")
-    if targets == "star" and distortion is not None:
-        raise ValueError(
-            "--distortion must be left out for stars, whose places are not known; lommel.fit_field takes those of a "
-            "catalogue as ideal"
-        )
-    if targets == "pinhole" and size is None:
-        raise ValueError(
-            "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
-        )
-    if seeing is not None and known_blur is not None:
-        raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
+    files.require()
+    model.require(chart)
     instrument = camera.on(lens)
     with progress("reading") as started:
         read = read_images(list(images))
-        exposures = read.values
-        noise, saturation, header = camera.settled(read.said, instrument.camera)
-        if defocus is None and len(exposures) > 1:
-            raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
-        started(f"finding {targets}s")
-        known = numbers_of(defocus or "0")
-        pupil = instrument.pupil()
-        focal_length = instrument.lens.focal_length
+        noise, saturation, header = camera.resolve(read.said, instrument.camera)
+        pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
+        arguments = model.arguments(len(read.values), focal_length)
+        started(f"finding {chart.targets}s")
         pitch = float(min(np.atleast_1d(instrument.side)))
-        across = 0.0 if targets == "crossing" or size is None else size / pitch
-        side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
-        finding: Facts = {"noise": noise, "mask": camera.mask(exposures), "saturation": saturation}
-        finding |= {"threshold": shown.threshold, "width": shown.width or smoothing}
-        found: PointSources | Crossings
-        if targets == "crossing":
-            most = shown.most or _MOST_CROSSINGS
-            found = find_crossings(exposures, window=shown.window, most=most, **finding)
-            if size is None and math.isfinite(found.square):
-                size = found.square * pitch
-        else:
-            found = find_spots(exposures, window=shown.window or side, most=shown.most, **finding)
-        if spots is not None:
-            save_figure(cast("Figure", found.plot().figure), spots)
+        hole = 0.0 if chart.targets == "crossing" or chart.size is None else chart.size / pitch
+        radius = _geometric_radius(float(np.abs(arguments["defocus"]).max()), pitch / pupil.scale) + 0.5 * hole
+        recorded = {"noise": noise, "mask": camera.mask(read.values), "saturation": saturation}
+        found = search.find(read.values, chart.targets, radius, recorded)
+        if files.spots is not None:
+            save_figure(figure_of(found.plot()), files.spots)
         if len(found) < 4:
-            raise ValueError(_too_few(targets, found))
-        air = seeing is None or Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
-        grid: Facts = {} if distortion is None else {"ideal": _grid(found), "distortion": distortion}
+            raise ValueError(_too_few(chart.targets, found))
+        if model.distortion is not None:
+            arguments |= {"ideal": _grid(found), "distortion": model.distortion}
         started("fitting")
         made = fit(
             found.windows,
@@ -163,27 +219,16 @@ def fit_field(
             sensor=found.shape,
             pixel=instrument.side,
             noise=noise,
-            degree=degree,
-            terms=terms,
-            defocus=known,
-            blur=air if known_blur is None else known_blur,
-            targets=targets,
-            size=size,
+            targets=chart.targets,
+            size=chart.side(found, pitch),
             saturation=saturation,
             integrate=instrument.integrate,
-            **grid,
+            **arguments,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
-    if output is not None:
-        made.save(output)
-    if twin is not None:
-        made.save(twin, twin=True)
-    if figure is not None:
-        save_figure(made.plot(), figure)
     facts = _facts(made, found) | {"notes": [*read.notes, *header]}
-    report = Report(facts, _parts(facts, found, _blurred(made, pitch, focal_length)), made.converged)
-    verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
-    return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
+    parts = _parts(facts, found, _blurred(made, pitch, focal_length))
+    return Report(facts, parts, made.converged) + files.write(made)
 
 
 def _grid(found: PointSources | Crossings) -> Array:
@@ -218,11 +263,10 @@ def _too_few(targets: str, found: PointSources | Crossings) -> str:
     )
 
 
-def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, float]:
-    """Return window and smoothing for stars, or holes so many pixels across, at a defocus C_d; pixels in lambda*N."""
-    # Rays from the edge of the pupil; phase 2 C_d rho^2.
-    radius = 4.0 * defocus / (math.pi * pixel) + 0.5 * across
-    return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
+def _geometric_radius(defocus: float, pixel: float) -> float:
+    """Return the radius in pixels of a defocused star; pixels in lambda*N."""
+    # Rays from the edge of the pupil, whose phase is 2 C_d rho^2.
+    return 4.0 * defocus / (math.pi * pixel)
 
 
 def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
@@ -245,7 +289,7 @@ def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
     return f"blur: {'; '.join(said)}{how if any(made.blurs) else ''}"
 
 
-def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> list[Any]:
+def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> Parts:
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     waves, distortion = facts["waves"].values(), facts["distortion"]
     rows = [

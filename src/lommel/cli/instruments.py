@@ -11,7 +11,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, option
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
 from lommel.cli.output import Facts
 from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
@@ -42,23 +42,24 @@ EXCESS = option(type=float,
 
 
 def camera_map(text: str, name: str) -> float | Array:
-    """Return the number that an option `name` states, or the map of its file."""
+    """Return the number that the option for the argument `name` states, or the map of its file."""
     from lommel.recorded.frames import read_images
 
+    flag = flag_of(name)
     try:
         return float(text)
     except ValueError:
         path = Path(text)
     if not path.suffix:
-        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
+        raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
     found = read_images([path]).values
     if len(found) != 1:
-        raise ValueError(f"--{name} must be one image, got {len(found)} in {validation.line(path)}")
+        raise ValueError(f"{flag} must be one image, got {len(found)} in {validation.line(path)}")
     values = np.asarray(found[0], np.float64)
     if (bad := ~np.isfinite(values)).any():
         place = ", ".join(map(str, np.argwhere(bad)[0]))
         defect = "; a read noise of 1000 electrons tells that a pixel is a defect" if name == "read" else ""
-        raise ValueError(f"--{name} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
+        raise ValueError(f"{flag} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
     return values
 
 
@@ -78,9 +79,9 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return out[0] if len(out) == 1 else out
 
 
-IMAGES: Any = click.Argument(["images"], type=PATH, nargs=-1, required=True)
-STACK_FILE: Any = click.Argument(["stack"], type=PATH)
-LENS: Any = click.Argument(["lens"], type=FILE)
+IMAGES = argument("images", type=PATH, nargs=-1, required=True)
+STACK_FILE = argument("stack", type=PATH)
+LENS = argument("lens", type=FILE)
 OBJECT_DISTANCE = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
 CAMERA = camera_option(
     "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
@@ -210,7 +211,7 @@ def require_order(order: str, images: Path, lens: Path) -> None:
 _MISSING = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
 
 
-def _of_camera(camera: Camera | None) -> Facts:
+def _camera_facts(camera: Camera | None) -> Facts:
     """Return what a camera states of the noise, None of the rest."""
     if camera is None:
         return {}
@@ -223,7 +224,7 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
 
     Images are in counts, or `photographs` that end at white and have no offset.
     """
-    known, found = _of_camera(camera), {}
+    known, found = _camera_facts(camera), {}
     if photographs:
         known |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
@@ -252,7 +253,7 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
 
     An option counts more than the camera, and that more than the header, whose other values are named.
     """
-    known, notes = _of_camera(camera), []
+    known, notes = _camera_facts(camera), []
     for name, (key, words) in _STATED.items():
         value = said.get(key)
         if isinstance(value, Unusable):
@@ -276,7 +277,7 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
     return notes
 
 
-def differing(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
+def header_differences(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
     """Return what images state of pixels, emission and `step` where it is not that of the command, which is taken."""
     known = {
         "pixels of {} in the sample": (said.get("pixel"), microscope.pixel / microscope.objective.magnification),
@@ -330,7 +331,7 @@ class CameraOptions(Group, heading="Camera and noise"):
         """Return gain, read noise, offset and excess, None where they are left out."""
         return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
 
-    def settled(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+    def resolve(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
         """Return noise, saturation and notes; an option counts more than the camera, and that than the header."""
         given = self.values() | {"saturation": self.saturation}
         notes = take_header(given, said, camera)
@@ -338,7 +339,7 @@ class CameraOptions(Group, heading="Camera and noise"):
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""
-        known, name = _of_camera(camera), camera and camera.name
+        known, name = _camera_facts(camera), camera and camera.name
         sources = {
             "option": "by the option",
             "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
@@ -380,8 +381,8 @@ class CameraMaps(CameraOptions, heading="Camera"):
 
     def values(self) -> Facts:
         """Return gain, read noise, offset and excess, None where they are left out."""
-        texts = {"white": (self.white, "gain"), "read": (self.read, "read"), "offset": (self.offset, "offset")}
-        maps = {name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()}
+        texts = {"white": self.white, "read": self.read, "offset": self.offset}
+        maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
         return maps | {"excess": self.excess}
 
 

@@ -1,24 +1,157 @@
-"""The commands ``lommel info``, ``compare``, ``methods`` and ``paper``."""
+"""The commands on lenses and their files: ``examples``, ``info``, ``live``, ``compare``, ``methods``, ``paper``."""
 
 from __future__ import annotations
 
 import dataclasses
+import errno
+import json
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from rich.table import Column, Table
 from rich.text import Text
 
+from lommel.base import atomic
+from lommel.base.options import near
 from lommel.base.units import pitch_in_words
+from lommel.base.validation import shown
 from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, PATH, WINDOW, argument, command, option, plot_option
-from lommel.cli.output import Report, Wrapped, progress, save_figure, table_of, written
+from lommel.cli.options import FILE, JSON, OUTPUT, PATH, WINDOW, argument, command, option, plot_option
+from lommel.cli.output import Parts, Report, Wrapped, progress, save_figure, table_of, written
+from lommel.lensfiles.example_files import KINDS, example_files
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
 
-if TYPE_CHECKING:
-    from rich.console import RenderableType
+
+@command(JSON)
+def examples(
+    names: tuple[str, ...] = argument("names", nargs=-1),
+    folder: Path = option("-o", "--output", default=".", type=click.Path(file_okay=False, path_type=Path),
+        show_default="current folder", help="Folder to copy to, created if needed."),
+    everything: bool = option("--all", is_flag=True, help="Copy all examples."),
+    text: str | None = option("--find", metavar="TEXT",
+        help='List only examples with these words in kind, name or description: "nikon water", "camera".'),
+) -> Report:  # fmt: skip
+    """List or copy example files of lenses, objectives, cameras.
+
+    NAMES are the names of the files to copy. Notebooks are for Jupyter; the other files describe real instruments and
+    state the source of their numbers. Cameras need no copy: --camera takes their names. Existing files are not
+    overwritten: unchanged copies are left alone, and files that differ are refused.
+
+    Examples
+    --------
+      lommel examples                      # list them
+      lommel examples --find "nikon oil"   # those with both words
+      lommel examples phone                # copy phone.toml to the current folder
+      lommel examples exercises            # a Jupyter notebook for class
+      lommel examples first-psf            # a notebook to start with
+      lommel examples --all -o lenses
+    """
+    there = example_files()
+    if text is not None and (names or everything):
+        raise ValueError("--find lists examples: leave it out to copy them")
+    if not names and not everything:
+        return _listed(there, (text or "").lower().split())
+    wanted = list(there) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
+    for name in wanted:
+        if name not in there:
+            raise ValueError(f"NAMES must be those of examples, got {shown(name)}; {_meant(name, there)}")
+    copies = {folder / there[name].name: there[name].read_bytes() for name in wanted}
+    present = [path for path in copies if path.exists()]
+    for path in present:
+        if path.is_dir() or path.read_bytes() != copies[path]:
+            raise FileExistsError(errno.EEXIST, "File exists and differs from the example", str(path))
+    folder.mkdir(parents=True, exist_ok=True)
+    with atomic.whole_files() as put:
+        for path in copies.keys() - present:
+            put(path, copies[path])
+    report = written(path for path in copies if path not in present)
+    return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in present)])
+
+
+def _listed(there: dict[str, Path], words: list[str]) -> Report:
+    """Return the list of the examples with all of these words, a table for each kind."""
+    rows: list[dict[str, str]] = []
+    tables: dict[str, Table] = {}
+    for name, path in there.items():
+        kind, what = KINDS[path.parent.name][0], _title(path)
+        if not all(word in f"{kind} {name} {what}".lower() for word in words):
+            continue
+        rows.append({"name": name, "kind": kind, "what": what})
+        columns = Column(width=max(map(len, there)), no_wrap=True), Column()
+        tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, what)
+    parts: Parts = []
+    for kind, table in tables.items():
+        parts += [*([""] if parts else []), Text(_HEADINGS[kind], "bold"), table]
+    return Report({"examples": rows}, parts or ["No example has these words."])
+
+
+_HEADINGS = {"lens": "Lenses", "objective": "Objectives", "camera": "Cameras", "notebook": "Notebooks"}
+
+
+def _meant(name: str, there: dict[str, Path]) -> str:
+    """Return the example that a name was meant to be, or how to list them."""
+    found = near(name, there)
+    return found if found.startswith("did") else "`lommel examples` lists them"
+
+
+def _title(path: Path) -> str:
+    """Return the name in a lens or objective file, or the heading of a notebook."""
+    from lommel.lensfiles import toml_files
+
+    if path.suffix == ".toml":
+        return str(toml_files.parsed(path)[1]["name"])
+    heading: str = json.loads(path.read_bytes())["cells"][0]["source"][0]
+    return heading.lstrip("# ").rstrip()
+
+
+@command()
+def live(
+    lens: Path | None = argument("lens", type=FILE, required=False),
+    port: int | None = option(type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
+    no_browser: bool = option(is_flag=True, help="Print the address without opening a browser."),
+    saved: Path | None = option("--save", type=OUTPUT, metavar="FILE",
+        help="Write the page to a stand-alone HTML file instead."),
+) -> None:  # fmt: skip
+    """Open an interactive page of the PSF in the browser.
+
+    The page shows the PSF, its curves and a test image, with sliders for every parameter. It starts with the lens
+    file LENS or, if none is given, with a defocused lens. All computation is done in the browser; the page is served
+    to this machine only, stops at Ctrl-C, and sends no data.
+
+    Examples
+    --------
+      lommel live
+      lommel live hubble-1990.toml --port 8000 --no-browser
+      lommel live hubble-1990.toml --save hubble.html
+    """
+    import webbrowser
+
+    from lommel.lensfiles.lens_files import load_instrument
+    from lommel.page.server import PageServer, html
+    from lommel.page.state import state_of
+
+    state: dict[str, float] = {}
+    name = left_out = ""
+    if lens is not None:
+        instrument = load_instrument(lens)
+        state, left_out = state_of(instrument)
+        name = instrument.name or lens.name
+        if left_out:
+            click.echo(f"The page does not show {left_out}.", err=True)
+    if saved is not None:
+        atomic.write(saved, html(state, name, left_out, alone=True).encode())
+        click.echo(f"wrote {saved}")
+        return
+    with PageServer(state, name, port or 0, left_out) as server:
+        click.echo(f"{server.url} shows {name or 'lommel'}; Ctrl-C stops it.")
+        if not no_browser:
+            webbrowser.open(server.url)
+        try:
+            server.serve_forever()
+        except KeyboardInterrupt:
+            click.echo()
+
 
 _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation", "Geometric": "no diffraction"}
 
@@ -189,12 +322,12 @@ def paper(
       lommel paper out
       lommel paper out --figure 3 --figure eq17
     """
-    from lommel.paper.write import FIGURES, closest_text, number, reproduce
+    from lommel.paper import FIGURES, closest_text, number, reproduce
 
     wanted = list(figures) or None
     with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
         made = reproduce(outdir, wanted, started)
-    parts: list[RenderableType] = [f"wrote {name}" for name in made["files"]]
+    parts: Parts = [f"wrote {name}" for name in made["files"]]
     if made["table"] is not None:
         names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
         rows = [

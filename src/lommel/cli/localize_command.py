@@ -6,25 +6,39 @@ import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
-from lommel.cli.instruments import DEPTH, LENS, STACK_FILE, CameraMaps, differing, require_microscope, require_order
-from lommel.cli.options import JSON, OUTPUT, PATH, WINDOW, Group, command, documented, notes_of, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, list_of, progress, require_folder, save_figure, written
+from lommel.cli.instruments import (
+    DEPTH,
+    LENS,
+    STACK_FILE,
+    CameraMaps,
+    header_differences,
+    require_microscope,
+    require_order,
+)
+from lommel.cli.options import (
+    JSON,
+    OUTPUT,
+    PATH,
+    WINDOW,
+    Group,
+    command,
+    documented,
+    finding_lines,
+    option,
+    plot_option,
+)
+from lommel.cli.output import Facts, Parts, Report, Wrapped, list_of, progress, require_folder, save_figure, written
 from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
 from lommel.show.drawing import figure_of
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
@@ -108,8 +122,8 @@ def localize(
     begun = time.perf_counter()
     parts: list[Localizations] = []
     with progress("table of images") as step, open_movie(movie) as frames:
-        noise, saturation, header = camera.settled(frames.said, microscope.camera)
-        header = [*frames.notes, *header, *differing(frames.said, microscope)]
+        noise, saturation, header = camera.resolve(frames.said, microscope.camera)
+        header = [*frames.notes, *header, *header_differences(frames.said, microscope)]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)
@@ -139,7 +153,7 @@ def _brief(part: Localizations) -> Localizations:
     return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
 
 
-def _parts(facts: Facts, camera: str) -> list[RenderableType]:
+def _parts(facts: Facts, camera: str) -> Parts:
     """Return the table of what was found, and what was not corrected."""
     n, (rows, columns) = facts["frames"], facts["shape"]
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
@@ -158,7 +172,12 @@ def _parts(facts: Facts, camera: str) -> list[RenderableType]:
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
-    return [Text(facts["name"], "bold"), list_of(lines), *notes_of(facts), Wrapped("Drift is not corrected.", "dim")]
+    return [
+        Text(facts["name"], "bold"),
+        list_of(lines),
+        *finding_lines(facts),
+        Wrapped("Drift is not corrected.", "dim"),
+    ]
 
 
 _OTHERS = {

@@ -20,13 +20,13 @@ except ImportError as missing:  # pragma: no cover
 
 
 COMMANDS = {
-    "examples": "examples_command",
+    "examples": "lens_commands",
     "info": "lens_commands",
     "psf": "psf_command",
-    "live": "live_command",
+    "live": "lens_commands",
     "compare": "lens_commands",
     "methods": "lens_commands",
-    "stack": "stack_command",
+    "stack": "psf_command",
     "blur": "photo_commands",
     "restore": "photo_commands",
     "deconvolve": "deconvolve_command",

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 Pitch: TypeAlias = float | tuple[float, ...]
 Window: TypeAlias = int | tuple[int, int]
 Value = TypeVar("Value")
+Param = TypeVar("Param", bound=click.Parameter)
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 """Path of a file, which need not exist."""
@@ -92,9 +93,6 @@ def _window(text: str) -> Window:
         raise ValueError(f"{shown(text)} is not a size; write 65 or 64x128 (height x width)")
     return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
-
-MICROMETRES, NANOMETRES = (Parsed("length", partial(_length, unit)) for unit in ("um", "nm"))
-"""Lengths with a unit, in metres, which errors suggest in another."""
 
 SIDES = Parsed("length", _sides)
 """A length with a unit, or several with an x between them, in metres."""
@@ -174,13 +172,13 @@ class Group:
         return found
 
     @classmethod
-    def of(cls, given: dict[str, Any]) -> Self:
+    def of(cls, given: Facts) -> Self:
         """Return the group of the values of a call, which are taken out."""
         members = cls._members().items()
         return cls(**{name: one.of(given) if isinstance(one, Group) else given.pop(name) for name, one in members})
 
 
-def _named(name: str, one: click.Parameter, heading: str | None = None) -> Any:
+def _named(name: str, one: Param, heading: str | None = None) -> Param:
     """Return a copy of an option or argument for the argument of a function."""
     copied = copy.copy(one)
     copied.name = name
@@ -216,7 +214,7 @@ class Command(click.Command):
                 formatter.write_dl(records)
 
 
-def _keep_what_is_read(params: Iterable[click.Parameter], given: dict[str, Any]) -> None:
+def _keep_what_is_read(params: Iterable[click.Parameter], given: Facts) -> None:
     """Raise ValueError if a file that is written is one that is read, or another that is written."""
     taken: list[tuple[str, Path]] = []
     for param in sorted(params, key=lambda one: isinstance(one.type, _Written)):
@@ -251,18 +249,11 @@ def command(
     """
 
     def made(function: Callable[..., Report | None]) -> Command:
-        defaults = {name: each.default for name, each in inspect.signature(function).parameters.items()}
-        groups = {name: type(value) for name, value in defaults.items() if isinstance(value, Group)}
-        every: list[click.Parameter] = []
-        for name, value in defaults.items():
-            if name in groups:
-                every += groups[name].options()
-            elif isinstance(value, click.Parameter):
-                every.append(_named(name, value))
+        every, groups = _parameters_of(function)
         every += params
 
         def guarded(as_json: bool = False, **given: Any) -> None:
-            said: list[str] = []
+            notes: list[str] = []
             if sys.stdout is None:  # the caller has closed it
                 sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
             try:
@@ -271,54 +262,81 @@ def command(
                 _keep_what_is_read(every, given)
                 for name, group in groups.items():
                     given[name] = group.of(given)
-                with _noted(said):
+                with _collected_notes(notes):
                     report = function(**given)
-                if report is not None:
-                    if said:
-                        report += Report({"notes": [*report.facts.get("notes", []), *said]}, _printed("note", said))
-                    report.print(as_json=as_json)
-                sys.stdout.flush()  # now, where a failure can still be reported
-                if report is not None and not report.converged:
-                    sys.exit(3)
+                _print(report, notes, as_json=as_json)
             except (click.ClickException, click.exceptions.Exit, click.Abort):
                 raise
-            except BrokenPipeError:
-                _discard_output()  # the reader of the pipe has left
-                sys.exit(1)
             except Exception as error:
-                if os.environ.get("LOMMEL_TRACEBACK"):
+                if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
                     raise
-                if any(words in str(error) for words in _SHORT):
-                    error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
-                for row in _printed("Note", said):
-                    click.echo(row, err=True)
-                click.echo(f"Error: {_message(error)}", err=True)
-                try:
-                    sys.stdout.flush()
-                except OSError:
-                    _discard_output()  # the error was one of writing
-                sys.exit(2 if isinstance(error, _CAUSED) else 1)
+                sys.exit(_report_error(error, notes))
 
-        # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
-        text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
-        text = text.replace("\n\nExample", "\n\n\b\nExample")
-        text = "\n".join(_continued(row) for row in text.split("\n"))
-        return kind(function.__name__, params=every, help=text, callback=guarded)
+        return kind(function.__name__, params=every, help=_help_of(function), callback=guarded)
 
     return made
+
+
+def _parameters_of(function: Callable[..., object]) -> tuple[list[click.Parameter], dict[str, type[Group]]]:
+    """Return the parameters that the defaults of a function's arguments are, and the groups among them by name."""
+    found: list[click.Parameter] = []
+    groups: dict[str, type[Group]] = {}
+    for name, argument in inspect.signature(function).parameters.items():
+        value = argument.default
+        if isinstance(value, Group):
+            groups[name] = type(value)
+            found += groups[name].options()
+        elif isinstance(value, click.Parameter):
+            found.append(_named(name, value))
+    return found, groups
+
+
+def _help_of(function: Callable[..., object]) -> str:
+    """Return the docstring of a command as its help."""
+    # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
+    text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
+    text = text.replace("\n\nExample", "\n\n\b\nExample")
+    return "\n".join(_continued(row) for row in text.split("\n"))
+
+
+def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
+    """Print a report with the notes of the library; exit with code 3 where its result is not to be trusted."""
+    if report is not None:
+        if notes:
+            report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
+        report.print(as_json=as_json)
+    sys.stdout.flush()  # now, where a failure can still be reported
+    if report is not None and not report.converged:
+        sys.exit(3)
+
+
+def _report_error(error: Exception, notes: list[str]) -> int:
+    """Print an error and the notes before it, and return the exit code."""
+    if isinstance(error, BrokenPipeError):
+        _discard_output()  # the reader of the pipe has left
+        return 1
+    if any(words in str(error) for words in _SHORT):
+        error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
+    for row in (*_note_lines("Note", notes), f"Error: {_message(error)}"):
+        click.echo(row, err=True)
+    try:
+        sys.stdout.flush()
+    except OSError:
+        _discard_output()  # the error was one of writing
+    return 2 if isinstance(error, _CAUSED) else 1
 
 
 _NOTES = 5  # that are printed
 
 
-def _printed(word: str, said: list[str]) -> list[str]:
+def _note_lines(word: str, said: list[str]) -> list[str]:
     """Return the lines of the first notes, and of how many more there are."""
     more = [f"{len(said) - _NOTES} more, which --json lists"] if len(said) > _NOTES else []
     return [f"{word}: {note}" for note in [*said[:_NOTES], *more]]
 
 
 @contextmanager
-def _noted(said: list[str]) -> Iterator[None]:
+def _collected_notes(said: list[str]) -> Iterator[None]:
     """Add the notes of the library, its UserWarnings, to a list, each once."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)
@@ -356,7 +374,7 @@ def _continued(row: str) -> str:
     return "\n".join([*rows, current])
 
 
-JSON: Any = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
+JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 
 
 def plot_option(what: str, flag: str = "--plot") -> Any:
@@ -393,44 +411,56 @@ def _hint(error: OSError) -> str:
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
 # "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+_METHOD = re.compile(r"--method (\w+)\(.*?\)")
+_METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
+_METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 
 
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
+    context, flags = click.get_current_context(silent=True), _flags()
+    own = {flag: name for name, flag in flags.items()}
+    first = message.partition(" must ")[0]
+    # What the user did not write may be of a file, which calls it as the library does.
+    if context and first in flags and context.get_parameter_source(own[flags[first]]) is ParameterSource.COMMANDLINE:
+        message = flags[first] + message.removeprefix(first)
+    message = _NAMED.sub(partial(_flag_of, flags), message)
+    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
+        ", in metres", ", with a unit"
+    )
+    return _METHOD.sub(lambda found: f"--method {_METHOD_NAMES.get(found[1], found[1])}", with_units(message))
+
+
+def flag_of(name: str) -> str:
+    """Return the option of the running command for an argument, as messages name it."""
+    return _flags().get(name, name)
+
+
+def _flags() -> dict[str, str]:
+    """Return the options of the running command by the names of their arguments."""
     context = click.get_current_context(silent=True)
     params = context.command.params if context else ()
-    flags = {part.name: max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
-    own = {flag: name for name, flag in flags.items()}
-    names = {kind.__name__: name for name, kind in METHODS.items()}
-    of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-
-    def renamed(found: re.Match[str]) -> str:
-        quoted, name, equals, value = found.groups()
-        word = quoted or name
-        if word in flags and (quoted or equals or "_" in word):
-            return flags[word] + (" " if equals and value else "")
-        if equals and value and word in of_methods and "settings" in flags:
-            return f"--set {found[0]}"
-        return found[0]
-
-    first = message.partition(" must ")[0]
-    given = context.get_parameter_source(own[flags[first]] or "") if context and first in flags else None
-    if given is ParameterSource.COMMANDLINE:
-        message = flags[first] + message.removeprefix(first)
-    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", _NAMED.sub(renamed, message))
-    message = message.replace(", in metres", ", with a unit")
-    return re.sub(
-        r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
-    )
+    return {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
 
 
-def notes_of(facts: Facts) -> list[Wrapped]:
+def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
+    """Return the option for what looks like an argument in a message, or what stands there."""
+    quoted, name, equals, value = found.groups()
+    word = quoted or name
+    if word in flags and (quoted or equals or "_" in word):
+        return flags[word] + (" " if equals and value else "")
+    if equals and value and word in _METHOD_OPTIONS and "settings" in flags:
+        return f"--set {found[0]}"
+    return found[0]
+
+
+def finding_lines(facts: Facts) -> list[Wrapped]:
     """Return the findings of a result and its notes, a line each."""
     findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
 
 
-def judged(facts: Facts, *parts: RenderableType) -> Report:
+def report_findings(facts: Facts, *parts: RenderableType) -> Report:
     """Return the report of a fit with findings and notes, which come last and name the options of the command."""
     facts = facts | {"notes": [with_options(note) for note in facts["notes"]]}
-    return Report(facts, [*parts, *notes_of(facts)], facts["converged"])
+    return Report(facts, [*parts, *finding_lines(facts)], facts["converged"])

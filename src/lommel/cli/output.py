@@ -56,6 +56,13 @@ class Steps:
             self._bar.update(self._task, description=name, completed=None if self._total is None else self._begun)
         self._begun += share is None
 
+    def tell(self, sentence: str) -> None:
+        """Print a sentence, above the bar."""
+        from rich.console import Console
+
+        console = Console(stderr=True) if self._bar is None else self._bar.console
+        console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
+
     def _log(self, name: str) -> None:
         """Write a line now and then."""
         spent = time.monotonic() - self._start
@@ -74,8 +81,11 @@ def _lasting(seconds: float) -> str:
 
 
 @contextmanager
-def progress(description: str, total: int | None = None) -> Iterator[Steps]:
-    """Show a bar on standard error if that is a terminal, else a line now and then; yield what announces steps."""
+def progress(description: str, total: int | None = None, *, endless: bool = False) -> Iterator[Steps]:
+    """Show a bar on standard error if that is a terminal, else a line now and then; yield what announces steps.
+
+    What is `endless`, as video, has no share that is done, and no bar.
+    """
     from rich.console import Console
 
     console = Console(stderr=True)
@@ -85,18 +95,16 @@ def progress(description: str, total: int | None = None) -> Iterator[Steps]:
         return
     from rich import progress as bars
 
-    columns = (
-        bars.SpinnerColumn(),
-        bars.TextColumn("{task.description}"),
-        bars.BarColumn(),
-        bars.TaskProgressColumn(text_format_no_percentage=""),
-        bars.TimeElapsedColumn(),
-        bars.TextColumn("[dim]left"),
-        bars.TimeRemainingColumn(),
-    )
+    columns: list[bars.ProgressColumn] = [bars.SpinnerColumn(), bars.TextColumn("{task.description}")]
+    if not endless:
+        columns += [bars.BarColumn(), bars.TaskProgressColumn(text_format_no_percentage="")]
+        columns += [bars.TimeElapsedColumn(), bars.TextColumn("[dim]left"), bars.TimeRemainingColumn()]
     with bars.Progress(*columns, console=console, transient=True) as bar:
         yield Steps(bar, description, total)
 
+
+Parts: TypeAlias = "list[RenderableType]"
+"""Lines and tables of a report."""
 
 Facts: TypeAlias = Json
 """Plain data as JSON has it: texts, numbers, lists and dictionaries of these, None."""
@@ -193,15 +201,15 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
     return table
 
 
-def paragraphs(*parts: Iterable[RenderableType]) -> list[RenderableType]:
+def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
     """Return parts with a blank line between those that hold something."""
-    found: list[RenderableType] = []
+    found: Parts = []
     for part in map(list, parts):
         found += ["", *part] if found and part else part
     return found
 
 
-def refused(facts: Facts) -> list[RenderableType]:
+def refused(facts: Facts) -> Parts:
     """Return the reasons why some results are missing."""
     return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
 

@@ -33,6 +33,7 @@ from lommel.cli.options import (
     argument,
     command,
     documented,
+    flag_of,
     option,
     with_options,
 )
@@ -94,10 +95,7 @@ class DataSet(Group, heading="Data set"):
         return given | {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
 
 
-_OF_ONE = {
-    "bits": "--bits", "pixel_from_exif": "--pixel-from-exif", "no_exif": "--no-exif", "last": "--focus-to",
-    "frames": "--frames", "fps": "--fps", "camera": "--camera",
-}  # fmt: skip
+_OF_ONE = ("bits", "pixel_from_exif", "no_exif", "last", "frames", "fps", "camera")  # options of a single photo
 
 
 def render(
@@ -111,9 +109,9 @@ def render(
     """Render a data set of photos and depth maps in folders, and of the lenses of a file, into a folder."""
     photos, depths, lens = files
     stated = vars(options.made) | vars(options.seen) | pull
-    for name, flag in _OF_ONE.items():
+    for name in _OF_ONE:
         if stated[name]:
-            raise ValueError(f"{flag} is for one photo, without --batch")
+            raise ValueError(f"{flag_of(name)} is for one photo, without --batch")
     lenses = _lenses(lens, stated | {"focus_distance": focus})
     given = data.arguments() | {"encoding": options.encoding}
     values: Facts = {**options.depth_values}
@@ -168,12 +166,12 @@ def _lenses(file: Path | None, stated: Facts) -> LensRanges:
     known = {name: value for name, value in own.items() if value is not None}
     if file is not None:
         return LensRanges(**{**vars(load_lens_ranges(file)), **known})
-    if missing := [f"--{name.replace('_distance', '').replace('_', '-')}" for name in own if name not in known]:
+    if missing := [flag_of(name) for name in own if name not in known]:
         raise ValueError(f"give a lens file or {', '.join(missing)}")
     return LensRanges(**known)
 
 
-_AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
+_AGREE = 0.02  # relative: EXIF has the nominal figures of a lens, rounded
 _TYPES: dict[str, np.dtype[np.generic]] = {
     "8": np.dtype(np.uint8),
     "16": np.dtype(np.uint16),
@@ -182,7 +180,7 @@ _TYPES: dict[str, np.dtype[np.generic]] = {
 
 _FRAMES, _FPS = 24, 12.0
 
-FOCUS = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+FOCUS = option("--focus", length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 
 
 class PhotoNoise(Group, heading="Noise"):
@@ -297,7 +295,7 @@ def blur(
     output: Path = option("-o", "--output", required=True, type=OUTPUT_PATH, metavar="FILE",
         help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or one "
         f"animation or stack: {suffixes('frames')}."),
-    focus: float | None = FOCUS,
+    focus_distance: float | None = FOCUS,
     pull: FocusPull = FocusPull(),
     field: FieldOfView = FieldOfView(),
     data: DataSet = DataSet(),
@@ -327,20 +325,20 @@ def blur(
     if field.over:
         return _through_field(photo, depth, output, options)
     if data.batch:
-        return render(output, (photo, depth, lens), focus, vars(pull), data, options)
+        return render(output, (photo, depth, lens), focus_distance, vars(pull), data, options)
     for one in DataSet.options():
         if one.name != "batch" and getattr(data, one.name or "") != one.default:
             raise ValueError(f"--{one.name} is for data sets, with --batch")
     opened = partial(Job, photo, depth, lens, output, options)
     if pull.last is not None:
-        return _pull_focus(opened, output, (focus, pull.last), pull)
+        return _pull_focus(opened, output, (focus_distance, pull.last), pull)
     if pull.frames is not None or pull.fps is not None:
         name = "fps" if pull.frames is None else "frames"
         raise ValueError(f"--{name} needs --focus-to, the end of a focus pull")
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as started:
         job = opened()
-        of = job.focused(focus)
+        of = job.focused(focus_distance)
         started("computing PSFs")
         start = time.perf_counter()
         made = job.photograph(of, lambda share: started("blurring", share))
@@ -516,7 +514,7 @@ def restore(
     depth: Path = argument("depth", type=FILE),
     lens: Path | None = argument("lens", type=FILE, required=False),
     output: Path = option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
-    focus: float | None = FOCUS,
+    focus_distance: float | None = FOCUS,
     noisy: RestoredNoise = RestoredNoise(),
     restoring: Restoring = Restoring(),
     options: PhotoOptions = PhotoOptions(),
@@ -541,7 +539,7 @@ def restore(
     way = restoring.way()
     with terminated_as_interrupted(), progress("reading") as started:
         job = Job(photo, depth, lens, output, options)
-        of = job.focused(focus)
+        of = job.focused(focus_distance)
         values = job.picture.values
         if noisy.masked is not None:
             (values,) = without([values], noisy.masked)
@@ -683,10 +681,7 @@ class Job:
         """Return the lens, focused at a distance or as in its file."""
         if focus is None and self.lens is None:
             raise ValueError("without a lens file give --focus")
-        try:
-            return self.optics if focus is None else self.optics.focused(focus)
-        except ValueError as error:
-            raise ValueError(str(error).replace("focus_distance", "--focus")) from None
+        return self.optics if focus is None else self.optics.focused(focus)
 
     def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
         """Return the blurred light; `progress` is called with the fraction of the work done."""

@@ -1,4 +1,4 @@
-"""The command ``lommel psf``: PSFs of a lens, over its field of view or in colour, and of a microscope."""
+"""The commands ``lommel psf`` (of a lens, its field and colours, or a microscope) and ``lommel stack`` (on disk)."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
+import numpy as np
 
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
-from lommel.cli.instruments import LENS, Planes, Seen, instrument_of, microscope_of
-from lommel.cli.options import JSON, OUTPUT, WINDOW, Group, command, documented, option, plot_option
+from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Planes, Seen, instrument_of, microscope_of
+from lommel.cli.options import JSON, OUTPUT, OUTPUT_PATH, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
@@ -29,13 +30,72 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
 from lommel.show.drawing import STRETCHES, figure_of
+from lommel.stacks import psf_to
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.optics.pupil import Pupil
+
+
+@command(JSON)
+def stack(
+    lens: Path = LENS,
+    between: tuple[float, float] = option(length="m", nargs=2, required=True, metavar="NEAR FAR",
+        help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
+    count: int = option(type=click.IntRange(2, 10**9), required=True,
+        help="Number of distances, equally spaced in defocus."),
+    output: Path = option("-o", "--output", type=OUTPUT_PATH, required=True, help="Store to write, a folder .zarr."),
+    camera: Camera | None = CAMERA,
+    pixel: float | None = SQUARE_PIXEL,
+    shape: int | tuple[int, int] | None = SHAPE,
+    tol: float | None = documented(compute, "tol", type=float,
+        help="Tolerance, relative to the peak; by default 1e-6."),
+    chunk: int | None = option(type=int,
+        help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
+) -> Report:  # fmt: skip
+    """Compute PSFs over a range of object distances, on disk.
+
+    The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
+    it computes only the missing chunks.
+
+    Example:
+      lommel stack phone.toml --between 1m inf --count 200 --shape 17 -o stack.zarr
+    """
+    near, far = between
+    if not 0.0 < near < far:
+        raise ValueError(f"--between must be two rising distances, got {near:g} and {far:g} metres")
+    instrument = instrument_of(lens, camera=camera, pixel=pixel, shape=shape)
+    with np.errstate(divide="ignore"):
+        distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
+    distances[0], distances[-1] = near, far
+    window, begun, steps = instrument.window, time.perf_counter(), 0
+    with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as step:
+
+        def done(chunks: int, total: int) -> None:
+            nonlocal steps
+            steps += 1
+            step(f"chunk {chunks} of {total}", chunks / total)
+
+        made = psf_to(
+            output,
+            instrument.lens.pupil(distances),
+            window,
+            instrument.pixel,
+            tol=tol,
+            chunk=chunk,
+            integrate=instrument.integrate,
+            progress=done,
+        )
+    bound, seconds = float(made.error_bound.max()), time.perf_counter() - begun
+    facts = {"store": str(output), "shape": list(made.shape), "dtype": str(made.dtype), "seconds": seconds}
+    facts |= {"chunks": made.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
+    shown = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
+    computed = f"{steps} of {made.done[1]} chunks computed in {seconds:.3g} s"
+    return Report(facts, [f"{made!r}: {shown}; {computed}"])
+
 
 Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
 
@@ -168,16 +228,21 @@ def psf(
     if place is not None and (field is not None or colour or mtf):
         raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
     channels = (instrument.channels or Channels.rgb()) if colour else None
+    transfer = (instrument, channels) if mtf else None
     if field is not None:
-        return _write(_of_field(instrument, field, channels, mtf, options), *files)
+        return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
     if channels is not None:
-        return _write(_in_colour(instrument, channels, mtf, options), *files)
-    pupil, said = instrument.pupil, air.words()
-    if place is not None:
-        pupil = partial(instrument.field().pupil, *place)
-        where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
-        said = [f"{' and '.join(where)} the middle of the sensor", *said]
-    return _write(_of_lens(instrument, pupil, mtf, options, said), *files)
+        return _write(_in_colour(instrument, channels, options), *files, mtf=transfer)
+    pupil, where = _at(instrument, place)
+    return _write(_of_lens(instrument, pupil, options, [*where, *air.words()]), *files, mtf=transfer)
+
+
+def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
+    """Return what makes the pupil of a place on the sensor, by default the axis, and a line on the place."""
+    if place is None:
+        return instrument.pupil, []
+    where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
+    return partial(instrument.field().pupil, *place), [f"{' and '.join(where)} the middle of the sensor"]
 
 
 _ARCSEC = math.pi / 648000.0
@@ -187,8 +252,14 @@ _WAYS = ("right of", "left of"), ("below", "above")
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
 
 
-def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | None, stretch: str) -> Report:
-    """Compute a product, write its files, and return its report."""
+def _write(
+    product: _Product[Made],
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    stretch: str,
+    mtf: tuple[Instrument, Channels | None] | None = None,
+) -> Report:
+    """Compute a product, write its files, and return its report, with the `mtf` of a lens in channels."""
     # All is checked before anything is computed.
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
     for path in (*outputs, *files):
@@ -203,6 +274,8 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
         start = time.perf_counter()
         made = product.make()
         report = product.report(made, time.perf_counter() - start)
+        if mtf is not None:
+            report += reports.describe_mtf(mtf[0], made if isinstance(made, PSFGrid) else None, mtf[1])
         for path in outputs:
             if path not in drawn:
                 made.save(path)
@@ -222,14 +295,7 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
     return report + kept
 
 
-def _mtf(wanted: bool, *of: Any) -> Report:
-    """Return the report of the MTF if it is wanted."""
-    return reports.describe_mtf(*of) if wanted else Report({}, [])
-
-
-def _of_lens(
-    instrument: Instrument, pupil: Callable[[], Pupil], mtf: bool, options: Facts, said: list[str]
-) -> _Product[PSF]:
+def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts, said: list[str]) -> _Product[PSF]:
     """Return the PSF of a lens at one place, with what is said of that and of its blur."""
     return _Product(
         size=_size(instrument.window),
@@ -239,7 +305,6 @@ def _of_lens(
             reports.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])
             + reports.describe_psf(made, seconds)
-            + _mtf(mtf, instrument)
         ),
         entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
@@ -248,7 +313,7 @@ def _of_lens(
 
 
 def _of_field(
-    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, mtf: bool, options: Facts
+    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, options: Facts
 ) -> _Product[PSFGrid]:
     """Return PSFs on a grid over the sensor, in channels where these are given."""
     if not isinstance(field, tuple):
@@ -266,10 +331,8 @@ def _of_field(
 
     def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
-            found = reports.describe_colour(instrument, made.psf, seconds)
-        else:
-            found = reports.describe_field(instrument, made, seconds)
-        return found + _mtf(mtf, instrument, made, channels)
+            return reports.describe_colour(instrument, made.psf, seconds)
+        return reports.describe_field(instrument, made, seconds)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
@@ -277,24 +340,19 @@ def _of_field(
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(
-            _named(axes, setting, axes.get_title("left")),
-            fontsize=9,
-            loc="left",
-            pad=22,
+            _named(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
         ),
         drawn="" if channels else ": {}, each PSF normalized to its maximum",
     )
 
 
-def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: Facts) -> _Product[ColourPSF]:
+def _in_colour(instrument: Instrument, channels: Channels, options: Facts) -> _Product[ColourPSF]:
     """Return the PSFs of a lens in colour channels."""
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
         make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=lambda made, seconds: (
-            reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
-        ),
+        report=lambda made, seconds: reports.describe_colour(instrument, made, seconds),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
 
@@ -329,8 +387,7 @@ def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
 
 def _named(axes: Axes, name: str, title: str) -> str:
     """Return a title of a figure below the name of its lens, within its width."""
-    from lommel.show.drawing import fitted
-    from lommel.show.labels import name_in_words
+    from lommel.show.drawing import fitted, name_in_words
 
     return f"{fitted(name_in_words(name), axes)}\n{title}".rstrip("\n")
 

@@ -12,7 +12,7 @@ from lommel.base.plain import plain
 from lommel.base.units import format_length, known, number, per_mm, pitch_in_words, strehl_ratio
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_in_words
-from lommel.cli.output import Facts, Report, Wrapped, list_of, paragraphs, refused, table_of
+from lommel.cli.output import Facts, Parts, Report, Wrapped, list_of, paragraphs, refused, table_of
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.image_quality import IN_FOCUS, ImageQuality, microscope_quality, sensor_mtf
 from lommel.lensfiles.instrument import Instrument, wide_enough
@@ -77,7 +77,7 @@ def _setup(facts: Facts) -> Table:
     return list_of(rows)
 
 
-def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableType]:
+def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
     """Return the tables of the image of a point."""
     on_axis, top, bound = facts["strehl"], facts["strehl_at_peak"], facts["encircled_energy_error"]
     strehl = strehl_ratio(on_axis)
@@ -93,7 +93,7 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableTyp
         for row in facts["encircled_energy"]
     ]
     names, title = ("within", "radius", "this lens", "unaberrated"), "Encircled energy about the axis, optics alone"
-    parts: list[RenderableType] = ["", list_of(lines, title="Image of a point"), "", _diameters(facts, pitch[1])]
+    parts: Parts = ["", list_of(lines, title="Image of a point"), "", _diameters(facts, pitch[1])]
     parts += ["", table_of(names, energies, title=title)]
     if bound is not None:
         parts.append(Text(f"error of these fractions at most {bound:.1g}", "dim"))
@@ -148,7 +148,7 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
     return table_of(("diameter", *units), cells)
 
 
-def _wavefront_parts(facts: Facts) -> list[RenderableType]:
+def _wavefront_parts(facts: Facts) -> Parts:
     """Return the tables of the wavefront and of the model."""
     rms, level, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
     where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
@@ -237,7 +237,7 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
     return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
 
 
-def _field_parts(field: Facts) -> list[RenderableType]:
+def _field_parts(field: Facts) -> Parts:
     """Return the table of the field."""
     seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
     if seidel:
@@ -281,7 +281,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     return Report({"psf": facts}, [*parts, *map(Wrapped, notes)])
 
 
-def _psf_parts(answer: PSF, facts: Facts, pixels: str, peak: str, energy: str) -> list[RenderableType]:
+def _psf_parts(answer: PSF, facts: Facts, pixels: str, peak: str, energy: str) -> Parts:
     """Return the table of a PSF or a stack."""
     lines = [
         ("method", repr(answer.method)),
@@ -311,7 +311,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
         ("energy in the window", f"{energy.min():.2%} to {energy.max():.2%}"),
         *_error_and_time(facts),
     ]
-    parts: list[RenderableType] = [Text(instrument.name, "bold"), list_of(lines)]
+    parts: Parts = [Text(instrument.name, "bold"), list_of(lines)]
     if energy.min() < 0.95:
         parts.append(Text(f"One window holds only {energy.min():.0%} of the light; a larger --shape holds more."))
     across, down = ([format_length(at, like=max(sensor)) for at in facts[axis]] for axis in ("x", "y"))
@@ -417,11 +417,11 @@ def how_made(answer: PSFLike, seconds: float) -> Facts:
 def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
     """Return the report of a microscope; with `foci`, a row for each depth of a freely rotating dipole."""
     facts = microscope_quality(microscope, foci=foci)
-    tables: list[RenderableType] = ["", zernike_table(facts)] if facts["zernike"] else []
+    tables: Parts = ["", zernike_table(facts)] if facts["zernike"] else []
     return Report(facts, [*_microscope_parts(facts), *tables, *(_focus_parts(facts) if facts["focus"] else ())])
 
 
-def _microscope_parts(facts: Facts) -> list[RenderableType]:
+def _microscope_parts(facts: Facts) -> Parts:
     """Return the table of a microscope, and what it samples too coarsely."""
     nyquist, design = facts["nyquist"], facts["design"]
     if design is not None:
@@ -474,7 +474,7 @@ def _layer_in_words(layer: dict[str, float] | None) -> str:
     return "" if layer is None else f"{format_length(layer['thickness'])} of index {layer['index']:g}"
 
 
-def _focus_parts(facts: Facts) -> list[RenderableType]:
+def _focus_parts(facts: Facts) -> Parts:
     """Return the table of the focus of emitters at several depths."""
     lengths = ("depth um", "paraxial um", "best um", "depth / best", "axial nm", "lateral nm")
     rows = [

@@ -11,15 +11,9 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
-from lommel.cli.instruments import (
-    IMAGES,
-    LENS,
-    SeveralNumbers,
-    StarCamera,
-    numbers_of,
-)
+from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import Report, Wrapped, paragraphs, progress, save_figure, table_of, written
+from lommel.cli.output import Parts, Report, Wrapped, paragraphs, progress, save_figure, table_of, written
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
@@ -28,8 +22,6 @@ from lommel.recorded.frames import part_of, read_images
 from lommel.special import zernike
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from lommel.estimation.phase_retrieval import Retrieval
 
 _UNITS = ("radians", "waves", "nm", "um")
@@ -91,7 +83,7 @@ def retrieve(
     with progress("reading") as started:
         read = read_images(_files(images))
         stars = read.values
-        noise, saturation, header = camera.settled(read.said, instrument.camera)
+        noise, saturation, header = camera.resolve(read.said, instrument.camera)
         if defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         started("fitting")
@@ -124,7 +116,7 @@ def retrieve(
     return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
 
 
-def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:
+def _parts(found: Retrieval, unit: str, files: list[str]) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
     values, errors = found.in_unit(unit)

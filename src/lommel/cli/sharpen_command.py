@@ -12,22 +12,22 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, tell_of_light
 from lommel.base.units import format_length
 from lommel.cli import depth_maps
 from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, PATH, Group, argument, command, option
-from lommel.cli.output import Report, require_folder, written
+from lommel.cli.output import Report, Steps, progress, require_folder, written
 from lommel.cli.photo_commands import output_type
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of
+from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of
 from lommel.imaging import LiveSharpen, read_depth, read_photo
 from lommel.imaging.blur import tell_of_depths
 from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
-from lommel.io.registry import Values, formats, suffixes
+from lommel.io.registry import formats, suffixes
 
 if TYPE_CHECKING:
     from lommel.io.depth_maps import DepthKeywords
@@ -92,8 +92,7 @@ def sharpen(
     one = instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
     one = one if seen.focus is None else one.focused(seen.focus)
     stop, count = Stop(), 0
-    with Status() as status, ExitStack() as stack:
-        status.step("reading")
+    with progress("reading", endless=True) as status, ExitStack() as stack:
         known = partial(coding_of, noisy=noisy, camera=instrument.camera, encoding=seen.encoding)
         shape, coding, frames, write, video = _clip(clip, output, known, seen.encoding, status, stack)
         found = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
@@ -102,7 +101,7 @@ def sharpen(
             tell_of_depths(one, instrument.side, distance)
         if coding.guess:
             status.tell(coding.guess)
-        status.step("computing the filters")
+        status("computing the filters")
         with stop.signals():
             live: LiveSharpen | None = None
             start = time.perf_counter()
@@ -183,12 +182,7 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 
 
 def _clip(
-    clip: Path,
-    output: Path,
-    known: Callable[..., Coding],
-    encoding: str | None,
-    status: Status,
-    stack: ExitStack,
+    clip: Path, output: Path, known: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
 ) -> Clip:
     """Open a photo or a video, and what is written."""
     if (

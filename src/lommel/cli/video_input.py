@@ -1,26 +1,24 @@
-"""What commands on video share: how values are light, and with what noise; Ctrl-C; a line of progress."""
+"""What commands on video share: how values are light, and with what noise; Ctrl-C."""
 
 from __future__ import annotations
 
 import math
 import signal
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import click
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
+from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
-from lommel.base.validation import brief
 from lommel.cli.instruments import noise_of
 from lommel.cli.options import option
 from lommel.cli.output import Facts
 from lommel.cli.photo_commands import PhotoNoise
-from lommel.io.registry import Values
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -34,7 +32,6 @@ _LAST = 1e-5  # of white, less than half a step of 16 bits of sRGB there
 _DARK = 0.02  # of white: below it the noise of stored values is not fitted
 _BAND = 6.0  # rows, rms, in which the brightness of frames is compared
 _FAINT = 0.1  # of the mean: rows that are darker are not
-_TERMINAL, _LOG = 3.0, 30.0  # seconds from one line of progress to the next
 
 ENCODING = option(type=click.Choice(["srgb", "linear"]),
     help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
@@ -89,7 +86,7 @@ class Coding(NamedTuple):
         return {"bits": bits, "noise_bits": noise}, sentence
 
 
-def evened(first: Values, second: Values, coding: Coding) -> list[Values]:
+def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:
     """Return two frames whose ratio of brightness is the same in all rows; full pixels are NaN.
 
     Lamps that flicker make bands where a shutter rolls over the rows, and no smooth ratio of exposures follows them.
@@ -205,45 +202,3 @@ class Stop:
             return None
         finally:
             self._waits = False
-
-
-class Status:
-    """Sentences on standard error, and progress there: the last line of a terminal, else a line now and then."""
-
-    def __init__(self) -> None:
-        from rich.console import Console
-
-        self._console = Console(stderr=True, highlight=False, markup=False, emoji=False)
-        self._line = self._console.status("", spinner="line") if self._console.is_terminal else None
-        self._start = time.monotonic()
-        self._next = 0.0 if self._line is not None else _LOG
-
-    def __enter__(self) -> Self:
-        if self._line is not None:
-            self._line.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._line is not None:
-            self._line.stop()
-
-    def tell(self, sentence: str) -> None:
-        """Print a sentence."""
-        self._console.print(sentence, soft_wrap=self._line is None)
-
-    def step(self, name: str) -> None:
-        """Show what is done before the first frame."""
-        if self._line is not None:
-            self._line.update(name)
-
-    def __call__(self, words: str) -> None:
-        """Show words every few seconds on a terminal, else less and less often."""
-        spent = time.monotonic() - self._start
-        if spent < self._next:
-            return
-        if self._line is not None:
-            self._next = spent + _TERMINAL
-            self._line.update(brief(words, self._console.width - 3))
-        else:
-            self._next = max(spent + _LOG, 1.25 * spent)
-            self.tell(f"{spent:.0f} s: {words}")

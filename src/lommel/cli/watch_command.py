@@ -11,7 +11,8 @@ from collections import deque
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from types import TracebackType
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import click
 import numpy as np
@@ -23,8 +24,8 @@ from lommel.base.units import format_length
 from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
-from lommel.cli.output import Report, require_folder, written
-from lommel.cli.video_input import ENCODING, Coding, Status, Stop, VideoNoise, coding_of, evened
+from lommel.cli.output import Report, Steps, progress, require_folder, written
+from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of, equalize_rows
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
@@ -155,56 +156,33 @@ def watch(
       lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
-    if len(sources) != (1 if alternating else 2):
-        with_it = " and --alternating" if alternating else ""
-        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
-    if len(set(sources)) < len(sources):
-        raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
+    _require_two(sources, alternating=alternating)
     instrument = radial_instrument(lens, camera=taken.camera, pixel=taken.pixel)
     lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
-    misfit = validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
+    limit = validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
     files.scale = _scale(between[1])
     if estimation.depth_scale is not None:
         files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
     files.require()
-    registered, even = taken.magnification == "registered", not taken.exposures
     stop, tally = Stop(), Tally()
-    with Status() as status, ExitStack() as stack:
-        status.step("opening the sources")
+    with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         second = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
         coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noisy, instrument.camera, taken.encoding)
         if coding.guess:
             status.tell(coding.guess)
-        status.step("computing the filters of every distance")
+        status("computing the filters of every distance")
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
             exposures=taken.exposures or "smooth", magnification=taken.magnification,
             saturation=coding.saturation, sharp=files.sharp,
         )  # fmt: skip
+        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not taken.exposures)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
-        ended, first = "the end", math.nan
-        tally.start = time.perf_counter()
-        with stop.signals():
-            while (pair := stop.next(pairs)) is not None:
-                first = pair.time if math.isnan(first) else first
-                seen, fault = _seen(live, coding, pair, first, files.sharp, misfit, even)
-                if fault and not tally.failed:
-                    status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
-                if alternating and not tally.jumped and (jump := tally.jump(seen)):
-                    status.tell(jump)
-                tally.add(seen, bool(fault))
-                if tally.pairs == _SOON and (lossy := coding.compressed(pairs.bits, tally.light)[1]):
-                    status.tell(lossy)
-                if outputs(seen):
-                    ended = "the window was closed"
-                    break
-                status(tally.words(pairs.dropped))
-            tally.stop = time.perf_counter()
-        ended = "interrupted" if stop.asked else pairs.lost or ended
-        status.step("finishing")
+        ended = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
+        status("finishing")
         bits, lossy = coding.compressed(pairs.bits, tally.light)
         if lossy and tally.pairs < _SOON:
             status.tell(lossy)
@@ -228,8 +206,47 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    found = tally.found(misfit, registered, verdict) + outputs.report()
+    found = tally.summary(limit, taken.magnification == "registered", verdict) + outputs.report()
     return read + setting + _counts(tally, pairs, ended) + found + Report({}, [], pairs.lost is None)
+
+
+def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:
+    """Refuse anything but two sources, or one whose focus alternates."""
+    if len(sources) != (1 if alternating else 2):
+        with_it = " and --alternating" if alternating else ""
+        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
+    if len(set(sources)) < len(sources):
+        raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
+
+
+def _estimate_all(
+    pairs: videos.FramePairs,
+    estimator: Estimator,
+    outputs: Outputs,
+    tally: Tally,
+    status: Steps,
+    stop: Stop,
+    *,
+    alternating: bool,
+) -> str:
+    """Estimate and write the depth of all pairs, and return why they ended."""
+    tally.start = time.perf_counter()
+    closed = False
+    with stop.signals():
+        while not closed and (pair := stop.next(pairs)) is not None:
+            seen, fault = estimator(pair)
+            if fault and not tally.failed:
+                status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
+            if alternating and not tally.jumped and (jump := tally.jump(seen)):
+                status.tell(jump)
+            tally.add(seen, bool(fault))
+            if tally.pairs == _SOON and (lossy := estimator.coding.compressed(pairs.bits, tally.light)[1]):
+                status.tell(lossy)
+            closed = outputs(seen)
+            if not closed:
+                status(tally.words(pairs.dropped))
+        tally.stop = time.perf_counter()
+    return "interrupted" if stop.asked else pairs.lost or ("the window was closed" if closed else "the end")
 
 
 def _scale(far: float) -> float:
@@ -237,28 +254,38 @@ def _scale(far: float) -> float:
     return 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _TOP)))
 
 
-def _seen(
-    live: LiveDepth, coding: Coding, pair: videos.FramePair, first: float, sharp: bool, limit: float, even: bool
-) -> tuple[Seen, str]:
-    """Return what is found of a pair, and why nothing is, as in a black frame."""
-    start = time.perf_counter()
-    try:
-        frames = coding.light(pair.first), coding.light(pair.second)
-        found = live(*(evened(*frames, coding) if even else frames))
-    except ValueError as error:
+@dataclass
+class Estimator:
+    """Depth of pairs of frames, known where the misfit is up to a limit; `even` are frames of one brightness."""
+
+    live: LiveDepth
+    coding: Coding
+    limit: float
+    sharp: bool
+    even: bool
+    first: float = math.nan  # time of the first pair
+
+    def __call__(self, pair: videos.FramePair) -> tuple[Seen, str]:
+        """Return the depth of a pair, and why there is none, as in a black frame."""
+        self.first = pair.time if math.isnan(self.first) else self.first
+        passed, start = pair.time - self.first, time.perf_counter()
+        try:
+            frames = self.coding.light(pair.first), self.coding.light(pair.second)
+            found = self.live(*(equalize_rows(*frames, self.coding) if self.even else frames))
+        except ValueError as error:
+            took = time.perf_counter() - start
+            fault = with_options(str(error))
+            for k, name in enumerate(("the first frame", "the second frame")):
+                fault = fault.replace(f"frames[{k}]", name)
+            return Seen(passed, None, None, None, 0.0, 0.0, (math.nan,) * 3, took, math.nan), fault
+        image = self.live.sharp() if self.sharp else None
         took = time.perf_counter() - start
-        fault = (
-            with_options(str(error)).replace("frames[0]", "the first frame").replace("frames[1]", "the second frame")
-        )
-        return Seen(pair.time - first, None, None, None, 0.0, 0.0, (math.nan,) * 3, took, math.nan), fault
-    image = live.sharp() if sharp else None
-    took = time.perf_counter() - start
-    estimated = np.isfinite(found.errors)
-    known = estimated & (found.misfit <= limit)
-    median = _median(found.depth[known]), _median(found.errors[known]), _median(found.misfit[estimated])
-    found.depth[~known], found.errors[~known] = np.nan, np.inf
-    share, unfit = float(known.mean()), float((estimated & ~known).mean())
-    return Seen(pair.time - first, found.depth, found.errors, image, share, unfit, median, took, found.light), ""
+        estimated = np.isfinite(found.errors)
+        known = estimated & (found.misfit <= self.limit)
+        median = _median(found.depth[known]), _median(found.errors[known]), _median(found.misfit[estimated])
+        found.depth[~known], found.errors[~known] = np.nan, np.inf
+        share, unfit = float(known.mean()), float((estimated & ~known).mean())
+        return Seen(passed, found.depth, found.errors, image, share, unfit, median, took, found.light), ""
 
 
 def _median(values: Map) -> float:
@@ -306,7 +333,7 @@ class Tally:
             text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def found(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
+    def summary(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
         """Return the report of known share, depth and misfit over the pairs, and of the verdict of the last one."""
         rows = np.array(self.rows)
         share, unfit = rows[:, :2].mean(axis=0).tolist()
@@ -396,15 +423,17 @@ class Outputs:
         self._window = Window("lommel watch", self._stack) if files.show else None
         return self
 
-    def __exit__(self, *error: Any) -> None:
-        self._stack.__exit__(*error)
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.__exit__(kind, error, trace)
 
     def __call__(self, seen: Seen) -> bool:
         """Write what is made of a pair; return whether the window has been closed."""
         if self._table is not None:
             numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, seen.unfit, *seen.median)]
             assert self._files.table is not None
-            with atomic.told_as(self._files.table):
+            with atomic.as_path_error(self._files.table):
                 self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
         for writer, metres in zip(self._lossless, (seen.depth, seen.errors), strict=False):
             writer(self._levels(metres), seen.time)

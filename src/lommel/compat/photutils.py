@@ -56,6 +56,7 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
     for name in ("center", "integrate"):
         if name in options:
             raise ValueError(f"{name} must be left out: effective PSFs are pixel-integrated around the middle")
+    # Of each place within a pixel its own PSF: the oversampled values are those of all places, interleaved.
     row, column = side // 2 - np.mgrid[:times, :times] / times
     stack = pupil[..., None, None] if pupil.shape else pupil
     parts = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values

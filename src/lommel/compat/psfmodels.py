@@ -195,6 +195,7 @@ def _stack(
     depth = validation.real("pz", pz, least=0.0)
     planes = np.atleast_1d(validation.real_array("zv", zv))
     scalar = validation.choice("model", model, _MODELS) == "scalar"
+    # z counts from the paraxial focus of the point, theirs from that of a point at the cover glass.
     pupil = objective(given).pupil(
         depth=1e-6 * depth,
         z=1e-6 * (planes - depth),

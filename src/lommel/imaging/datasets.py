@@ -386,7 +386,7 @@ def _begin(folder: Path, record: Json) -> None:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or a data set to go on with")
         folder.mkdir(parents=True, exist_ok=True)
-        with suppress(FileExistsError), atomic.placed(file, new=True) as place:  # another call may begin, too
+        with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:  # another call may begin, too
             place.write_text(json.dumps(record, indent=1), encoding="utf-8")
     if not isinstance(known := _read(file), dict):
         raise ValueError(
@@ -453,7 +453,7 @@ def _rendered(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures as they are written."""
-    with atomic.in_use(folder / _RECORD, folder):
+    with atomic.locked(folder / _RECORD, folder):
         yield from _missing(folder, job, pairs, shard, workers, skip)
 
 
@@ -596,7 +596,7 @@ def _write(
         atomic.write(folder / f"{key}.tar", _tar({f"{key}.{name}": data for name, data in files.items()}))
     else:
         # The last one says that all are there.
-        with atomic.together() as put:
+        with atomic.whole_files() as put:
             for name, data in files.items():
                 target = folder / f"{key}.{name}"
                 target.parent.mkdir(parents=True, exist_ok=True)  # of a Zarr array

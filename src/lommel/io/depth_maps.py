@@ -6,16 +6,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any, TypedDict, Unpack
+from typing import TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import atomic, options, reading, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json, Values
 from lommel.core.answers import DType
-from lommel.io.photos import JPEG, PhotoError, find_depth, told
-from lommel.io.registry import Values
+from lommel.io.photos import JPEG, PhotoError, find_depth, recognized
 
 RESAMPLE = ("nearest",)
 
@@ -68,7 +67,7 @@ class DepthValues:
     resample: str | None = None
 
     def __post_init__(self) -> None:
-        made: dict[str, Any] = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
+        made: Json = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
         if sum(each is not None for each in (self.scale, self.inverse, self.disparity)) > 1:
             raise ValueError("give one of `scale`, `inverse` and `disparity`, which say how metres are stored")
         if self.scale is not None:
@@ -181,7 +180,7 @@ class DepthValues:
         return values[np.ix_(down, across)]
 
 
-def _two(name: str, value: Any) -> tuple[Any, Any]:
+def _two(name: str, value: object) -> tuple[object, object]:
     if not isinstance(value, tuple | list) or len(value) != 2:
         raise TypeError(f"{name} must be two numbers, got {validation.shown(value)}")
     return value[0], value[1]
@@ -232,7 +231,7 @@ def read_depth(
     name = validation.line(source)
     if data.startswith(JPEG):
         raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
-    with told(source, "depth map", data) as form:
+    with recognized(source, "depth map", data) as form:
         # Disparities are as they are stored, and what a PFM states as their scale is no scale of metres.
         values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
     del data  # to save memory

@@ -89,7 +89,7 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
 def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
-    with psf_files.told(source, "a grid of PSFs"):
+    with psf_files.as_file_error(source, "a grid of PSFs"):
         description = dict(zarr_folders.attributes(source)["lommel"])
         return _rebuilt({"values": ZarrArray.open(source / "values").read()}, description, kind)
 
@@ -156,7 +156,7 @@ def load(
     psf, description = form.read(source, kind)
     if _KEY not in description:
         raise FileError(f"{validation.line(source)} is not a grid of PSFs: no positions; PSF.load reads it")
-    with psf_files.told(source, "a grid of PSFs"):
+    with psf_files.as_file_error(source, "a grid of PSFs"):
         field = description[_KEY]
         x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
         height, width = (validation.real("sensor", side, above=0.0) for side in field["sensor"])

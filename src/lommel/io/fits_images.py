@@ -11,34 +11,38 @@ import warnings
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from lommel.base import atomic, reading
-from lommel.io.registry import Values
+from lommel.base.arrays import Json, Values
 
 SUFFIXES = (".fits", ".fit")
 PACKED = (".fits.gz", ".fit.gz")
 PACKED_STARTS = (b"\x1f\x8b", b"BZh")
 
 _MOST_AXES = 16
-_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes
+_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
 _END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
 _TIMES = 4  # of a file unpacked are in memory while its values are read
+
+
+Cards: TypeAlias = Mapping[str, Any]
+"""A header: the values of its cards by name."""
 
 
 class Image(NamedTuple):
     """An image, its header from the name of a card to its value, its number in the file, and the primary header."""
 
     values: Values
-    header: Mapping[str, Any]
+    header: Cards
     number: int = 0
-    primary: Mapping[str, Any] = {}
+    primary: Cards = {}  # noqa: RUF012 (never changed)
 
 
-def write(images: Sequence[tuple[Values, Mapping[str, Any]]]) -> bytes:
+def write(images: Sequence[tuple[Values, Cards]]) -> bytes:
     """Return a FITS file; the values of cards may be pairs of value and comment."""
     from astropy.io import fits
 
@@ -57,7 +61,7 @@ def write(images: Sequence[tuple[Values, Mapping[str, Any]]]) -> bytes:
 def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
     """Return a function that writes the same, compressed, without a time stamp."""
 
-    def made(*args: Any) -> bytes:
+    def made(*args: object) -> bytes:
         plain = write(*args)
         small = gzip.compress(plain, 6, mtime=0)
         return small if reading.affords(_TIMES * len(plain), len(small)) else gzip.compress(plain, 0, mtime=0)
@@ -70,7 +74,7 @@ def read(data: bytes, most: int) -> list[Image]:
     from astropy.io import fits
 
     plain = _unpacked(data)
-    found, total, primary = list[Image](), 0, dict[str, Any]()
+    found, total, primary = list[Image](), 0, Json()
     with warnings.catch_warnings():
         # Comments in other letters and cards that are not standard do no harm.
         warnings.simplefilter("ignore")
@@ -78,7 +82,7 @@ def read(data: bytes, most: int) -> list[Image]:
         # One after the other: the next begins where the sizes of the last say, which are checked first.
         with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
             for number, unit in enumerate(file):
-                header, cards = unit.header, dict[str, Any]()
+                header, cards = unit.header, Json()
                 for card in header.cards:
                     with suppress(Exception):  # of a card that nobody reads
                         cards[card.keyword] = card.value

@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import fits_images, registry, text_files
-from lommel.io.registry import Description, Format, Values
+from lommel.io.registry import Description, Format
 from lommel.io.zernike_tables import UNIT_NAMES, UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
 
@@ -188,15 +189,10 @@ def load_opd(
         "wavelength": None if wavelength is None else validation.wavelength(wavelength),
     }
     data = reading.contents(source, 8 * reading.MAX_PIXELS)
-    try:
+    with reading.refused_as(OPDFileError, source, f"cannot be read as {registry.KINDS['opd']}"):
         found = form.read(data)
         known = {name: _agreed(name, value, getattr(found, name)) for name, value in said.items()}
         opd = None if known["unit"] is None else _in_metres(found.values, **known)
-    except ImportError:
-        raise
-    except Exception as error:
-        what = registry.KINDS["opd"]
-        raise OPDFileError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
     if opd is None:
         raise ValueError(f"unit must be given, since {validation.line(source)} does not state it")
     return opd

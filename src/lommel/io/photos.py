@@ -22,12 +22,14 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.encoding import ENCODINGS, from_light, scene_light
 from lommel.base.optional import library, version
 from lommel.io import registry
-from lommel.io.registry import Description, Format, Values
+from lommel.io.registry import Description, Format
 
 if TYPE_CHECKING:
+    from PIL.Image import Exif as Tags
     from PIL.Image import Image
 
 PREFIX = b"Exif\0\0"
@@ -104,11 +106,12 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
         number = math.nan if value is None else float(value)
         return number if 0.0 < number < math.inf else None
 
+    # FocalLength, FocalLengthIn35mmFilm and FNumber of EXIF 2.32, of which the first two are in millimetres.
     focal, film = known(0x920A), known(0xA405)
-    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _kept(stored))
+    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _without_maker_notes(stored))
 
 
-def _kept(stored: bytes) -> bytes | None:
+def _without_maker_notes(stored: bytes) -> bytes | None:
     """Return what is passed on of EXIF, or of a TIFF file, as a TIFF file without image; None if that is nothing."""
     data = stored.removeprefix(PREFIX)
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
@@ -185,7 +188,7 @@ START = (b"\x76\x2f\x31\x01",)
 
 
 @contextmanager
-def _opened(data: bytes) -> Iterator[dict[str, Any]]:
+def _opened(data: bytes) -> Iterator[dict[str, Values]]:
     """Yield the channels of a file of one flat part whose size is within limits, by name."""
     exr = library("OpenEXR", "EXR files need", "exr")
     with exr.File(io.BytesIO(data), header_only=True) as file:
@@ -210,7 +213,7 @@ def _opened(data: bytes) -> Iterator[dict[str, Any]]:
         yield {name: channel.pixels for name, channel in file.channels().items()}
 
 
-def read_exr(data: bytes) -> tuple[Values, Any, bytes | None]:
+def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
     """Return the values of a photograph in float32, no tags and no profile."""
     from PIL import Image
 
@@ -368,12 +371,12 @@ def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
     """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
     source = validation.path("path", path)
     data = reading.contents(source)
-    with told(source, "photo", data) as form:
+    with recognized(source, "photo", data) as form:
         return upright(form, data)
 
 
 @contextmanager
-def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
+def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails."""
     require_developed(source, data)
     try:
@@ -381,12 +384,8 @@ def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
     what = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
-    try:
+    with reading.refused_as(PhotoError, source, f"cannot be read as {what}"):
         yield form
-    except ImportError:
-        raise
-    except Exception as error:
-        raise PhotoError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
 
 
 def require_developed(source: Path, data: bytes) -> None:
@@ -522,7 +521,7 @@ def encoded(
 _BAND = 2**20  # pixels that are converted to an array at once
 
 
-def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Any, bytes | None, bytes | None]:
+def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
     """Return the values, the tags, the ICC profile and the EXIF of a file of Pillow, with all 16 bits of a PNG."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
@@ -585,7 +584,7 @@ def _array(image: Image) -> Values:
     return made
 
 
-def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Any, bytes | None, bytes]:
+def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
     """Return the values, tags, ICC profile and EXIF of a TIFF file of one page, `levels` of any integers."""
     import tifffile
     from PIL import Image
@@ -648,7 +647,7 @@ def write_tiff(values: Values, _quality: int, profile: bytes | None, block: byte
     return file if block is None else in_tiff(file, block)
 
 
-def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: Any) -> bytes:
+def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: object) -> bytes:
     from PIL import Image
 
     if block is not None:
@@ -661,6 +660,7 @@ def png_of_16_bits(
 ) -> bytes:
     """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
     height, width = values.shape[:2]
+    # Rows with the filter "up" (PNG, 9.2): differences of neighbours, which deflate packs better than levels.
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
     lines = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
     lines[0, 1:] = rows[0]
@@ -811,21 +811,21 @@ def write_frames(
     duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
     if not _NUMBER.search(target.name):
-        kept = list(_alike(frames))
+        kept = list(_of_one_shape(frames))
         form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
         atomic.write(target, form.write(kept, duration, quality))
         return [target]
     if not target.parent.is_dir():  # before the first frame is made
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
-    with atomic.together() as put:
-        for number, frame in enumerate(_alike(frames), 1):
+    with atomic.whole_files() as put:
+        for number, frame in enumerate(_of_one_shape(frames), 1):
             made.append(target.with_name(target.name % number))
             put(made[-1], encoded(target, frame, quality, None, block))
     return made
 
 
-def _alike(frames: Iterable[Values]) -> Iterable[Values]:
+def _of_one_shape(frames: Iterable[Values]) -> Iterable[Values]:
     first = None
     if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from functools import partial
 from os import PathLike
@@ -13,12 +13,13 @@ from typing import TypeVar
 import numpy as np
 
 from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.checksums import checksum, sealed
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_formats, registry
 from lommel.io.psf_formats import LEVELS, SLOPE, derivative_name
-from lommel.io.registry import DAMAGED, Arrays, Description, Format, Values
+from lommel.io.registry import DAMAGED, Arrays, Description, Format
 from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
 from lommel.methods import method_from_dict
 from lommel.optics.base_pupil import BasePupil
@@ -93,7 +94,7 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
     """Write PSFs and their description, with the file beside, if there is one."""
     made = form.write(psf, description)
-    with atomic.together() as put:
+    with atomic.whole_files() as put:
         for place, data in zip(form.places(target), made if form.beside else (made,), strict=True):
             put(place, data)
 
@@ -106,21 +107,14 @@ def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
 def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Rebuilt]) -> _Rebuilt:
     """Return what `rebuild` makes of the arrays and the description of a file; FileError if it is damaged."""
     data = [reading.contents(place) for place in form.places(source)]
-    with told(source, what):
+    with as_file_error(source, what):
         arrays, text = form.read(*data)
         return rebuild(arrays, reading.json(text))
 
 
-@contextmanager
-def told(source: Path, what: str) -> Iterator[None]:
-    """Turn every error into a FileError that names the file, but for a missing library."""
-    try:
-        yield
-    except (ImportError, FileError):
-        raise
-    except Exception as error:
-        said = reading.reason(error)
-        raise FileError(f"{validation.line(source)} is not {what} written by lommel: {said}") from error
+def as_file_error(source: Path, what: str) -> AbstractContextManager[None]:
+    """Return what turns every error into a FileError that names the file, but for a missing library."""
+    return reading.refused_as(FileError, source, f"is not {what} written by lommel")
 
 
 def describe(psf: PSFLike) -> Description:

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from lommel.base import atomic, reading, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.checksums import sealed
 from lommel.io import fits_images
-from lommel.io.registry import DAMAGED, Arrays, Description, Values
+from lommel.io.registry import DAMAGED, Arrays, Description
 from lommel.measures.psf_like import ColourPSFLike, PSFLike
 from lommel.optics.colour.spectrum import Spectrum
 from lommel.optics.layers.emitter import Beam
@@ -384,7 +384,7 @@ def write_fits(psf: Kept, description: Description) -> bytes:
             cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
             cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
-    # FITS counts its axes from the last, and their entries from 1.
+    # FITS counts its axes from the last, and their entries from 1 (FITS standard 4.0, 8.2).
     for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
         step = pitches[name] if name in pitches else places is not None and _step(places)
@@ -415,12 +415,7 @@ def write_hdf5(psf: Kept, description: Description) -> bytes:
     """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
     arrays, places = _arrays(psf), axes(psf, description)
     waves, shares = light(psf)
-    plain: Description = {
-        "pixel": psf.pixel,
-        "unit": psf.unit,
-        "normalize": psf.normalize,
-        "sampling": psf.sampling,
-    }
+    plain: Description = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 

@@ -10,10 +10,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
-from numpy.typing import NDArray
-
 from lommel.base import optional, reading, validation
-from lommel.base.arrays import Json
+from lommel.base.arrays import Json, Values
 
 KINDS = {
     "psf": "a PSF",
@@ -29,9 +27,6 @@ KINDS = {
     "video": "video",
 }
 """The kinds of contents, and their names in messages."""
-
-Values: TypeAlias = NDArray[Any]
-"""An array of the type that a file stores."""
 
 Arrays: TypeAlias = dict[str, Values]
 """The arrays of a file, by name."""

@@ -9,6 +9,7 @@ import re
 from array import array
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -42,39 +43,41 @@ def parse(text: str) -> Interferogram:
     # with ! are comments. A value over SSZ is in waves at WVL micrometres.
     lines = (line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("!"))
     title, sizes = next(lines, ""), next(lines, "")
-    stored = array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
-    if not title or not sizes or not stored:
+    values = np.array(
+        array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
+    )
+    if not title or not sizes or not values.size:
         raise ValueError("it has no title, line of sizes and values")
-    words = sizes.upper().split()
-    kind = words[0]
+    kind, *words = sizes.upper().split()
     if kind not in _SIZES:
-        raise ValueError(f"its second line must begin with {', '.join(_SIZES)}, got {validation.shown(words[0])}")
+        raise ValueError(f"its second line must begin with {', '.join(_SIZES)}, got {validation.shown(kind)}")
     count = _SIZES[kind]
-    size = tuple(_whole(word) for word in words[1 : 1 + count])
-    rest, holds, told = words[1 + count :], [], {}
-    while rest:
-        word = rest.pop(0)
+    size = tuple(_whole(word) for word in words[:count])
+    stated = _stated(words[count:])
+    wavelength = validation.wavelength(1e-6 * stated["WVL"])
+    if len(size) != count or values.size != math.prod(size):
+        raise ValueError(f"it says {' x '.join(map(str, size))} values, got {values.size}")
+    missing = values == stated["NDA"] if "NDA" in stated else np.zeros(values.shape, np.bool_)
+    return Interferogram(kind, size, wavelength, values / stated["SSZ"], missing)
+
+
+def _stated(words: Sequence[str]) -> dict[str, float]:
+    """Return the numbers behind the sizes by name, WVL and SSZ at least; ValueError if it is not of a wavefront."""
+    left, holds, found = list(words), [], dict[str, float]()
+    while left:
+        word = left.pop(0)
         if word in _HOLDS:
             holds.append(word)
-        elif word in _FLAGS:
-            continue
-        elif word in _NUMBERS and rest:
-            told[word] = _number(rest.pop(0), word)
-        else:
+        elif word in _NUMBERS and left:
+            found[word] = _number(left.pop(0), word)
+        elif word not in _FLAGS:
             raise ValueError(f"its second line holds {validation.shown(word)}, which is unknown")
     if holds != ["WFR"]:
         what = " and ".join(_HOLDS[word] for word in holds) or "nothing that it names"
         raise ValueError(f"it must hold a wavefront (WFR), got {what}")
-    if missing := [word for word in ("WVL", "SSZ") if not told.get(word, 0.0) > 0.0]:
+    if missing := [word for word in ("WVL", "SSZ") if not found.get(word, 0.0) > 0.0]:
         raise ValueError(f"it does not state {' and '.join(missing)}, the wavelength and the value of one wave")
-    wavelength = validation.wavelength(1e-6 * told["WVL"])
-    wanted = size[0] * size[-1] if count == 2 else size[0]
-    if len(size) != count or len(stored) != wanted:
-        raise ValueError(f"it says {' x '.join(map(str, size))} values, got {len(stored)}")
-    nothing = told.get("NDA")
-    values = np.array(stored)
-    none = np.zeros(values.shape, np.bool_) if nothing is None else values == nothing
-    return Interferogram(kind, size, wavelength, values / told["SSZ"], none)
+    return found
 
 
 def term(index: int) -> tuple[int, int]:
@@ -167,7 +170,7 @@ def place(text: str, keys: Sequence[str]) -> str:
     return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
 
 
-def together(path: Path, errors: Sequence[str], count: int | None = None) -> str:
+def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -> str:
     """Return one message about the first errors of a file, on one line if there is one; `count` is the total."""
     count, shown = len(errors) if count is None else count, [line(error) for error in errors[:TOLD]]
     if count > TOLD:
@@ -177,6 +180,15 @@ def together(path: Path, errors: Sequence[str], count: int | None = None) -> str
 
 MANY = 1000
 """Number of errors in a table after which the rest need not be read."""
+
+
+@contextmanager
+def collected(errors: list[str], place: str) -> Iterator[None]:
+    """Add an error of a value to those of a file, with its place."""
+    try:
+        yield
+    except (ValueError, TypeError) as error:
+        errors.append(f"{place}: {error}")
 
 
 def refuse(errors: Sequence[str]) -> None:

@@ -17,13 +17,14 @@ from os import PathLike, fspath
 from pathlib import Path
 from statistics import median
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, Self, TypeAlias
 
 import numpy as np
 
 from lommel.base import atomic, optional, reading, validation
+from lommel.base.arrays import Values
 from lommel.io import photos, registry
-from lommel.io.registry import Format, Values
+from lommel.io.registry import Format
 
 if TYPE_CHECKING:
     from av import Packet, VideoStream
@@ -87,33 +88,27 @@ class FramePair(NamedTuple):
     time: float
 
 
-class _Reader(Protocol):
-    """What gives the frames of one source."""
-
-    name: str
-    live: bool
-    interval: float  # seconds from a frame to the next, as stated; 0 if it is not
-    levels: int  # that stored values may have; 0 for floats
-    grey: bool  # whether the source has no colour
-
-    @property
-    def bits(self) -> float | None:
-        """Bits a pixel so far, of compression with losses; None where it is not known, or has none."""
-        ...
-
-    def frames(self) -> Iterator[VideoFrame]:
-        """Yield all frames; VideoError where they break off."""
-        ...
-
-    def close(self) -> None:
-        """Close the source, from which nobody reads any more."""
-        ...
-
-
 _Numbered: TypeAlias = tuple[int, VideoFrame]
 
 
-class VideoFrames:
+class _Closed:
+    """An iterator that ``with`` closes."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Self:
+        return self
+
+    def close(self) -> None:
+        """Close the source or the sources."""
+        raise NotImplementedError
+
+
+class VideoFrames(_Closed):
     """Frames of one source in the order of their times: an iterator of :class:`~lommel.io.VideoFrame`.
 
     Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
@@ -122,7 +117,7 @@ class VideoFrames:
     Parameters
     ----------
     reader : object
-        What reads the source.
+        What reads the source: a file or stream, a camera, or numbered images.
     tell : callable
         Called with a sentence about each fault that reading goes on after.
 
@@ -155,7 +150,7 @@ class VideoFrames:
         If the source holds no frame.
     """
 
-    def __init__(self, reader: _Reader, tell: Tell) -> None:
+    def __init__(self, reader: _Coded | _Camera | _Images, tell: Tell) -> None:
         self._reader, self._tell = reader, tell
         self.name, self.live, self.levels = reader.name, reader.live, reader.levels
         self.dropped = self.refused = self.number = 0
@@ -180,15 +175,6 @@ class VideoFrames:
         height, width = self.shape[:2]
         return f"<VideoFrames of {self.name}: {width} x {height}, {self.dtype}>"
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __iter__(self) -> Self:
-        return self
-
     @property
     def bits(self) -> float | None:
         """Bits a pixel so far, if the source is compressed with losses; None if it is not, or that is not known."""
@@ -206,7 +192,7 @@ class VideoFrames:
         """Yield frames with numbers that grow by more than 1 where times show that some are missing."""
         frames = self._reader.frames()
         # Stated rates may be wrong, and a frame may be missing among the first: no number without some differences.
-        waiting, end = list[VideoFrame](), None
+        waiting, end = deque[VideoFrame](), None
         try:
             for frame in islice(frames, _FIRST):
                 waiting.append(frame)
@@ -214,7 +200,8 @@ class VideoFrames:
             end = error
         self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
         number, last = 0, math.nan
-        for k, frame in enumerate(chain(_emptied(waiting), frames)):
+        first = (waiting.popleft() for _ in range(len(waiting)))  # which are not kept
+        for k, frame in enumerate(chain(first, frames)):
             step = frame.time - last
             if k >= _FIRST and step > 0.0:
                 self._times.append(step)
@@ -259,12 +246,6 @@ class VideoFrames:
         """Close the source."""
         if self._waiting is None or self._waiting.stop():
             self._reader.close()
-
-
-def _emptied(frames: list[VideoFrame]) -> Iterator[VideoFrame]:
-    """Yield what a list has, which is not kept."""
-    while frames:
-        yield frames.pop(0)
 
 
 class _Waiting:
@@ -318,7 +299,7 @@ class _Waiting:
         return not self._thread.is_alive()
 
 
-class FramePairs:
+class FramePairs(_Closed):
     """Pairs of frames of one moment: an iterator of :class:`~lommel.io.FramePair`.
 
     Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
@@ -349,15 +330,6 @@ class FramePairs:
         height, width = self.shape[:2]
         names = " and ".join(one.name for one in self.sources)
         return f"<FramePairs of {names}: {width} x {height}, {self.dtype}>"
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __iter__(self) -> Self:
-        return self
 
     def __next__(self) -> FramePair:
         """Return the next pair."""
@@ -474,7 +446,7 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
         If it cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
     """
     grey = validation.truth("grey", grey)
-    say = _told(tell)
+    say = _warner(tell)
     if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
         source = int(source)
     if isinstance(source, int | np.integer):
@@ -482,7 +454,8 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
-        return VideoFrames(_Coded(source, _without_password(source), True, grey, say), say)
+        named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # without a password
+        return VideoFrames(_Coded(source, named, True, grey, say), say)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
         return VideoFrames(_Images(path, grey, say), say)
@@ -530,7 +503,7 @@ def frame_pairs(
     if validation.truth("alternating", alternating) is (b is not None):
         got = "two sources" if alternating else "one source"
         raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
-    say = _told(tell)
+    say = _warner(tell)
     with ExitStack() as stack:
         opened = tuple(
             stack.enter_context(video_frames(one, grey=True, tell=say)) for one in (a, b) if one is not None
@@ -543,13 +516,9 @@ def frame_pairs(
         return FramePairs(opened, say)
 
 
-def _told(tell: Tell | None) -> Tell:
+def _warner(tell: Tell | None) -> Tell:
     validation.function("tell", tell, required=False)
     return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
-
-
-def _without_password(address: str) -> str:
-    return validation.line(re.sub(r"//[^/@]*@", "//", address))
 
 
 def _limited(name: str, width: int, height: int) -> None:
@@ -557,6 +526,8 @@ def _limited(name: str, width: int, height: int) -> None:
         raise VideoError(f"{name} has frames of {width} x {height} pixels; the limit is {MAX_FRAME} pixels")
 
 
+# Each reader states: `interval`, seconds from a frame to the next, 0 if not known; `levels` of stored values,
+# 0 for floats; `grey`, whether the source has no colour; `bits` a pixel of compression with losses, None if unknown.
 class _Coded:
     """A video file or a stream, by PyAV."""
 
@@ -796,13 +767,13 @@ class VideoWriter:
         frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(values), format="rgb24" if values.ndim == 3 else grey)
         self._last = frame.pts = max(round(1e3 * seconds), self._last + 1)
         frame.time_base = Fraction(1, 1000)
-        with atomic.told_as(self._path):
+        with atomic.as_path_error(self._path):
             self._container.mux(self._stream.encode(frame))
 
     def _open(self, values: Values) -> None:
         import av
 
-        temporary = self._stack.enter_context(atomic.placed(self._path))
+        temporary = self._stack.enter_context(atomic.temporary_for(self._path))
         container = self._stack.enter_context(
             atomic.closed(lambda: av.open(str(temporary), "w", format=self._form), self._path)
         )
@@ -825,7 +796,7 @@ class VideoWriter:
     ) -> None:
         if kind is None and self._container is not None:
             try:
-                with atomic.told_as(self._path):
+                with atomic.as_path_error(self._path):
                     self._container.mux(self._stream.encode(None))
             except BaseException as fault:
                 self._stack.__exit__(type(fault), fault, fault.__traceback__)

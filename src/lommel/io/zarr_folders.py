@@ -20,16 +20,16 @@ from typing import Any, Self
 import numpy as np
 
 from lommel.base import reading, validation
-from lommel.base.arrays import Json
+from lommel.base.arrays import Json, Values
 from lommel.base.validation import shown
-from lommel.io.registry import Description, Values
+from lommel.io.registry import Description
 
 # Of these it is known how much comes out of them; the others do not compress.
 _PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")
 _PLAIN = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
           "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
 _ROOM = 2**20  # bytes that a chunk may unpack to beyond what it holds
-_BLOCK = 2**17  # most bytes of a block of zstd
+_BLOCK = 2**17  # most bytes of a block of zstd (RFC 8878, 3.1.1.2.4)
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")
 
 

@@ -197,21 +197,12 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
     indices: list[Any] = sorted(table.terms, key=lambda i: (isinstance(i, tuple), i))
     held: Mapping[Any, float] = table.terms
     terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): held[i] for i in indices}
-    told = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
-    atomic.write(validation.path("path", path), find(path).write(settings, terms, told).encode())
+    shown = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
+    atomic.write(validation.path("path", path), find(path).write(settings, terms, shown).encode())
 
 
 @display.save.register(Wavefront)
-def save_wavefront(
-    wavefront: Wavefront,
-    path: str | PathLike[str],
-    *,
-    order: str = "noll",
-    unit: str = "waves",
-    normalization: str = "rms",
-    wavelength: float | None = None,
-    obscuration: float = 0.0,
-) -> None:
+def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: Any) -> None:
     """Write the Zernike coefficients of a single wavefront: :meth:`ZernikeTable.from_wavefront`, saved.
 
     Parameters
@@ -219,12 +210,8 @@ def save_wavefront(
     wavefront : Wavefront
     path : path
         Ending in .json, .toml or .csv.
-    order, unit, normalization : str
-        Of the table.
-    wavelength : float, optional
-        Metres; units of length need it.
-    obscuration : float, default 0
-        Of annular terms.
+    **options
+        Of :meth:`ZernikeTable.from_wavefront`.
 
     Raises
     ------
@@ -235,15 +222,7 @@ def save_wavefront(
         If the file cannot be written.
     """
     find(path)  # before anything is computed
-    table = ZernikeTable.from_wavefront(
-        wavefront,
-        order=order,
-        unit=unit,
-        normalization=normalization,
-        wavelength=wavelength,
-        obscuration=obscuration,
-    )
-    save_zernike(path, table)
+    save_zernike(path, ZernikeTable.from_wavefront(wavefront, **options))
 
 
 def _unit(unit: str) -> tuple[str, float]:
@@ -263,54 +242,20 @@ def build(
 
     `where` maps the name of a setting to its place in the file.
     """
-    stray = [key for key in settings if key not in SETTINGS]
-    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
-    found += ["unknown keys"] * len(stray[text_files.TOLD :])
-    allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
-    for key, options in allowed.items():
-        if key not in settings:
-            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
-        elif settings[key] not in options:
-            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
-    wavelength = None
+    found = _faults_of_settings(settings, where)
+    wavelength, obscuration = None, 0.0
     if "wavelength" in settings:
-        try:
+        with text_files.collected(found, where("wavelength")):
             wavelength = validation.wavelength(parse_length(settings["wavelength"]))
-        except ValueError as error:
-            found.append(f"{where('wavelength')}: {error}")
-    obscuration = 0.0
     if "obscuration" in settings:
-        try:
+        with text_files.collected(found, where("obscuration")):
             given = settings["obscuration"]
             value = text_files.number(given) if isinstance(given, str) else given
             obscuration = validation.real("it", value, least=0.0, below=1.0)
-        except (ValueError, TypeError) as error:
-            found.append(f"{where('obscuration')}: {error}")
-    order = settings.get("order")
-    known = order if isinstance(order, str) and order in zernike.ORDERS else None
     if len(terms) > _MOST_TERMS:
         found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
         terms = terms[:1]
-    values: dict[Index, float] = {}
-    places: dict[tuple[int, int], str] = {}
-    for text, value, at in terms:
-        try:
-            coefficient = validation.real("the coefficient", value)
-        except (ValueError, TypeError) as error:
-            found.append(f"{at}: {error}")
-            coefficient = 0.0
-        if known is None:
-            continue  # the meaning of an index is unknown
-        try:
-            index = _index(text, known)
-            term = zernike.term(index, known)
-            if term in places:
-                raise ValueError(f"the term {text} was given before, {places[term]}")
-            Wavefront.zernike({index: coefficient}, order=known)
-        except (ValueError, TypeError) as error:
-            found.append(f"{at}: {error}")
-            continue
-        values[index], places[term] = coefficient, at
+    values = _coefficients(terms, settings.get("order"), found)
     if not terms:
         found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
     if found:
@@ -321,6 +266,40 @@ def build(
         ), []
     except ValueError as error:  # annular terms of too high a degree
         return None, [f"{where('obscuration')}: {error}"]
+
+
+def _faults_of_settings(settings: Json, where: Callable[[str], str]) -> list[str]:
+    """Return what is wrong with settings that are words: unknown, missing, or none of those allowed."""
+    stray = [key for key in settings if key not in SETTINGS]
+    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
+    found += ["unknown keys"] * len(stray[text_files.TOLD :])
+    allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
+    for key, options in allowed.items():
+        if key not in settings:
+            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
+        elif settings[key] not in options:
+            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
+    return found
+
+
+def _coefficients(terms: Sequence[tuple[str, object, str]], order: object, errors: list[str]) -> dict[Index, float]:
+    """Return the coefficients by their indices in an order; `errors` gets what is wrong with them."""
+    values: dict[Index, float] = {}
+    places: dict[tuple[int, int], str] = {}
+    for text, value, at in terms:
+        coefficient = 0.0
+        with text_files.collected(errors, at):
+            coefficient = validation.real("the coefficient", value)
+        if not isinstance(order, str) or order not in zernike.ORDERS:
+            continue  # the meaning of an index is unknown
+        with text_files.collected(errors, at):
+            index = _index(text, order)
+            term = zernike.term(index, order)
+            if term in places:
+                raise ValueError(f"the term {text} was given before, {places[term]}")
+            Wavefront.zernike({index: coefficient}, order=order)
+            values[index], places[term] = coefficient, at
+    return values
 
 
 def build_section(
@@ -356,60 +335,69 @@ _NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 _Row: TypeAlias = tuple[int, list[str]]
 
 
+class _CsvSettings:
+    """The settings of a CSV text by name, with their lines, and the errors in them."""
+
+    def __init__(self, text: str) -> None:
+        self.values: dict[str, str] = {}
+        self.lines: dict[str, int] = {}
+        self.errors: list[str] = []
+        for place, key, value in text_files.settings(text):
+            if key in self.values:
+                first = self.lines[key]
+                self.errors.append(f"{validation.key(key)} (line {place}): is given twice, first in line {first}")
+            else:
+                self.values[key], self.lines[key] = value, place
+        if "unit" in self.values:
+            self.values["unit"] = UNIT_NAMES.get(self.values["unit"].lower(), self.values["unit"])
+
+    def add(self, key: str, value: str, place: int) -> None:
+        """Add what the columns state; an error if a setting states something else."""
+        if (other := self.values.setdefault(key, value)) != value:
+            self.errors.append(
+                f"line {place}: the columns say the {key} {value}, line {self.lines[key]} {validation.key(other)}"
+            )
+        self.lines.setdefault(key, place)
+
+    def where(self, key: str) -> str:
+        """Return the name of a setting with its line, if there is one."""
+        return f"{validation.key(key)} (line {self.lines[key]})" if key in self.lines else validation.key(key)
+
+
 def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     """Return the table of a CSV text, or all errors in it."""
-    settings: dict[str, str] = {}
-    lines: dict[str, int] = {}
-    found: list[str] = []
-    for place, key, value in text_files.settings(text):
-        if key in settings:
-            found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
-        else:
-            settings[key], lines[key] = value, place
-
-    def stated(key: str, value: str, place: int) -> None:
-        if settings.setdefault(key, value) != value:
-            found.append(
-                f"line {place}: the columns say the {key} {value}, line {lines[key]} {validation.key(settings[key])}"
-            )
-        lines.setdefault(key, place)
-
-    if "unit" in settings:
-        settings["unit"] = UNIT_NAMES.get(settings["unit"].lower(), settings["unit"])
+    settings = _CsvSettings(text)
+    errors, order = settings.errors, settings.values.get("order")
     (head, columns), *rows = [*text_files.rows(text, _between(text))] or [(0, [])]
     plain = [cell.lower() for cell in columns]
     if plain and all(map(_NUMBERED.fullmatch, plain)):
-        rows = _standing(rows, plain, found)
+        rows = _standing(rows, plain, errors)
         plain = ["index", "value"]
     kept = [k for k, name in enumerate(plain) if name not in _NAMES]
-    index, value, unit = _told([plain[k] for k in kept], settings.get("order"))
+    index, _, unit = _column_roles([plain[k] for k in kept], order)
     if columns and not index:
-        wanted = "n,m,value" if settings.get("order") == "nm" else "index,value"
-        found.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
+        wanted = "n,m,value" if order == "nm" else "index,value"
+        errors.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
         rows = []
     if index == ["n", "m"]:
-        stated("order", "nm", head)
+        settings.add("order", "nm", head)
     elif index and index[0] in zernike.ORDERS:
-        stated("order", index[0], head)
+        settings.add("order", index[0], head)
     if unit:
-        stated("unit", unit, head)
+        settings.add("unit", unit, head)
     terms = []
     for place, row in rows:
         if len(row) != len(plain):
-            found.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
+            errors.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
             continue
         *at, number = (row[k] for k in kept)
         numbered = _NUMBERED.fullmatch(at[0])
         terms.append((numbered[1] if numbered else ",".join(at), text_files.number(number), f"line {place}"))
-
-    def where(key: str) -> str:
-        return f"{validation.key(key)} (line {lines[key]})" if key in lines else validation.key(key)
-
-    table, more = build(settings, terms, where)
-    return (None if found else table), [*found, *more]
+    table, more = build(settings.values, terms, settings.where)
+    return (None if errors else table), [*errors, *more]
 
 
-def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
+def _column_roles(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
     """Return the index columns, the value column and its unit, or nothing if the columns are others."""
     *index, last = columns or [""]
     value = _COLUMN.fullmatch(last)
@@ -454,41 +442,19 @@ _BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BO
 
 def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     """Return the coefficients of a listing of OpticStudio, or all errors in it."""
-    text, found = _text(data), []
+    text = _text(data)
     kinds = {kind.lower() for kind in _KIND.findall(text)}
+    kind, annulus = "".join(kinds), _RATIO.search(text)
+    found: list[str] = []
     if len(kinds) != 1:
-        told = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
-        found.append(f"the terms must be Standard, Fringe or Annular, {told}")
+        shown = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
+        found.append(f"the terms must be Standard, Fringe or Annular, {shown}")
     if not _WAVES.search(text):
         found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
-    wavelength = None
-    if waves := _WAVELENGTH.search(text):
-        if waves[2] in LENGTHS:
-            wavelength = validation.wavelength(_number(waves[1]) * LENGTHS[waves[2]])
-        else:
-            found.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
-    annulus, kind = _RATIO.search(text), "".join(kinds)
+    wavelength = _listed_wavelength(text, found)
     if kind == "annular" and not annulus:
         found.append("the obscuration of the annulus is not stated")
-    terms: dict[int, float] = {}
-    for place, line in enumerate(text.splitlines(), 1):
-        entry = _TERM.match(line)
-        if not entry:
-            if _ENTRY.match(line):
-                found.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
-            continue
-        index, value = int(entry[1]), _number(entry[2])
-        place_of = {"standard": 11, "fringe": 9}.get(kind)
-        if place_of and _SPHERICAL.search(line) and index != place_of:
-            found.append(
-                f"line {place}: 6p^4 - 6p^2 + 1 is the term {place_of} of Zernike {kind.capitalize()}, which "
-                f"the heading states, got the term {index}; correct the heading"
-            )
-        if index in terms:
-            found.append(f"line {place}: the term {index} was given before")
-        elif not math.isfinite(value):
-            found.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
-        terms[index] = value
+    terms = _listed_terms(text, kind, found)
     if not terms:
         # Nothing of a listing is there: one sentence says more than each thing that is missing.
         what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
@@ -500,6 +466,40 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
         return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
     inner = _number(annulus[1]) if annulus and kind == "annular" else 0.0
     return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength, inner), []
+
+
+def _listed_wavelength(text: str, errors: list[str]) -> float | None:
+    """Return the wavelength that a listing states, if any."""
+    waves = _WAVELENGTH.search(text)
+    if waves and waves[2] in LENGTHS:
+        return validation.wavelength(_number(waves[1]) * LENGTHS[waves[2]])
+    if waves:
+        errors.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
+    return None
+
+
+def _listed_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
+    """Return the coefficients of a listing by the index of their terms; `errors` gets what is wrong with lines."""
+    terms: dict[int, float] = {}
+    spherical = {"standard": 11, "fringe": 9}.get(kind)
+    for place, line in enumerate(text.splitlines(), 1):
+        entry = _TERM.match(line)
+        if not entry:
+            if _ENTRY.match(line):
+                errors.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
+            continue
+        index, value = int(entry[1]), _number(entry[2])
+        if spherical and _SPHERICAL.search(line) and index != spherical:
+            errors.append(
+                f"line {place}: 6p^4 - 6p^2 + 1 is the term {spherical} of Zernike {kind.capitalize()}, which "
+                f"the heading states, got the term {index}; correct the heading"
+            )
+        if index in terms:
+            errors.append(f"line {place}: the term {index} was given before")
+        elif not math.isfinite(value):
+            errors.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
+        terms[index] = value
+    return terms
 
 
 def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
@@ -600,7 +600,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     except ValueError as error:
         raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
-        raise ZernikeFileError(text_files.together(source, found))
+        raise ZernikeFileError(text_files.joined_errors(source, found))
     return table
 
 

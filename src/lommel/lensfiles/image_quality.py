@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 
-from lommel.base.arrays import Array, Json
+from lommel.base.arrays import Array, Json, Numbers
 from lommel.base.plain import plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
@@ -22,7 +22,7 @@ from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
-from lommel.show.labels import of_emitter
+from lommel.show.drawing import of_emitter
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -484,7 +484,7 @@ def sensor_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channels
     return {"frequency": nyquist, "rows": rows}
 
 
-def listed_terms(terms: dict[tuple[int, int], Any]) -> list[Json]:
+def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
     """Return Zernike terms in waves rms, in Noll's order."""
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}

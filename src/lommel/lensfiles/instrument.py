@@ -18,7 +18,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.recorded.noise import Noise
 from lommel.show import notebook
-from lommel.show.labels import length_in_words, name_in_words, true_minus
+from lommel.show.drawing import length_in_words, name_in_words, true_minus
 
 
 @dataclass(frozen=True)

@@ -16,25 +16,25 @@ from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, Val
 
 from lommel import telescopes
 from lommel.base import optional, reading, validation
+from lommel.base.arrays import Values
 from lommel.base.encoding import to_light
 from lommel.base.units import parse_length, parse_radius
 from lommel.field.maps import FieldMap, Shading, Vignetting
 from lommel.imaging.datasets import LensRanges
 from lommel.io import fits_images
 from lommel.io.photos import PhotoError, read_raster
-from lommel.io.registry import Values
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import sections, tables, toml_files
+from lommel.lensfiles import camera_files, tables, toml_files
+from lommel.lensfiles.camera_files import PhotoSensor
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import PhotoSensor
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Angle,
+    BuiltSection,
     Context,
     Distance,
     Length,
     LensFileError,
-    MadeSection,
     Number,
     PartsError,
     Section,
@@ -91,20 +91,20 @@ class _Spider(Section):
         return Spider.equal(self.vanes, width, self.first)
 
 
-class _Ellipse(MadeSection):
+class _Ellipse(BuiltSection):
     a: Annotated[Number, Field(gt=0, le=1000)]
     b: Annotated[Number, Field(gt=0, le=1000)]
     angle: Angle = 0.0
 
-    def made(self) -> Ellipse:
+    def build(self) -> Ellipse:
         return Ellipse(**dict(self))
 
 
-class _CatEye(MadeSection):
+class _CatEye(BuiltSection):
     shift: tuple[Number, Number]
     radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
 
-    def made(self) -> CatEye:
+    def build(self) -> CatEye:
         return CatEye(self.shift, self.radius)
 
 
@@ -215,7 +215,7 @@ class _Part(Section):
         stray = sorted((set(given) & set(cls.model_fields)) - needed - allowed - {"type"})
         return f"{', '.join(stray)} has no meaning for a {kind}" if stray else None
 
-    def made(self, radius: float) -> Shape:
+    def build(self, radius: float) -> Shape:
         """Return the shape in an aperture of this radius, metres."""
         size, center = _over(self.radius, radius), _place(self.center, radius)
         if self.type == "disc":
@@ -326,7 +326,7 @@ class ApertureSection(Section):
         """
         faults = _Collected()
         spider, edge = self.spider, self.ellipse or self.cat_eye
-        found = {"vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
+        found = {"vignetting": edge and edge.build(), "mask": self.mask and self.mask.file}
         if spider is not None:
             found["spider"] = faults.tried(("spider", "width"), "spider.width", lambda: spider.spider(radius))
         stop = self._mirror(radius, faults)
@@ -385,7 +385,7 @@ def _union(name: str, parts: list[_Part] | None, radius: float, faults: _Collect
     """Return the union of parts, if there are any."""
 
     def made(part: _Part) -> Shape:
-        shape = part.made(radius)
+        shape = part.build(radius)
         require_reach("it", shape)
         return shape
 
@@ -517,22 +517,22 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: Toml | None = None  # checked by `sections.read`
+    zernike: Toml | None = None  # checked by `camera_files.read`
 
 
-class VignettingSection(MadeSection):
+class VignettingSection(BuiltSection):
     """The section [field.vignetting]: a circle that moves across the aperture with the image height."""
 
     height: Annotated[list[SignedLength], Field(min_length=2)]
     shift: list[Number]
     radius: Number | list[Number] = 1.0
 
-    def made(self) -> Vignetting:
+    def build(self) -> Vignetting:
         """Return the argument of a field map."""
         return Vignetting(self.height, self.shift, self.radius)
 
 
-class ShadingSection(MadeSection):
+class ShadingSection(BuiltSection):
     """The section [field.shading]: a table of the light, or the fourth power of a cosine."""
 
     distance: Length | None = None
@@ -546,7 +546,7 @@ class ShadingSection(MadeSection):
             return None
         return "needs distance, of the exit pupil from the sensor, or height and light: one of the two"
 
-    def made(self) -> Shading:
+    def build(self) -> Shading:
         """Return the argument of a field map."""
         if self.distance is not None:
             return Shading.cos4(self.distance)
@@ -558,7 +558,7 @@ _Wave = Annotated[Length, AfterValidator(validation.wavelength)]
 _CSV = "the name of a CSV file"
 
 
-class ColourSection(MadeSection):
+class ColourSection(BuiltSection):
     """The section [colour] of a lens file."""
 
     wavelengths: Annotated[list[_Wave], Field(min_length=2)]
@@ -566,12 +566,12 @@ class ColourSection(MadeSection):
     lateral: list[SignedLength] | list[list[SignedLength]] | None = None
     heights: Length | list[Length] | None = None
 
-    def made(self) -> Colour:
+    def build(self) -> Colour:
         """Return the table."""
         return Colour(**dict(self))
 
 
-class ChannelsSection(MadeSection):
+class ChannelsSection(BuiltSection):
     """The section [channels] of a lens file."""
 
     wavelengths: Annotated[list[_Wave], Field(min_length=1)] | None = None
@@ -609,7 +609,7 @@ class ChannelsSection(MadeSection):
         found = sorted(stray & set(given))
         return f"{', '.join(found)} has no meaning with {way}" if found else None
 
-    def made(self) -> Channels:
+    def build(self) -> Channels:
         """Return the channels."""
         if isinstance(self.file, Channels):
             return self.file
@@ -684,8 +684,8 @@ class _Field(_Seidel):
             edge = 0.5 * math.hypot(*self.sensor) if self.edge is None else self.edge
             waves = self.model_dump(include=set(_SEIDEL))
             made = FieldMap.from_seidel(edge, **waves, aperture=pupil.unaberrated())
-        vignetting = None if self.vignetting is None else self.vignetting.made()
-        return made.seen_through(vignetting, None if self.shading is None else self.shading.made())
+        vignetting = None if self.vignetting is None else self.vignetting.build()
+        return made.seen_through(vignetting, None if self.shading is None else self.shading.build())
 
 
 class _Report(Section):
@@ -782,7 +782,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
             "lommel.load_microscope reads it, and the commands info, psf, beads and localize take it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = sections.read(raw, text, context)
+    table, found = camera_files.read_zernike(raw, text, context)
     make = partial(_instrument, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
@@ -795,8 +795,8 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
     aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
-        aberrations += sections.wavefront(table, wavelength)
-    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.made()}
+        aberrations += camera_files.wavefront_of(table, wavelength)
+    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.build()}
     # As a diameter, since a length with a unit is certainly meant.
     diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))
     given["aperture_diameter"] = diameter
@@ -813,7 +813,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
             "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
         )
     name, pixels = stem if file.name is None else file.name, dict(file.sensor)
-    channels = None if file.channels is None else file.channels.made()
+    channels = None if file.channels is None else file.channels.build()
     found = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:
         return found

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field
@@ -18,15 +18,15 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
 from lommel.estimation.beads import BeadFit
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import sections, toml_files
+from lommel.lensfiles import camera_files, toml_files
+from lommel.lensfiles.camera_files import Sensor
 from lommel.lensfiles.instrument import Camera
-from lommel.lensfiles.sections import Sensor
 from lommel.lensfiles.toml_files import (
     Angle,
+    BuiltSection,
     Context,
     Length,
     LensFileError,
-    MadeSection,
     Number,
     Section,
     SignedLength,
@@ -40,7 +40,7 @@ from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, r
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show import notebook
-from lommel.show.labels import length_in_words, of_emitter
+from lommel.show.drawing import length_in_words, of_emitter
 from lommel.special import zernike
 
 PLANES_MOST = 4096
@@ -243,7 +243,7 @@ def _illumination(value: float | list[float]) -> Apodization:
     return illumination(Apodization(tuple(value)) if isinstance(value, list) else value)
 
 
-class _Objective(MadeSection):
+class _Objective(BuiltSection):
     NA: Annotated[Number, Field(gt=0)]
     magnification: Annotated[Number, Field(gt=0)]
     working_distance: Length
@@ -251,16 +251,16 @@ class _Objective(MadeSection):
     dipping: Annotated[bool, Field(strict=True)] = False
     apodization: Annotated[Number | list[Number], AfterValidator(_illumination)] = 0.0
 
-    def made(self) -> Objective:
+    def build(self) -> Objective:
         """Return the objective without what is between it and the emitter."""
         return Objective(**{name: value for name, value in self if name != "dipping"})
 
 
-class _Layer(MadeSection):
+class _Layer(BuiltSection):
     index: Index
     thickness: Length
 
-    def made(self) -> Layer:
+    def build(self) -> Layer:
         """Return the layer."""
         return Layer(self.index, self.thickness)
 
@@ -285,7 +285,7 @@ class _Beam(Section):
     polarization: Annotated[str, Field(strict=True), AfterValidator(lambda p: Beam(p).polarization)] = "circular"
 
 
-class _Emission(MadeSection):
+class _Emission(BuiltSection):
     wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     emitter: Literal["isotropic", "scalar"] = "isotropic"
     dipole: _Dipole | None = None
@@ -297,7 +297,7 @@ class _Emission(MadeSection):
         both = sorted({"emitter", "dipole", "beam"} & set(given))
         return f"takes one of emitter, dipole and beam, got {' and '.join(both)}" if len(both) > 1 else None
 
-    def made(self) -> Emitter:
+    def build(self) -> Emitter:
         """Return the emitter or the excitation beam."""
         if self.dipole is not None:
             return Dipole(**dict(self.dipole))
@@ -305,7 +305,7 @@ class _Emission(MadeSection):
 
 
 class _Aberrations(Section):
-    zernike: Toml | None = None  # checked by `sections.read`
+    zernike: Toml | None = None  # checked by `camera_files.read`
 
 
 class _Stack(Section):
@@ -341,59 +341,76 @@ class _File(Section):
 
 def _text(of: Microscope) -> str:
     """Return a microscope as the text of a file."""
-    one, lines = of.objective, []
-
-    def section(name: str, **entries: object) -> None:
-        lines.append(f"\n[{name}]" if not name.startswith("[") else f"\n{name}")
-        lines.extend(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None)
-
+    one = of.objective
     if one.working_distance is None:
         raise ValueError("the objective must have a working_distance to be written: files state it")
-    lines += [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
-    dipping = True if one.coverslip is None else None
-    section(
-        "objective",
-        NA=one.NA,
-        magnification=one.magnification,
-        working_distance=_metres(one.working_distance),
-        immersion=one.immersion,
-        dipping=dipping,
-        apodization=list(illumination(one.apodization).powers) or None,
-    )
-    if one.coverslip is not None:
-        section("coverslip", index=one.coverslip.index, thickness=_metres(one.coverslip.thickness))
-    for film in one.films:
-        section("[[films]]", index=film.index, thickness=_metres(film.thickness))
-    if one.design != Design(one.immersion, one.coverslip):
-        section("design", immersion=one.design.immersion)
-        if one.design.coverslip is not None:
-            glass = one.design.coverslip
-            section("design.coverslip", index=glass.index, thickness=_metres(glass.thickness))
-    section("sample", index=one.sample, depth=_metres(of.depth))
-    plain = {"isotropic": emitter_of("isotropic"), "scalar": emitter_of("scalar")}
-    named = next((name for name, emitter in plain.items() if emitter == of.emitter), None)
-    section("emission", wavelength=_metres(of.wavelength), emitter=named)
-    if named is None:
-        if isinstance(of.emitter, Dipole):
-            section("emission.dipole", **vars(of.emitter))
-        elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
-            section("emission.beam", polarization=of.emitter.polarization)
-        else:
-            raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
-    if of.planes > 1:
-        section("stack", planes=of.planes, step=_metres(of.step), origin=of.origin)
-    shape = None if of.shape is None else list(of.shape)
-    section("sensor", pixel=_metres(of.pixel), shape=shape, integrate=of.integrate)
+    lines = [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
+    for name, entries in (*_layer_sections(one), *_light_sections(of), *_plane_sections(of)):
+        lines.append(f"\n[{name}]")
+        lines += [f"{key} = {_value(value)}" for key, value in entries.items() if value is not None]
     if of.aberrations is not None:
         waves = of.aberrations.to_zernike(order="noll", unit="waves")
-        terms = {index: float(c) for index, c in waves.items() if float(c) and index > 1}
-        terms = dict(sorted(terms.items()))
-        section("aberrations.zernike", order="noll", unit="waves", normalization="rms")
-        lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms.items()) + " }")
+        terms = sorted((index, float(c)) for index, c in waves.items() if float(c) and index > 1)
+        lines += ["\n[aberrations.zernike]", 'order = "noll"', 'unit = "waves"', 'normalization = "rms"']
+        lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms) + " }")
     if of.errors:
-        section("errors")
-        lines.extend(f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items())
+        lines.append("\n[errors]")
+        lines += [f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items()]
     return "\n".join(lines) + "\n"
+
+
+_Sections: TypeAlias = Iterator[tuple[str, Mapping[str, object]]]
+
+
+def _layer_sections(one: Objective) -> _Sections:
+    """Yield the sections of an objective and of the layers that it is used with."""
+    assert one.working_distance is not None
+    yield (
+        "objective",
+        {
+            "NA": one.NA,
+            "magnification": one.magnification,
+            "working_distance": _metres(one.working_distance),
+            "immersion": one.immersion,
+            "dipping": True if one.coverslip is None else None,
+            "apodization": list(illumination(one.apodization).powers) or None,
+        },
+    )
+    if one.coverslip is not None:
+        yield "coverslip", _layer_entries(one.coverslip)
+    for film in one.films:
+        yield "[films]", _layer_entries(film)
+    if one.design != Design(one.immersion, one.coverslip):
+        yield "design", {"immersion": one.design.immersion}
+        if one.design.coverslip is not None:
+            yield "design.coverslip", _layer_entries(one.design.coverslip)
+
+
+def _layer_entries(layer: Layer) -> Mapping[str, object]:
+    return {"index": layer.index, "thickness": _metres(layer.thickness)}
+
+
+def _light_sections(of: Microscope) -> _Sections:
+    """Yield the sections of the sample and of the emitter; ValueError for one that files do not state."""
+    yield "sample", {"index": of.objective.sample, "depth": _metres(of.depth)}
+    named = next((name for name in ("isotropic", "scalar") if emitter_of(name) == of.emitter), None)
+    yield "emission", {"wavelength": _metres(of.wavelength), "emitter": named}
+    if named is not None:
+        return
+    if isinstance(of.emitter, Dipole):
+        yield "emission.dipole", vars(of.emitter)
+    elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
+        yield "emission.beam", {"polarization": of.emitter.polarization}
+    else:
+        raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
+
+
+def _plane_sections(of: Microscope) -> _Sections:
+    """Yield the sections of the stack, if it is one, and of the sensor."""
+    if of.planes > 1:
+        yield "stack", {"planes": of.planes, "step": _metres(of.step), "origin": of.origin}
+    shape = None if of.shape is None else list(of.shape)
+    yield "sensor", {"pixel": _metres(of.pixel), "shape": shape, "integrate": of.integrate}
 
 
 def _metres(value: float) -> str:
@@ -464,19 +481,19 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
             f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = sections.read(raw, text, context)
+    table, found = camera_files.read_zernike(raw, text, context)
     make = partial(_microscope, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
 
 def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
-    used, design = None if file.coverslip is None else file.coverslip.made(), None
+    used, design = None if file.coverslip is None else file.coverslip.build(), None
     if file.design is not None:
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
-        design = Design(meant, used if glass is None else glass.made())
+        design = Design(meant, used if glass is None else glass.build())
     given: Toml = {name: value for name, value in file.objective if name != "dipping"}
-    films = [film.made() for film in file.films]
+    films = [film.build() for film in file.films]
     objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     found = Microscope(
@@ -485,8 +502,8 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         objective,
         file.emission.wavelength,
         file.sample.depth,
-        emitter=file.emission.made(),
-        aberrations=None if table is None else sections.wavefront(table, file.emission.wavelength),
+        emitter=file.emission.build(),
+        aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,
         **stack,
         **dict(file.sensor),

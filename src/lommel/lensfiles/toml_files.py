@@ -146,15 +146,15 @@ class Section(BaseModel):
         return made
 
 
-class MadeSection(Section):
+class BuiltSection(Section):
     """A section that describes an object, which is made when it is read: errors name the section."""
 
     @model_validator(mode="after")
     def _makes(self) -> Self:
-        self.made()
+        self.build()
         return self
 
-    def made(self) -> object:
+    def build(self) -> object:
         """Return the object."""
         raise NotImplementedError
 
@@ -209,7 +209,7 @@ def built(
         every = error.errors(include_url=False, include_context=False)
         count = len(every) + len(errors)
         errors = [_described(fault, text, model) for fault in every[: text_files.TOLD]] + errors
-        raise LensFileError(text_files.together(source, errors, count)) from None
+        raise LensFileError(text_files.joined_errors(source, errors, count)) from None
     except ArithmeticError as error:
         errors.append(f"its numbers lead to an overflow: {error}")
     except PartsError as error:
@@ -218,7 +218,7 @@ def built(
             errors.append(f"{name}{f' (line {number})' if number else ''}: {with_units(message)}")
     except ValueError as error:
         errors.append(with_units(str(error)))
-    raise LensFileError(text_files.together(source, errors))
+    raise LensFileError(text_files.joined_errors(source, errors))
 
 
 def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:

@@ -318,7 +318,7 @@ def thunderstorm(path: Path) -> Iterator[Write]:
             line = ",".join(["%d", *(form for form, _ in kept.values())]) + "\n"
             columns = [np.arange(done + 1, done + 1 + rows.size), *(of(rows) for _, of in kept.values())]
             done += rows.size
-            with atomic.told_as(path):
+            with atomic.as_path_error(path):
                 file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
 
         yield write
@@ -341,7 +341,7 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
     h5py, last, done = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z"), 0
     with ExitStack() as stack:
         target = stack.enter_context(atomic.opened(path))
-        with atomic.told_as(path):
+        with atomic.as_path_error(path):
             held = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
         about = stack.enter_context(atomic.opened(beside, "w", **_TEXT))
 
@@ -358,7 +358,7 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
             if recording.along != "none":
                 found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_error"]
             left = memoryview(found.tobytes())
-            with atomic.told_as(path):
+            with atomic.as_path_error(path):
                 while left:  # a disk that is nearly full takes a part
                     left = left[held.write(left) :]
 
@@ -369,7 +369,7 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
             table = file.create_dataset("locs", (done,), _locs(last))
             table[:1] = np.zeros(min(done, 1), _locs(last))
             offset = table.id.get_offset()
-        with atomic.told_as(path):
+        with atomic.as_path_error(path):
             target.write(made.getvalue())
             if done:
                 held.seek(0)

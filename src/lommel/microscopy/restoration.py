@@ -700,7 +700,7 @@ class _Target:
 def _damaged(begun: Unfinished) -> Iterator[None]:
     """Tell what zarr cannot read or write."""
     try:
-        with atomic.told_as(begun.place):
+        with atomic.as_path_error(begun.place):
             yield
     except Exception as error:  # of any kind
         if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):
@@ -725,7 +725,7 @@ def _begun(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: R
         raise FileNotFoundError(2, "No such file or directory", str(place.parent))
     told = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
     asked = {"software": f"lommel {version()}", "shape": shape} | told
-    with atomic.begun(
+    with atomic.unfinished_folder(
         place, asked, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
     ) as begun:
         yield _Target(shape, begun)

@@ -48,7 +48,7 @@ class Real(NamedTuple):
     low: float
     high: float
     row: Row
-    about: str
+    about: str = ""
     """One sentence of help: the quantity, its sign and its unit."""
 
     def accepted(self, name: str, value: object) -> float:
@@ -58,7 +58,7 @@ class Real(NamedTuple):
             raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
         return number
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
         return self._asdict() | {"row": self.row._asdict()}
 
@@ -70,9 +70,9 @@ class Whole(Real):
         """Return the number, which is in the range."""
         return validation.integer(name, value, least=int(self.low), most=int(self.high))
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
-        return super().told() | {"whole": True}
+        return super().description() | {"whole": True}
 
 
 class Distance(Real):
@@ -82,23 +82,23 @@ class Distance(Real):
         """Return the number, which is in the range."""
         return self.high if value == math.inf else super().accepted(name, value)
 
-    def told(self) -> dict[str, object]:
+    def description(self) -> dict[str, object]:
         """Return the description for the page."""
-        return super().told() | {"infinite": True}
+        return super().description() | {"infinite": True}
 
 
 class Word(NamedTuple):
     """A control with choices, the default first."""
 
     choices: tuple[str, ...]
-    about: str
+    about: str = ""
 
     @property
     def initial(self) -> str:
         """The default."""
         return self.choices[0]
 
-    def told(self) -> Json:
+    def description(self) -> Json:
         """Return the description for the page."""
         return {"initial": self.initial, "choices": list(self.choices), "about": self.about}
 
@@ -110,14 +110,14 @@ class Word(NamedTuple):
 class Terms(NamedTuple):
     """A text of Zernike terms, "n,m:waves;n,m:waves", coefficients in waves rms; empty by default."""
 
-    about: str
+    about: str = ""
 
     @property
     def initial(self) -> str:
         """The default."""
         return ""
 
-    def told(self) -> Json:
+    def description(self) -> Json:
         """Return the description for the page."""
         limits: Json = {"terms": MOST_TERMS, "degree": HIGHEST_DEGREE, "waves": MOST_WAVES}
         return {"initial": self.initial, "about": self.about} | limits
@@ -182,147 +182,107 @@ def _aberration(name: str) -> dict[str, Real | Word | Terms]:
 _LENS, _SENSOR = "Lens and light", "Sensor"
 MOST_VANES = 8
 _VANES, _NOISE = (("vanes", *range(1, MOST_VANES + 1)),), (("noise", "on"),)
-_DISTANCES, _ANGLES = ("focus", "distances"), ("length_unit", "arcsec")
+_WAVES, _DISTANCES, _ANGLES = (("focus", "waves"),), (("focus", "distances"),), (("length_unit", "arcsec"),)
 
-FIELDS: dict[str, Real | Word | Terms] = {
-    "focus": Word(
-        ("waves", "distances"),
-        "How defocus is set: in waves, or by focal length, f-number, focus distance and object distance.",
+_ABOUT = {
+    "focus": "How defocus is set: in waves, or by focal length, f-number, focus distance and object distance.",
+    "defocus": (
+        "Seidel term W020 ρ², waves at the edge of the pupil; positive: the sensor lies between lens and focus."
     ),
-    "defocus": Real(
-        0.6,
-        -50,
-        50,
-        Row("Wavefront", "Defocus", (-5, 5), waves=True, when=(("focus", "waves"),)),
-        "Seidel term W020 ρ², waves at the edge of the pupil; positive: the sensor lies between lens and focus.",
+    "focus_distance": "Distance from the lens to objects in focus, metres, above the focal length; inf for infinity.",
+    "object_distance": (
+        "Distance from the lens to the point object, metres, inf for infinity; nearer than the focus distance is "
+        "positive defocus."
     ),
+    "spherical": (
+        "Seidel term W040 ρ⁴, waves at the edge of the pupil, unlike the Zernike term (4, 0) without defocus; "
+        "positive: marginal rays focus beyond paraxial ones."
+    ),
+    "zernike": (
+        "Zernike terms without a slider, of an opened file or of the address (zernike=4,2:0.05;6,0:-0.01): "
+        "n,m:waves rms."
+    ),
+    "focal_length": "Focal length of the lens, millimetres; converts lengths on the sensor to angles.",
+    "f_number": "Sensor distance over the diameter of the aperture; with distances, focal length over the diameter.",
+    "obscuration": "Radius of the central obscuration over the radius of the aperture.",
+    "vanes": (
+        "Number of straight vanes from the axis to the edge of the aperture, at equal angles; a logarithmic scale "
+        "shows their spikes."
+    ),
+    "vane_width": "Width of each vane over the radius of the aperture.",
+    "vane_angle": "Direction of the first vane, degrees from the right, clockwise.",
+    "wavelength": (
+        "Wavelength of the light, nanometres; in white light, the one at which the wavefront is given in waves."
+    ),
+    "light": "One wavelength, or seven lines of equal energy, 450 to 650 nm, with the same optical paths.",
+    "pixel": "Pitch of the square pixels of the sensor, micrometres.",
+    "view": "A fine grid over the whole image, or the sensor's pixels: samples at their centres, or averages.",
+    "side": "Height and width of the computed image, pixels.",
+    "noise": "Photon noise and read noise of the sensor in the displayed images.",
+    "photons": "Expected number of detected photons: of the whole PSF, and at a white pixel of the picture.",
+    "read_noise": "Standard deviation of the read noise of each pixel, electrons.",
+    "rays": "Points where rays through the pupil meet the sensor, without diffraction.",
+    "stretch": "Brightness scale of the PSF: square root, linear or logarithmic.",
+    "map": "Colours of the PSF; automatic: true colour in white light, inferno in light of one wavelength.",
+    "waves_unit": "Unit of the wavefront: waves, radians, or nanometres of path.",
+    "length_unit": "Unit of lengths on the sensor: micrometres, arcseconds, wavelength times f-number.",
+    "picture": "Picture that the sensor records through the lens.",
+}
+
+_CONTROLS: dict[str, Real | Word | Terms] = {
+    "focus": Word(("waves", "distances")),
+    "defocus": Real(0.6, -50, 50, Row("Wavefront", "Defocus", (-5, 5), waves=True, when=_WAVES)),
     "focus_distance": Distance(
         2,
         1e-3,
         1e12,
-        Row("Wavefront", "Focused at", (0.1, 1000), None, "m", "metres", name="Focus distance", when=(_DISTANCES,)),
-        "Distance from the lens to objects in focus, metres, above the focal length; inf for infinity.",
+        Row("Wavefront", "Focused at", (0.1, 1000), None, "m", "metres", name="Focus distance", when=_DISTANCES),
     ),
     "object_distance": Distance(
         1.9,
         1e-3,
         1e12,
-        Row("Wavefront", "Object at", (0.1, 1000), None, "m", "metres", name="Object distance", when=(_DISTANCES,)),
-        "Distance from the lens to the point object, metres, inf for infinity; nearer than the focus distance is "
-        "positive defocus.",
+        Row("Wavefront", "Object at", (0.1, 1000), None, "m", "metres", name="Object distance", when=_DISTANCES),
     ),
-    "spherical": Real(
-        0,
-        -25,
-        25,
-        Row("Wavefront", "Spherical", (-5, 5), waves=True),
-        "Seidel term W040 ρ⁴, waves at the edge of the pupil, unlike the Zernike term (4, 0) without defocus; "
-        "positive: marginal rays focus beyond paraxial ones.",
-    ),
+    "spherical": Real(0, -25, 25, Row("Wavefront", "Spherical", (-5, 5), waves=True)),
     **{key: field for name in DIRECTED for key, field in _aberration(name).items()},
-    "zernike": Terms(
-        "Zernike terms without a slider, of an opened file or of the address (zernike=4,2:0.05;6,0:-0.01): "
-        "n,m:waves rms."
-    ),
+    "zernike": Terms(),
     "focal_length": Real(
-        50,
-        0.1,
-        1e6,
-        Row(_LENS, "Focal length", (1, 10000), None, "mm", "millimetres", when=(_ANGLES, _DISTANCES)),
-        "Focal length of the lens, millimetres; converts lengths on the sensor to angles.",
+        50, 0.1, 1e6, Row(_LENS, "Focal length", (1, 10000), None, "mm", "millimetres", when=(*_ANGLES, *_DISTANCES))
     ),
-    "f_number": Real(
-        4,
-        0.7,
-        300,
-        Row(_LENS, "f-number", (1, 32), None),
-        "Sensor distance over the diameter of the aperture; with distances, focal length over the diameter.",
-    ),
-    "obscuration": Real(
-        0,
-        0,
-        0.9,
-        Row(_LENS, "Obscuration", (0, 0.9), 0.01, "of the radius", "of the radius"),
-        "Radius of the central obscuration over the radius of the aperture.",
-    ),
-    "vanes": Whole(
-        0,
-        0,
-        MOST_VANES,
-        Row(_LENS, "Vanes", (0, MOST_VANES), 1, name="Number of vanes"),
-        "Number of straight vanes from the axis to the edge of the aperture, at equal angles; a logarithmic scale "
-        "shows their spikes.",
-    ),
+    "f_number": Real(4, 0.7, 300, Row(_LENS, "f-number", (1, 32), None)),
+    "obscuration": Real(0, 0, 0.9, Row(_LENS, "Obscuration", (0, 0.9), 0.01, "of the radius", "of the radius")),
+    "vanes": Whole(0, 0, MOST_VANES, Row(_LENS, "Vanes", (0, MOST_VANES), 1, name="Number of vanes")),
     "vane_width": Real(
         0.03,
         0.001,
         0.5,
         Row(_LENS, "width", (0.005, 0.2), 0.005, "of the radius", "of the radius", name="Vane width", when=_VANES),
-        "Width of each vane over the radius of the aperture.",
     ),
     "vane_angle": Real(
         0,
         -180,
         180,
         Row(_LENS, "angle", (-180, 180), 1, "°", "degrees", name="Direction of the first vane", when=_VANES),
-        "Direction of the first vane, degrees from the right, clockwise.",
     ),
-    "wavelength": Real(
-        550,
-        100,
-        30000,
-        Row(_LENS, "Wavelength", (380, 780), 1, "nm", "nanometres"),
-        "Wavelength of the light, nanometres; in white light, the one at which the wavefront is given in waves.",
-    ),
-    "light": Word(
-        ("mono", "white"),
-        "One wavelength, or seven lines of equal energy, 450 to 650 nm, with the same optical paths.",
-    ),
-    "pixel": Real(
-        2,
-        0.05,
-        200,
-        Row(_SENSOR, "Pixel of the sensor", (0.5, 20), None, "µm", "micrometres"),
-        "Pitch of the square pixels of the sensor, micrometres.",
-    ),
-    "view": Word(
-        ("fine", "sampled", "averaged"),
-        "A fine grid over the whole image, or the sensor's pixels: samples at their centres, or averages.",
-    ),
-    "side": Whole(
-        512,
-        16,
-        1024,
-        Row(_SENSOR, "Window", (64, 1024), 16, "pixels wide", "pixels wide"),
-        "Height and width of the computed image, pixels.",
-    ),
-    "noise": Word(("off", "on"), "Photon noise and read noise of the sensor in the displayed images."),
-    "photons": Real(
-        10000,
-        1,
-        1e9,
-        Row(_SENSOR, "Photons", (10, 1e6), None, "", "electrons", when=_NOISE),
-        "Expected number of detected photons: of the whole PSF, and at a white pixel of the picture.",
-    ),
-    "read_noise": Real(
-        2,
-        0,
-        1000,
-        Row(_SENSOR, "Read noise", (0, 20), 0.1, "e⁻ rms", "electrons rms", when=_NOISE),
-        "Standard deviation of the read noise of each pixel, electrons.",
-    ),
-    "rays": Word(("off", "on"), "Points where rays through the pupil meet the sensor, without diffraction."),
-    "stretch": Word(("sqrt", "linear", "log"), "Brightness scale of the PSF: square root, linear or logarithmic."),
-    "map": Word(
-        ("auto", "inferno", "viridis", "cividis", "gray"),
-        "Colours of the PSF; automatic: true colour in white light, inferno in light of one wavelength.",
-    ),
-    "waves_unit": Word(("waves", "rad", "nm"), "Unit of the wavefront: waves, radians, or nanometres of path."),
-    "length_unit": Word(
-        ("um", "arcsec", "lambdaN"),
-        "Unit of lengths on the sensor: micrometres, arcseconds, wavelength times f-number.",
-    ),
-    "picture": Word(("star", "bars", "text", "points", "own"), "Picture that the sensor records through the lens."),
+    "wavelength": Real(550, 100, 30000, Row(_LENS, "Wavelength", (380, 780), 1, "nm", "nanometres")),
+    "light": Word(("mono", "white")),
+    "pixel": Real(2, 0.05, 200, Row(_SENSOR, "Pixel of the sensor", (0.5, 20), None, "µm", "micrometres")),
+    "view": Word(("fine", "sampled", "averaged")),
+    "side": Whole(512, 16, 1024, Row(_SENSOR, "Window", (64, 1024), 16, "pixels wide", "pixels wide")),
+    "noise": Word(("off", "on")),
+    "photons": Real(10000, 1, 1e9, Row(_SENSOR, "Photons", (10, 1e6), None, "", "electrons", when=_NOISE)),
+    "read_noise": Real(2, 0, 1000, Row(_SENSOR, "Read noise", (0, 20), 0.1, "e⁻ rms", "electrons rms", when=_NOISE)),
+    "rays": Word(("off", "on")),
+    "stretch": Word(("sqrt", "linear", "log")),
+    "map": Word(("auto", "inferno", "viridis", "cividis", "gray")),
+    "waves_unit": Word(("waves", "rad", "nm")),
+    "length_unit": Word(("um", "arcsec", "lambdaN")),
+    "picture": Word(("star", "bars", "text", "points", "own")),
+}
+
+FIELDS: dict[str, Real | Word | Terms] = {
+    name: one._replace(about=_ABOUT[name]) if name in _ABOUT else one for name, one in _CONTROLS.items()
 }
 """In waves at the edge (W020 and Seidel's W040; the others Zernike terms that are 1 there), degrees, nanometres,
 micrometres, pixels, metres for distances and millimetres for the focal length."""
@@ -391,21 +351,11 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
     distances = near and lens.model == "paraxial"
     wavefront = lens.aberrations if distances else pupil.wavefront
     waves = {term: float(c) / math.tau for term, c in wavefront.edge_terms().items()}
-    waves.pop((0, 0), 0.0)
-    # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
-    spherical = 6.0 * waves.pop((4, 0), 0.0)
-    state: Json = {"spherical": spherical}
+    state = _sliders(waves, distances=distances)
     if distances:
-        waves[2, 0] = waves.get((2, 0), 0.0) - 0.5 * spherical
         state["focus"] = "distances"
         state["focus_distance"] = min(lens.focus_distance, _FAR)
         state["object_distance"] = min(instrument.object_distance, _FAR)
-    else:
-        state["defocus"] = 2.0 * waves.pop((2, 0), 0.0) - spherical
-    for name, (n, m) in DIRECTED.items():
-        along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
-        state[name] = math.hypot(along, across)
-        state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
     state |= {
         "f_number": lens.f_number if distances else float(pupil.f_number),
         "obscuration": pupil.obscuration,
@@ -414,25 +364,12 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
         "focal_length": lens.focal_length * 1e3,
     }
     vanes = _vanes(lens.spider)
-    for name, value in (state | vanes).items():
-        field = FIELDS[name]
-        if isinstance(field, Real) and not field.low <= value <= field.high:
-            unit = " waves" if field.row.waves else f" {field.row.said}".rstrip()
-            raise ValueError(
-                f"{name} must be from {field.low:g} to {field.high:g}{unit} on the live page, got {value:.4g} of "
-                f"{instrument.name or 'the lens file'!r}"
-            )
+    _require_range(state | vanes, instrument.name)
     state = {name: float(f"{value:.9g}") if isinstance(value, float) else value for name, value in state.items()}
-    rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
-    # Largest first, so that the text has those that count.
-    kept = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
-    kept = [term for term in kept if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
-    state["zernike"] = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(kept))
-    higher = math.sqrt(sum(c * c for c in rms.values()))
-    shown = vanes or lens.spider is None
+    state["zernike"], rest = _without_slider(waves)
     left_out = {
-        f"further Zernike terms, {higher:.1g} waves rms": higher > 1e-9,
-        "the spider": not shown,
+        f"further Zernike terms, {rest:.1g} waves rms": rest > 1e-9,
+        "the spider": not vanes and lens.spider is not None,
         "the vignetting": pupil.vignetting is not None,
         "the stop": pupil.stop is not None,
         "the mask": pupil.mask is not None,
@@ -442,6 +379,45 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
     }
     changed = {name: value for name, value in (state | vanes).items() if value != FIELDS[name].initial}
     return changed, "; ".join(text for text, there in left_out.items() if there)
+
+
+def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
+    """Return the sliders of the wavefront for Zernike terms in waves at the edge, and take these out."""
+    waves.pop((0, 0), 0.0)
+    # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
+    spherical = 6.0 * waves.pop((4, 0), 0.0)
+    state: Json = {"spherical": spherical}
+    if distances:
+        waves[2, 0] = waves.get((2, 0), 0.0) - 0.5 * spherical
+    else:
+        state["defocus"] = 2.0 * waves.pop((2, 0), 0.0) - spherical
+    for name, (n, m) in DIRECTED.items():
+        along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
+        state[name] = math.hypot(along, across)
+        state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
+    return state
+
+
+def _require_range(state: Json, lens: str) -> None:
+    """Refuse a lens whose numbers are out of the range of the controls."""
+    for name, value in state.items():
+        field = FIELDS[name]
+        if isinstance(field, Real) and not field.low <= value <= field.high:
+            unit = " waves" if field.row.waves else f" {field.row.said}".rstrip()
+            raise ValueError(
+                f"{name} must be from {field.low:g} to {field.high:g}{unit} on the live page, got {value:.4g} of "
+                f"{lens or 'the lens file'!r}"
+            )
+
+
+def _without_slider(waves: dict[tuple[int, int], float]) -> tuple[str, float]:
+    """Return the text of Zernike terms that have no slider, and the rms in waves of those that it has no room for."""
+    rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
+    # Largest first, so that the text has those that count.
+    kept = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
+    kept = [term for term in kept if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
+    text = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(kept))
+    return text, math.sqrt(sum(c * c for c in rms.values()))
 
 
 _FAR = 1e12  # metres, which stands for infinity

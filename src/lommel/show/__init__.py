@@ -8,12 +8,6 @@ if TYPE_CHECKING:
     from lommel.show import curves as curves
     from lommel.show import estimates as estimates
     from lommel.show import notebook as notebook
-    from lommel.show import plot as plot
-    from lommel.show.names import difference as difference
-    from lommel.show.names import encircled_energy as encircled_energy
-    from lommel.show.names import focus_curves as focus_curves
-    from lommel.show.names import mtf as mtf
-    from lommel.show.names import spots as spots
-    from lommel.show.names import through_focus as through_focus
+    from lommel.show.plot import *  # noqa: F403
 else:
-    __getattr__, __dir__ = imports.parts(__name__, "names")
+    __getattr__, __dir__ = imports.parts(__name__, exports="plot")

@@ -25,8 +25,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_psf
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import COLOURS, STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
-from lommel.show.labels import few_of, length_in_words, of_pupils
+from lommel.show import drawing
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -210,7 +209,7 @@ def through_focus(
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
-    validation.choice("stretch", stretch, STRETCHES)
+    validation.choice("stretch", stretch, drawing.STRETCHES)
     through = moved(thing, object_distance, reach=reach, count=planes)
     here = through.pupils[len(through.pupils) // 2]
     if half_width is None:
@@ -219,24 +218,24 @@ def through_focus(
     half = validation.real("half_width", half_width, above=0.0)
     x = np.linspace(-half, half, _ACROSS)
     values = np.maximum(section(through, x), 0.0)
-    factor, unit = lengths(here.unit)
+    factor, unit = drawing.lengths(here.unit)
     shift, label = _shift(through)
     step = x[1] - x[0], shift[1] - shift[0]
-    axes = new_axes(ax, figsize=(7.2, 4.2))
+    axes = drawing.new_axes(ax, figsize=(7.2, 4.2))
     top = (half + 0.5 * step[0]) * factor
     axes.imshow(
         values.T,
         extent=(shift[0] - 0.5 * step[1], shift[-1] + 0.5 * step[1], -top, top),
         origin="lower",
         aspect="auto",
-        cmap=COLOURS,
-        norm=norm_of(stretch, values),
+        cmap=drawing.COLOURS,
+        norm=drawing.norm_of(stretch, values),
         interpolation="bilinear",
     )
     axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
     axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
-        caption(axes, _told(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
+        drawing.caption(axes, _through_focus_title(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
     return axes
 
 
@@ -280,12 +279,12 @@ def focus_curves(
     here = through.pupils[len(through.pupils) // 2]
     given = np.array(_CUTOFF_SHARES) * here.cutoff if frequency is None else frequency
     f = np.atleast_1d(validation.real_array("frequency", given, least=0.0))
-    axes = new_axes(ax, figsize=(6.4, 4.2))
+    axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
     shift, label = _shift(through)
     ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
     axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
     if here.mask is None:
-        factor, unit = frequencies(here.unit)
+        factor, unit = drawing.frequencies(here.unit)
         along = {"-": (f, np.zeros(f.size))} | ({} if here.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in along.items():
             curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in through.pupils])
@@ -293,8 +292,8 @@ def focus_curves(
                 word = f"MTF at {each * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
-    title = _told(thing, here, object_distance) if ax is None else None
-    complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
+    title = _through_focus_title(thing, here, object_distance) if ax is None else None
+    drawing.complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
     return axes
 
 
@@ -307,14 +306,14 @@ def _shift(through: Moved) -> tuple[Array, str]:
     return through.at * factor, f"sensor moved away from the lens ({unit})"
 
 
-def _told(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
+def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
     """Return a title: f-number, wavelength, object, and what the dashed line is."""
     text = "through focus"
     if pupil.wavelength is not None:
-        text = f"f/{pupil.f_number:.3g}, {length_in_words(pupil.wavelength)}"
+        text = f"f/{pupil.f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
         if isinstance(thing, Lens):
             distance = thing.focus_distance if object_distance is None else object_distance
-            text = f"{text}, object at {length_in_words(distance)}"
+            text = f"{text}, object at {drawing.length_in_words(distance)}"
     return f"{text}; dashed: the sensor"
 
 
@@ -357,16 +356,16 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         pupil = checked_pupil(thing)
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
-    places = few_of(pupil.shape, _MOST)
-    words = of_pupils(pupil)
-    axes = new_axes(ax)
-    factor, unit = frequencies(pupil.unit)
+    places = drawing.evenly_spaced_members(pupil.shape, _MOST)
+    words = drawing.of_pupils(pupil)
+    axes = drawing.new_axes(ax)
+    factor, unit = drawing.frequencies(pupil.unit)
     most = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
     f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
     for k, (place, index) in enumerate(places.items()):
         one = thing[index] if pupil.shape else thing
         name = f"{words[place]}, " if pupil.shape else ""
-        if _alike(one, sides):
+        if _same_along_both(one, sides):
             axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
         axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
@@ -384,7 +383,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         if nyquist <= most:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     title = _title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel) if ax is None else None
-    complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF")
+    drawing.complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF")
     return axes
 
 
@@ -392,7 +391,7 @@ def _of_pixel(f: Array, side: float) -> Array:
     return np.asarray(np.abs(np.sinc(f * side)))
 
 
-def _alike(thing: Any, sides: tuple[float, float]) -> bool:
+def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
     """Return whether the curves along x and y are one."""
     if not is_psf(thing):
         return bool(thing.radial)
@@ -411,7 +410,7 @@ def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
     what = "modulation transfer function"
     if pixel is None:
         return what
-    factor, unit = lengths(pupil.unit)
+    factor, unit = drawing.lengths(pupil.unit)
     sides = (pixel,) if isinstance(pixel, float) else pixel
     return f"{what} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
 
@@ -452,12 +451,12 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
     validation.axes("ax", ax)
     far = _fitting(psf) if radius is None else validation.real("radius", radius, above=0.0)
     at = np.linspace(0.0, far, _RADII)
-    factor, unit = lengths(psf.unit)
+    factor, unit = drawing.lengths(psf.unit)
     title = "encircled energy"
-    axes = new_axes(ax)
+    axes = drawing.new_axes(ax)
     if pupil.shape:
-        titles = of_pupils(pupil)
-        for place, index in few_of(pupil.shape, _MOST).items():
+        titles = drawing.of_pupils(pupil)
+        for place, index in drawing.evenly_spaced_members(pupil.shape, _MOST).items():
             axes.plot(factor * at, within(psf[index], at), label=titles[place])
     else:
         curve = np.asarray(within(psf, at))
@@ -472,7 +471,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
     own, limits = title if ax is None else None, (0.0, far * factor)
     ylabel = "fraction of all light"
-    complete_curves(axes, own, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
+    drawing.complete_curves(axes, own, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
     return axes
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +14,7 @@ from scipy import ndimage
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.base.units import format_length
-from lommel.show.drawing import COLOURS, USER, entitle, figure_of, fitted, new_axes, pyplot, round_length
-from lommel.show.labels import length_in_words
+from lommel.show import drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -99,8 +99,7 @@ class DepthColours:
 
 
 _ACROSS = 5
-_STARS = 5
-_STAR_SIGMAS = 4.0
+_SIGMAS = 4.0  # of residuals
 
 
 def field(
@@ -116,22 +115,22 @@ def field(
     across, down, chi2, used = stars
     factor, name = (1e3, "mm") if length == "m" else (1.0, "lambda*N")
     rows = math.ceil((len(maps) + 1) / _ACROSS)
-    figure: Figure = pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
+    figure: Figure = drawing.pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
     # So that numbers beside bars are not cut.
     figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
-    panels: Any = upper.subplots(rows, _ACROSS, squeeze=False)
+    panels = upper.subplots(rows, _ACROSS, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
     for panel, (term, values, errors) in zip(panels.flat, maps, strict=False):
         most = max(float(np.abs(values).max()), 1e-12)
         drawn = panel.imshow(values, cmap="RdBu_r", vmin=-most, vmax=most, extent=extent, aspect="equal")
         bar = upper.colorbar(drawn, ax=panel, shrink=0.75)
         bar.ax.tick_params(labelsize=7)
-        panel.set_title("\n".join([*_wrapped(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
+        panel.set_title("\n".join([*textwrap.wrap(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
     shown = panel.scatter(
-        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=COLOURS, vmin=0.8, vmax=1.4
+        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=drawing.COLOURS, vmin=0.8, vmax=1.4
     )
     if not used.all():
         panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6)
@@ -145,7 +144,7 @@ def field(
         rest.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
     _stars(lower, images, (across, down, used))
-    figure.suptitle("\n".join(_wrapped(title, 130)), fontsize=9)
+    figure.suptitle(textwrap.fill(title, 130), fontsize=9)
     return figure
 
 
@@ -155,34 +154,37 @@ def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, ND
     across, down, used = stars
     at = np.flatnonzero(used)
     wide, high = max(float(np.ptp(across)), 1e-300), max(float(np.ptp(down)), 1e-300)
-    spots = [(across.min(), down.min()), (across.max(), down.min()), (np.median(across), np.median(down)),
-             (across.min(), down.max()), (across.max(), down.max())]  # fmt: skip
-    names = ("top left", "top right", "middle", "bottom left", "bottom right")
-    panels = part.subplots(3, _STARS, squeeze=False)
-    norm = library("matplotlib.colors", *USER).PowerNorm
-    for column, ((u, v), name) in enumerate(zip(spots, names, strict=True)):
+    spots = {
+        "top left": (across.min(), down.min()),
+        "top right": (across.max(), down.min()),
+        "middle": (np.median(across), np.median(down)),
+        "bottom left": (across.min(), down.max()),
+        "bottom right": (across.max(), down.max()),
+    }
+    columns = []
+    for name, (u, v) in spots.items():
         k = at[np.argmin(((across[at] - u) / wide) ** 2 + ((down[at] - v) / high) ** 2)]
         image, fit = seen[k, 0], model[k, 0]
-        low, top = np.nanmin(image), np.nanmax(image)
-        scale = norm(0.5, low, top)
-        panels[0, column].imshow(image, cmap=COLOURS, norm=scale, interpolation="nearest")
-        panels[1, column].imshow(fit, cmap=COLOURS, norm=scale, interpolation="nearest")
-        noise = np.sqrt(np.maximum(fit, 1.0))
-        left = panels[2, column].imshow(
-            (image - fit) / noise, cmap="RdBu_r", vmin=-_STAR_SIGMAS, vmax=_STAR_SIGMAS, interpolation="nearest"
-        )
-        panels[0, column].set_title(name, fontsize=8)
-    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
-        row[0].set_ylabel(text, fontsize=8)
-    for panel in panels.flat:
-        panel.set(xticks=[], yticks=[], facecolor="0.5")
+        columns.append((name, image, fit, (image - fit) / np.sqrt(np.maximum(fit, 1.0))))
+    panels, left = _residual_rows(part, columns, letters=8)
     part.colorbar(left, ax=panels.ravel().tolist(), label="residual over photon noise", shrink=0.6)
 
 
-def _wrapped(text: str, width: int) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(text, width)
+def _residual_rows(part: Any, columns: Sequence[tuple[str, Array, Array, Array]], letters: float) -> tuple[Any, Any]:
+    """Draw title, image, model and residual of each column; return the panels, and a drawn residual."""
+    panels = part.subplots(3, len(columns), squeeze=False)
+    norm = library("matplotlib.colors", *drawing.USER).PowerNorm
+    for column, (title, image, model, residual) in zip(panels.T, columns, strict=True):
+        scale = norm(0.5, np.nanmin(image), np.nanmax(image))
+        for panel, values in zip(column[:2], (image, model), strict=True):
+            panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
+        left = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
+        column[0].set_title(title, fontsize=8)
+    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
+        row[0].set_ylabel(text, fontsize=letters)
+    for panel in panels.flat:
+        panel.set(xticks=[], yticks=[], facecolor="0.5")  # of what was left out
+    return panels, left
 
 
 _COLOURS = "turbo"
@@ -196,17 +198,17 @@ def picture(
     rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
 ) -> Axes:
     """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
-    axes = new_axes(ax, figsize=(6.4, 5.6))
+    axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
     side = max(_LEAST_WIDTH, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST_PIXELS)
     flat = along == "none"
     heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
     low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
-    map_ = library("matplotlib.cm", *USER).ScalarMappable(cmap=_COLOURS)
+    map_ = library("matplotlib.cm", *drawing.USER).ScalarMappable(cmap=_COLOURS)
     map_.set_clim(low, max(high, low + 1e-3))
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
     colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
     axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
-    figure = figure_of(axes)
+    figure = drawing.figure_of(axes)
     if not flat:
         figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
@@ -256,8 +258,8 @@ def projections(
     inch = _SIDE / max(wide, high)
     below = max(deep, _LEAST_SHARE * high)
     size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
-    figure: Figure = pyplot().figure(figsize=size, layout="compressed")
-    axes: Any = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
+    figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
+    axes = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
         for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
             for panel, values, extent in zip(
@@ -265,7 +267,11 @@ def projections(
             ):
                 how: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
                 if words != "residual":
-                    how = {"cmap": COLOURS, "vmin": 0.0, "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30)))}
+                    how = {
+                        "cmap": drawing.COLOURS,
+                        "vmin": 0.0,
+                        "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30))),
+                    }
                     values = np.sqrt(np.maximum(values, 0.0))
                 drawn = panel.imshow(values, extent=extent, interpolation="nearest", **how)
                 panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
@@ -275,13 +281,13 @@ def projections(
         rows[1, 0].set_ylabel("xz", fontsize=9)
         figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
         _scale_bar(rows[1, 0], wide)
-    entitle(figure, title)
+    drawing.entitle(figure, title)
     return figure
 
 
 def _scale_bar(axes: Any, width: float) -> None:
     """Draw a bar below axes whose width is in metres, with its length beside it."""
-    length = round_length(0.3 * width)
+    length = drawing.round_length(0.3 * width)
     color = axes.yaxis.label.get_color()  # which is white in dark styles
     place = axes.get_xaxis_transform()
     axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
@@ -294,21 +300,21 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     height, width = depth.shape
     count = 2 if light is None else 3
     side = 4.4
-    figure: Figure = pyplot().figure(
+    figure: Figure = drawing.pyplot().figure(
         figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
     )
-    axes: Any = figure.subplots(1, count)
+    axes = figure.subplots(1, count, squeeze=False)[0]
     known = np.isfinite(errors)
     low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
     shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
     figure.colorbar(shown, ax=axes[0], label="depth (m)", extend="both", shrink=0.85)
     axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=10)
-    norm: Any = None
+    norm = None
     millimetres = np.where(known, 1e3 * errors, np.nan)
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])
-        norm = library("matplotlib.colors", *USER).LogNorm(*(ends * [0.99, 1.01]))
-    shown = axes[1].imshow(millimetres, cmap=COLOURS, norm=norm, interpolation="nearest")
+        norm = library("matplotlib.colors", *drawing.USER).LogNorm(*(ends * [0.99, 1.01]))
+    shown = axes[1].imshow(millimetres, cmap=drawing.COLOURS, norm=norm, interpolation="nearest")
     figure.colorbar(shown, ax=axes[1], label="standard error of depth (mm)", extend="both", shrink=0.85)
     axes[1].set_title("standard error", fontsize=10)
     if light is not None:
@@ -326,7 +332,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
 
     Dotted lines mark the focus distances `foci` that are within the range.
     """
-    axes = new_axes(None, figsize=(7.0, 4.4))
+    axes = drawing.new_axes(None, figsize=(7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
@@ -335,17 +341,17 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
     axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
-    axes.set_title(fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
     axes.grid(which="both", alpha=0.3)
     for focus in foci:
         if distance[0] <= focus <= distance[-1]:
             axes.axvline(focus, color="0.4", linewidth=1.0, linestyle=":")
-            words = f" focus {length_in_words(focus)}"
+            words = f" focus {drawing.length_in_words(focus)}"
             place = axes.get_xaxis_transform()
             axes.text(focus, 0.98, words, transform=place, fontsize=8, rotation=90, va="top", ha="right")
     if len(curves) > 1:
         axes.legend(fontsize=9)
-    plain = library("matplotlib.ticker", *USER).FuncFormatter(lambda value, _: f"{value:g}")
+    plain = library("matplotlib.ticker", *drawing.USER).FuncFormatter(lambda value, _: f"{value:g}")
     axes.yaxis.set_major_formatter(plain)
     if finite.size and math.log10(axes.get_ylim()[1] / axes.get_ylim()[0]) < 1.5:
         axes.yaxis.set_minor_formatter(plain)
@@ -353,7 +359,6 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
 
 
 _MOST = 8  # images in one figure
-_SIGMAS = 4.0
 
 
 def fit(
@@ -368,22 +373,13 @@ def fit(
     names, values, errors, unit = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
-    figure: Figure = pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
+    figure: Figure = drawing.pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
     parts: Any = figure.subfigures(1, 2, width_ratios=(1.9 * count + 1.2, bars + 1.0))
     pictures, graph = parts
-    axes = pictures.subplots(3, count, squeeze=False)
-    for k in range(count):
-        low, high = np.nanmin(images[k]), np.nanmax(images[k])
-        norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, high)
-        axes[0, k].imshow(images[k], cmap=COLOURS, norm=norm, interpolation="nearest")
-        axes[1, k].imshow(model[k], cmap=COLOURS, norm=norm, interpolation="nearest")
-        left = axes[2, k].imshow(residual[k], cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
-        axes[0, k].set_title(titles[k] if len(titles[k]) < 22 else f"…{titles[k][-20:]}", fontsize=8)
-    for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
-        row[0].set_ylabel(text, fontsize=9)
-    for each in axes.flat:
-        each.set(xticks=[], yticks=[], facecolor="0.5")  # what was left out
-    pictures.colorbar(left, ax=axes[2].tolist(), label="residual / noise", shrink=0.9)
+    short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
+    columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
+    panels, left = _residual_rows(pictures, columns, letters=9)
+    pictures.colorbar(left, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in errors]
@@ -417,12 +413,12 @@ def spots(
     ax: Axes | None,
 ) -> Axes:
     """Draw an image with the windows around spots, and those refused by reason."""
-    axes = new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
+    axes = drawing.new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
     low, high = np.nanpercentile(image, [1.0, 99.8])
-    norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
+    norm = library("matplotlib.colors", *drawing.USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
     axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")
     axes.set_facecolor(_LEFT_OUT)
-    rectangle = library("matplotlib.patches", *USER).Rectangle
+    rectangle = library("matplotlib.patches", *drawing.USER).Rectangle
     for k, (row, column) in enumerate(places.tolist()):
         corner = column - box[1] // 2 - 0.5, row - box[0] // 2 - 0.5
         label = "window" if k == 0 else None
@@ -434,5 +430,5 @@ def spots(
     if len(places) or refused:
         axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=3, frameon=False)
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
-    axes.set_title(fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
     return axes

@@ -26,8 +26,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import COLOURS, HOW, MEANING, round_length
-from lommel.show.labels import few, few_of, length_in_words, of_emitter, of_pupils
+from lommel.show import drawing
 from lommel.show.pupils import across
 from lommel.special import zernike
 
@@ -46,11 +45,11 @@ Row = tuple[str, str | Callable[[], str] | None]
 def psf(psf: PSFLike) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
     stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
-    seen = [_window(psf, index) for index in few_of(stack, _TILES).values()]
+    seen = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
     whole = psf.values.size <= _MANY
     values = psf.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
-    told = of_pupils(psf.pupil) if 1 < all_of <= 64 else []
+    told = drawing.of_pupils(psf.pupil) if 1 < all_of <= 64 else []
     wide = "pixels are wider than λN: samples do not sum to the light"
 
     def light() -> str:
@@ -59,7 +58,7 @@ def psf(psf: PSFLike) -> str:
     rows: list[Row] = [
         ("stack", f"{told[0]} to {told[-1]}" if told else None),
         ("pixels", _pixels(psf)),
-        ("values", f"{psf.values.dtype}, {MEANING[psf.normalize]}"),
+        ("values", f"{psf.values.dtype}, {drawing.MEANING[psf.normalize]}"),
         (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
         ("light in the window", light if whole else None),
         ("method", type(psf.method).__name__),
@@ -72,7 +71,7 @@ def psf(psf: PSFLike) -> str:
         most = 160 if len(seen) == 1 else 110
         parts = [_smaller(part, most) for part in seen]
         pitch = _pitch(psf, seen[0], parts[0])
-        return _beside([_lit(part) for part in parts], COLOURS, _ROOT, pitch, psf.unit)
+        return _beside([_lit(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
 
     caption = "square root" + (", each over its largest" if len(seen) > 1 else "")
     return _html(_count("PSF", stack), rows, picture, caption)
@@ -83,7 +82,7 @@ def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str
 
     def picture() -> str:
         made = image()
-        return _beside([_lit(made.values)], COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit)
+        return _beside([_lit(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit)
 
     return _html(title, rows, picture, "its PSF, square root")
 
@@ -95,13 +94,16 @@ def grid(thing: PSFGridLike) -> str:
     first = () if thing.depths is None else (0,)
 
     def picture() -> str:
-        at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
+        at_rows, at_columns = (
+            drawing.evenly_spaced(list(range(rows)), 5),
+            drawing.evenly_spaced(list(range(columns)), 7),
+        )
         seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
         parts = [[_lit(_smaller(part, 48)) for part in line] for line in seen]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
         pitch = _pitch(one, seen[0][0], parts[0][0])
         words = "square roots of the values over the largest of each"
-        return _image(values, COLOURS, words, 280) + _bar(
+        return _image(values, drawing.COLOURS, words, 280) + _bar(
             pitch, parts[0][0].shape[1], 280 / max(values.shape), one.unit
         )
 
@@ -112,7 +114,7 @@ def grid(thing: PSFGridLike) -> str:
         ("distances", None if thing.depths is None else _places(thing.depths)),
         ("channels", channels),
         ("pixels of each", _pixels(one)),
-        ("values", f"{thing.values.dtype}, {MEANING[thing.psf.normalize]}"),
+        ("values", f"{thing.values.dtype}, {drawing.MEANING[thing.psf.normalize]}"),
         ("method", type(one.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
@@ -161,7 +163,9 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
         both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
-        return _beside([_smaller(part) for part in both], COLOURS, "the first image as measured, and its model")
+        return _beside(
+            [_smaller(part) for part in both], drawing.COLOURS, "the first image as measured, and its model"
+        )
 
     return _html("Retrieval", rows, picture, "measured, and the model")
 
@@ -170,7 +174,7 @@ _PHASE = "phase, blue to red"
 
 
 def _phase(pupil: BasePupil) -> str:
-    chosen = list(few_of(pupil.shape, _TILES).values())
+    chosen = list(drawing.evenly_spaced_members(pupil.shape, _TILES).values())
     # A wavefront of very many terms takes as long for each point as one of few for all.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
@@ -222,7 +226,7 @@ def _lit(values: Array) -> Array:
 
 def emitter(thing: Emitter) -> str:
     """Return a description of an emitter, with the sign of degrees."""
-    return of_emitter(thing).replace(" deg", "°")
+    return drawing.of_emitter(thing).replace(" deg", "°")
 
 
 def _sample(psf: PSFLike) -> float:
@@ -237,7 +241,7 @@ def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
 
 def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
     """Return a scale bar of up to half of so many columns, each of a pitch and enlarged to so many pixels."""
-    length = round_length(0.5 * columns * pitch)
+    length = drawing.round_length(0.5 * columns * pitch)
     style = f"width:{length / pitch * enlarged:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
 
@@ -316,7 +320,7 @@ def _pixels(psf: PSFLike) -> str:
     size = " × ".join(dict.fromkeys(_length(side * _sample(psf), psf.unit) for side in psf.grid.pitch))
     size += " in the sample" if isinstance(psf.pupil, ObjectivePupil) else ""
     spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} of {size}, {HOW[psf.sampling]}{spread}"
+    return f"{height} × {width} of {size}, {drawing.HOW[psf.sampling]}{spread}"
 
 
 def _aperture(pupil: Pupil) -> str:
@@ -334,7 +338,7 @@ def _light(pupil: BasePupil) -> str:
 
 
 def _length(value: float, unit: str) -> str:
-    return length_in_words(float(value)) if unit == "m" else f"{value:.4g} λN"
+    return drawing.length_in_words(float(value)) if unit == "m" else f"{value:.4g} λN"
 
 
 def _places(at: Array) -> str:

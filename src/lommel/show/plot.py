@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,36 +19,16 @@ from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, checke
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
-from lommel.show.drawing import (
-    COLOURS,
-    HOW,
-    MEANING,
-    MOST,
-    STRETCHES,
-    USER,
-    at_most,
-    caption,
-    circle,
-    columns_of,
-    entitle,
-    even_norm,
-    lengths,
-    new_axes,
-    norm_of,
-    only_outer,
-    only_single,
-    pyplot,
-    round_length,
-    stretched,
-    tiles,
-)
-from lommel.show.labels import of_pupils, true_minus
+from lommel.show import drawing
+from lommel.show.curves import encircled_energy, focus_curves, mtf, through_focus
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
+
+__all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
 
 _LONGEST = 3.0  # how much longer one axis may be than another, at the same scale
 _SIDE = 3.4  # inches of the longest axis
@@ -105,26 +85,28 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     longest = max(lengths)
     wide, high, deep = (max(length, longest / _LONGEST) for length in lengths)
     inch = _SIDE / longest
-    figure = pyplot().figure(figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed")
+    figure = drawing.pyplot().figure(
+        figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed"
+    )
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
     xy, yz, xz, legend = grid.flat
-    norm = norm_of(stretch, values)
-    aside = true_minus(f"{x[column] + 0.0:.3g}")
+    norm = drawing.norm_of(stretch, values)
+    aside = drawing.true_minus(f"{x[column] + 0.0:.3g}")
     scales = [inch * side / length for side, length in zip((wide, high, deep), lengths, strict=True)]
     for axes, across, up, level, aspect, title in (
-        (xy, x, y, values[plane], scales[1] / scales[0], f"xy at z = {true_minus(f'{z[plane]:.4g}')} µm"),
-        (xz, x, z, values[:, row], scales[2] / scales[0], f"xz at y = {true_minus(f'{y[row] + 0.0:.3g}')} µm"),
+        (xy, x, y, values[plane], scales[1] / scales[0], f"xy at z = {drawing.true_minus(f'{z[plane]:.4g}')} µm"),
         (
-            yz,
+            xz,
+            x,
             z,
-            y,
-            values[:, :, column].T,
-            scales[1] / scales[2],
-            f"yz at x = {aside} µm",
+            values[:, row],
+            scales[2] / scales[0],
+            f"xz at y = {drawing.true_minus(f'{y[row] + 0.0:.3g}')} µm",
         ),
+        (yz, z, y, values[:, :, column].T, scales[1] / scales[2], f"yz at x = {aside} µm"),
     ):
-        mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=COLOURS, rasterized=True)
+        mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=drawing.COLOURS, rasterized=True)
         axes.set_title(title, fontsize=9)
         axes.set(aspect=aspect, facecolor="black")
     for axes in (xy, yz):
@@ -133,16 +115,16 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     xz.set(xlabel="x in the sample (µm)", ylabel="z of the stage (µm)")
     yz.set(xlabel="z of the stage (µm)", yticklabels=[])
     legend.set_axis_off()
-    locator = library("matplotlib.ticker", *USER).MaxNLocator
+    locator = library("matplotlib.ticker", *drawing.USER).MaxNLocator
     xz.yaxis.set_major_locator(locator(4))
     yz.xaxis.set_major_locator(locator(3 if deep > 0.6 * wide else 2, symmetric=True))
-    told = _told(psf, z, scales[0] == scales[1] == scales[2], stretch)
-    entitle(figure, "\n".join([", ".join(told[:3]), "; ".join(told[3:])]))
-    figure.colorbar(mesh, ax=grid, label=MEANING[psf.normalize])
+    lines = _title_lines(psf, z, scales[0] == scales[1] == scales[2], stretch)
+    drawing.entitle(figure, "\n".join([", ".join(lines[:3]), "; ".join(lines[3:])]))
+    figure.colorbar(mesh, ax=grid, label=drawing.MEANING[psf.normalize])
     return np.array([xy, xz, yz])
 
 
-def _told(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
+def _title_lines(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
     """Return what there is to say of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
@@ -150,8 +132,8 @@ def _told(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
     return [
         f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
-        HOW[psf.sampling],
-        f"brightness: {' '.join(STRETCHES[stretch].split())}",
+        drawing.HOW[psf.sampling],
+        f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}",
         *([] if to_scale else ["x, y and z are not to one scale"]),
     ]
 
@@ -164,7 +146,7 @@ def _edges(at: Array) -> Array:
     return np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
 
 
-def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
     """Draw a PSF, a stack of PSFs side by side on one scale, or three sections of a z stack.
 
     Parameters
@@ -189,42 +171,44 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     ImportError
         If matplotlib is not installed.
     """
-    validation.choice("stretch", stretch, STRETCHES)
-    only_single(ax, psf.pupil.shape)
+    validation.choice("stretch", stretch, drawing.STRETCHES)
+    drawing.only_single(ax, psf.pupil.shape)
     if is_z_stack(psf):
         return sections(psf, stretch=stretch)
-    at_most(psf.pupil.shape)
-    norm = norm_of(stretch, psf.values)
+    drawing.at_most(psf.pupil.shape)
+    norm = drawing.norm_of(stretch, psf.values)
     if psf.pupil.shape != ():
 
         def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
             return _draw(psf[index], axes, norm).images[0]
 
-        return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
-    axes = _draw(psf, new_axes(ax), norm)
+        return drawing.tiles(
+            psf.pupil.shape, one, drawing.of_pupils(psf.pupil), _title(psf), drawing.MEANING[psf.normalize]
+        )
+    axes = _draw(psf, drawing.new_axes(ax), norm)
     if ax is None:
-        caption(axes, _title(psf), MEANING[psf.normalize])
+        drawing.caption(axes, _title(psf), drawing.MEANING[psf.normalize])
     return axes
 
 
 def _title(psf: PSFLike) -> str:
-    factor, unit = lengths(psf.unit)
+    factor, unit = drawing.lengths(psf.unit)
     height, width = psf.shape[-2:]
     sides = psf.grid.pitch[: 1 if isinstance(psf.pixel, float) else 2]
     size = " × ".join(f"{side * factor:.4g}" for side in sides)
     spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} pixels of {size} {unit}, {HOW[psf.sampling]}{spread}"
+    return f"{height} × {width} pixels of {size} {unit}, {drawing.HOW[psf.sampling]}{spread}"
 
 
 def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
     interpolation = "nearest" if max(psf.shape) < 256 else "antialiased"
-    return _show(psf.values, psf, axes, cmap=COLOURS, norm=norm, interpolation=interpolation)
+    return _show(psf.values, psf, axes, cmap=drawing.COLOURS, norm=norm, interpolation=interpolation)
 
 
 def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     """Draw a picture of the pixels of a PSF on axes with its lengths."""
-    factor, unit = lengths(psf.unit)
+    factor, unit = drawing.lengths(psf.unit)
     high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
     axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **how)
@@ -232,7 +216,7 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     return axes
 
 
-def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
     """Draw PSFs of three channels in colour, each scaled to its maximum, or those of other channels side by side.
 
     Parameters
@@ -259,30 +243,30 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     stack = psf.shape[:-3]
     if len(psf.psfs) == 3:
-        pictures = stretched(colours(psf), stretch).reshape(-1, *psf.shape[-2:], 3)
+        pictures = drawing.stretched(colours(psf), stretch).reshape(-1, *psf.shape[-2:], 3)
         titles = [", ".join(map(str, index)) for index in np.ndindex(stack)]
     elif not stack:
         top = float(psf.values.max()) or 1.0
-        pictures, titles = stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
+        pictures, titles = drawing.stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
     else:
         raise ValueError(f"a stack takes three channels, got {len(psf.psfs)}; plot a channel, as psf[0].plot()")
-    if len(pictures) > MOST or (ax is not None and len(pictures) > 1):
-        most = 1 if ax is not None else MOST
+    if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
+        most = 1 if ax is not None else drawing.MOST
         raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; take part(index) of a stack")
     first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
-    columns = columns_of(len(pictures))
+    columns = drawing.columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
     drawn = np.array([ax], dtype=object)
     if ax is None:
         size = (max(2.4 * columns + 1.0, 4.4), 2.3 * max(rows, 1.5 - 0.5 * (columns > 1)) + 0.7)
-        figure, grid = pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
+        figure, grid = drawing.pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
         drawn = grid.ravel()
         each = "each channel over its largest value" if len(psf.psfs) == 3 else "all over the largest value"
-        entitle(figure, f"brightness: {' '.join(STRETCHES[stretch].split())}, {each}")
+        drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {each}")
     grey = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
         _show(picture, first, drawn[k], interpolation="nearest", **grey)
-        only_outer(drawn[k], k, len(pictures), columns)
+        drawing.only_outer(drawn[k], k, len(pictures), columns)
         if title:
             drawn[k].set_title(title, fontsize=9)
     for spare in drawn[len(pictures) :]:
@@ -320,11 +304,11 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     columns = min(count, 6)
     rows = -(-count // columns)
     size = (2.0 * max(columns, 3) + 1.6, 2.2 * rows + 5.3)
-    figure: Figure = library("matplotlib.figure", *USER).Figure(figsize=size, layout="constrained")
+    figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(figsize=size, layout="constrained")
     parts: Any = figure.subfigures(2, 1, height_ratios=(2.2 * rows + 0.7, 4.6))
     pictures, graphs = parts
     peak = float(truth.values.max())
-    scale: Any = library("matplotlib.colors", *USER).LogNorm(*_ERRORS, clip=True)
+    scale: Any = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
     drawn = []
     for k, name in enumerate([reference, *others]):
         axes = pictures.add_subplot(rows, columns, k + 1)
@@ -341,12 +325,12 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
-        only_outer(axes, k, count, columns)
+        drawing.only_outer(axes, k, count, columns)
     if drawn:
         bar = pictures.colorbar(drawn[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
         bar.set_label("error / peak of the reference", fontsize=8)
         bar.ax.tick_params(labelsize=7)
-    factor, unit = lengths(truth.unit)
+    factor, unit = drawing.lengths(truth.unit)
     slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
     radius, expected = truth.profile()
     far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
@@ -418,12 +402,12 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     ImportError
         If matplotlib is not installed.
     """
-    mpl = library("matplotlib", *USER)
-    validation.choice("stretch", stretch, STRETCHES)
+    mpl = library("matplotlib", *drawing.USER)
+    validation.choice("stretch", stretch, drawing.STRETCHES)
     if grid.depths is not None:
         raise ValueError("a grid of several distances has no one picture: draw one of them, grid.at_depth(0).plot()")
     coloured = isinstance(grid.psf, ColourPSFLike)
-    pictures = stretched(colours(grid.psf), stretch) if isinstance(grid.psf, ColourPSFLike) else grid.values
+    pictures = drawing.stretched(colours(grid.psf), stretch) if isinstance(grid.psf, ColourPSFLike) else grid.values
     (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
@@ -431,38 +415,38 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     high, wide = (side * pitch for side, pitch in zip((height, width), grid.psf.grid.pitch, strict=True))
     larger = min(sensor[0] / rows / high, sensor[1] / columns / wide)
     half_height, half_width = 0.5 * high * larger, 0.5 * wide * larger
-    colors = mpl.colormaps[COLOURS]
+    colors = mpl.colormaps[drawing.COLOURS]
     axes.set_facecolor("black" if coloured else colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
     for i, j in np.ndindex(rows, columns):
         x, y = grid.x[j] * factor, grid.y[i] * factor
         values = pictures[i, j]
-        norm = {} if coloured else {"cmap": colors, "norm": norm_of(stretch, values)}
+        norm = {} if coloured else {"cmap": colors, "norm": drawing.norm_of(stretch, values)}
         extent = (x - half_width, x + half_width, y + half_height, y - half_height)
         axes.imshow(values, extent=extent, interpolation=interpolation, **norm)
     half = 0.5 * sensor[0], 0.5 * sensor[1]
     axes.set(xlim=(-half[1], half[1]), ylim=(half[0], -half[0]), aspect="equal")
-    axes.set_xticks(grid.x * factor, [true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
-    axes.set_yticks(grid.y * factor, [true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
+    axes.set_xticks(grid.x * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
+    axes.set_yticks(grid.y * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
     if ax is None:
         title = f"{rows} × {columns} PSFs, each over its largest value"
         # A bar of one colour map says nothing of colours.
-        title += f"\nbrightness: {' '.join(STRETCHES[stretch].split())}" if coloured else ""
+        title += f"\nbrightness: {' '.join(drawing.STRETCHES[stretch].split())}" if coloured else ""
         axes.set_title(title, fontsize=9, loc="left", pad=22)
     if ax is None and not coloured:
-        scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, np.ones(1)), colors)
+        scale = library("matplotlib.cm", *drawing.USER).ScalarMappable(drawing.norm_of(stretch, np.ones(1)), colors)
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
     # Within the PSFs lengths are `larger`.
-    inner, inner_unit = lengths(grid.unit)
-    length = round_length(0.8 * wide * inner)
+    inner, inner_unit = drawing.lengths(grid.unit)
+    length = drawing.round_length(0.8 * wide * inner)
     _scale_bar(axes, length / inner * larger / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
 
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
     """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
-    shifted = library("matplotlib.transforms", *USER).offset_copy
+    shifted = library("matplotlib.transforms", *drawing.USER).offset_copy
     place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
     color = axes.xaxis.label.get_color()  # which is white in dark styles
     axes.plot([1.0 - length, 1.0], [1.0, 1.0], color=color, linewidth=2.5, transform=place, clip_on=False)
@@ -473,7 +457,7 @@ def _field_axes(grid: PSFGridLike) -> Axes:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return new_axes(None, figsize=(width + 1.1, width * ratio + 0.7))
+    return drawing.new_axes(None, figsize=(width + 1.1, width * ratio + 0.7))
 
 
 def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Axes:
@@ -522,10 +506,12 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
         raise ValueError(f"a must have the shape of b, {b.shape}, got {values.shape}")
     largest, mean = peak_error(values, b.values), math.sqrt(mse(values, b.values))
     away = (values - b.values) / float(b.values.max())
-    norm = even_norm(float(np.abs(away).max()))
-    axes = _show(away, b, new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
+    norm = drawing.even_norm(float(np.abs(away).max()))
+    axes = _show(away, b, drawing.new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
     if ax is None:
-        caption(axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference over the peak")
+        drawing.caption(
+            axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference over the peak"
+        )
     return axes
 
 
@@ -604,13 +590,13 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     if pupil.shape != ():
         raise ValueError(f"psf must be a single one for a spot diagram, got a stack of shape {pupil.shape}; index it")
     validation.axes("ax", ax)
-    factor, unit = lengths(psf.unit)
+    factor, unit = drawing.lengths(psf.unit)
     x, y = ray_positions(pupil, rings).T * factor
-    axes: Axes = plot(psf, ax, stretch=stretch)
+    axes = cast("Axes", plot(psf, ax, stretch=stretch))  # of a single PSF
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
     airy = pupil.airy_radius * factor
-    circle(axes, airy, color="lime", linewidth=1.0, label="Airy circle")
+    drawing.circle(axes, airy, color="lime", linewidth=1.0, label="Airy circle")
     axes.set(xlim=limits[0], ylim=limits[1])
     axes.legend(fontsize=7, loc="upper right")
     if ax is None:

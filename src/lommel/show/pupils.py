@@ -14,8 +14,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import at_most, caption, circle, even_norm, new_axes, only_single, tiles
-from lommel.show.labels import of_pupils, of_wavefronts
+from lommel.show import drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,7 +33,7 @@ class Across(NamedTuple):
 
 
 @display.plot.register(Wavefront)
-def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> drawing.Drawn:
     """Draw the phase of a wavefront over the full disc, without its mean; a stack side by side on one scale.
 
     Parameters
@@ -59,11 +58,11 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
     """
     validation.instance("wavefront", thing, Wavefront)
     validation.choice("unit", unit, UNITS[:2])
-    return _phase(Pupil(thing), ax, unit, of_wavefronts(thing))
+    return _phase(Pupil(thing), ax, unit, drawing.of_wavefronts(thing))
 
 
 @display.plot.register(BasePupil)
-def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
+def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> drawing.Drawn:
     """Draw the phase across a pupil, without its mean, or its amplitude; a stack side by side on one scale.
 
     Parameters
@@ -94,7 +93,7 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
     validation.choice("what", what, ("phase", "amplitude"))
     validation.choice("unit", unit, UNITS)
     if what == "phase":
-        return _phase(imaged(thing), ax, unit, of_pupils(thing))
+        return _phase(imaged(thing), ax, unit, drawing.of_pupils(thing))
     found = _few(imaged(thing), ax).amplitude
     if thing.layered:
         found, passing = found / found.max(), "of both polarisations, over the largest"
@@ -102,7 +101,7 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
         passing = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
     values, most = np.where(found > 0.0, found, np.nan), max(1.0, float(found.max()))
     words = f"amplitude {passing}", "amplitude"
-    return _draw(thing, values, ax, words, of_pupils(thing), cmap="viridis", vmin=0.0, vmax=most)
+    return _draw(thing, values, ax, words, drawing.of_pupils(thing), cmap="viridis", vmin=0.0, vmax=most)
 
 
 def across(pupil: BasePupil, side: int = _SIDE) -> Across:
@@ -148,15 +147,15 @@ def _through_layers(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Ar
 def _few(pupil: BasePupil, ax: Axes | None) -> Across:
     """Return :func:`across` of what can be drawn; ValueError for too many, or for axes and a stack."""
     validation.axes("ax", ax)
-    only_single(ax, pupil.shape)
+    drawing.only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)
-    at_most(pupil.shape)
+    drawing.at_most(pupil.shape)
     # Vanes and gaps are narrow.
     side = _SIDE if pupil.circular else 2 * _SIDE
     return across(pupil, side if count < 9 else side // 2)
 
 
-def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> Any:
+def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> drawing.Drawn:
     """Draw the phase of a pupil, or of a stack of them."""
     if unit == "nm" and pupil.wavelength is None:
         raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; take "waves" or "radians"')
@@ -168,13 +167,13 @@ def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> A
     if not pupil.shape and isinstance(pupil, Pupil) and not pupil.phase_mask:
         spread = float(np.nanmax(values) - np.nanmin(values))
         title = f"rms {float(rms(pupil)) / per:.3g} {unit}, peak to valley {spread:.3g} {unit}"
-    words, norm = (title, f"phase, less its mean ({unit})"), even_norm(float(np.nanmax(np.abs(values))))
+    words, norm = (title, f"phase, less its mean ({unit})"), drawing.even_norm(float(np.nanmax(np.abs(values))))
     return _draw(pupil, values, ax, words, titles, cmap="RdBu_r", norm=norm)
 
 
 def _draw(
     pupil: BasePupil, values: Array, ax: Axes | None, words: tuple[str, str], titles: list[str], **how: Any
-) -> Any:
+) -> drawing.Drawn:
     """Draw what is known across a pupil, with a title and what the bar says."""
 
     def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
@@ -182,13 +181,13 @@ def _draw(
         ticks = [-1, 0, 1]
         axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
-            circle(axes, pupil.layers.sample / pupil.layers.NA, color="0.3", linewidth=0.8)
+            drawing.circle(axes, pupil.layers.sample / pupil.layers.NA, color="0.3", linewidth=0.8)
         return image
 
     if pupil.shape:
-        return tiles(pupil.shape, one, titles, *words)
-    axes = new_axes(ax)
+        return drawing.tiles(pupil.shape, one, titles, *words)
+    axes = drawing.new_axes(ax)
     one((), axes)
     if ax is None:
-        caption(axes, *words)
+        drawing.caption(axes, *words)
     return axes

@@ -1,7 +1,5 @@
 """Stacks of PSFs larger than memory: computed chunk by chunk into a store, a Zarr folder, and read in parts.
 
-Stacks of PSFs in a store, a Zarr folder: how chunks are cut, written, marked, checked, and read in parts.
-Stores of PSF stacks, Zarr folders: how chunks are cut, written, marked and checked.
 A chunk is a file of each array. Writing one changes nothing else, and a process that is killed meanwhile leaves all
 others as they were.
 
@@ -27,7 +25,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
-from lommel.base.arrays import Array, Json
+from lommel.base.arrays import Array, Json, Values
+from lommel.base.arrays import Index as ArrayIndex
 from lommel.base.cached import cached_property
 from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.optional import library, version
@@ -35,8 +34,8 @@ from lommel.base.options import near
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.channel_psf import PSFKeywords
 from lommel.io import zarr_folders
-from lommel.io.psf_files import NORMALIZE, FileError, told
-from lommel.io.registry import Arrays, Description, Values
+from lommel.io.psf_files import NORMALIZE, FileError, as_file_error
+from lommel.io.registry import Arrays, Description
 from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.methods.choice import candidates, first_proven, settled
 from lommel.methods.method import Method
@@ -67,6 +66,8 @@ OF_CHUNK = ("values", "error_bound", "scale", "method")
 
 Index = tuple[int, ...]
 Center: TypeAlias = tuple[ArrayLike, ArrayLike]
+Places: TypeAlias = ArrayLike | tuple[ArrayLike, str]
+"""Coordinates along an axis of a stack, or these and their unit."""
 
 
 def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
@@ -148,7 +149,7 @@ class Store:
         """Return the store at a path; FileError if there is something else."""
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
-        with told(path, WHAT):
+        with as_file_error(path, WHAT):
             said, found = checked(zarr_folders.attributes(path)[KEY])
             store = cls(path, said, found)
             for name in found:
@@ -169,7 +170,7 @@ class Store:
         found = np.ones(self.layouts[MARKS].grid, dtype=bool)
         for name in (*OF_CHUNK, MARKS):
             there = np.zeros_like(found)
-            with told(self.path, WHAT), os.scandir(self.path / name) as entries:
+            with as_file_error(self.path, WHAT), os.scandir(self.path / name) as entries:
                 for entry in entries:
                     key, *numbers = entry.name.split(".")
                     if key == "c" and all(number.isdecimal() for number in numbers):
@@ -180,7 +181,7 @@ class Store:
 
     def get(self, name: str, index: Index) -> Values | None:
         """Return a chunk of an array, or None where its file is missing."""
-        with told(self.path, WHAT):
+        with as_file_error(self.path, WHAT):
             try:
                 return self._array(name).get(index)
             except FileNotFoundError:
@@ -189,7 +190,7 @@ class Store:
     def put(self, parts: Arrays, index: Index) -> None:
         """Write a chunk of some arrays, whole or not at all; FileError if the store was replaced."""
         try:
-            with atomic.together(_scratch(self.path, self.said)) as write:
+            with atomic.whole_files(_scratch(self.path, self.said)) as write:
                 for name, part in parts.items():
                     array = self._array(name)
                     write(array.file(index), array.packed(part))
@@ -208,8 +209,8 @@ class Store:
             raise ValueError(
                 f"chunk {index} of {validation.line(self.path)} is not there yet: call psf_to as before to go on"
             )
-        made = {name: self.given(name, index) for name in OF_CHUNK}
-        pupils = {name: self.given(name, index) for name in self.pupils}
+        made = {name: self.require(name, index) for name in OF_CHUNK}
+        pupils = {name: self.require(name, index) for name in self.pupils}
         if self._sum(index, made, crc32({}, pupils)) != mark:
             raise FileError(
                 f"chunk {index} of {validation.line(self.path)} is damaged: its checksum is another; to compute it "
@@ -231,7 +232,7 @@ class Store:
         """Names of the arrays that differ between pupils."""
         return [name for name in self.layouts if name.startswith("pupil/")]
 
-    def given(self, name: str, index: Index) -> Values:
+    def require(self, name: str, index: Index) -> Values:
         """Return a chunk of an array that the store must have; FileError if it has not."""
         part = self.get(name, index)
         if part is None:
@@ -350,8 +351,8 @@ class PSFStack:
         self.shape: tuple[int, ...] = layout.shape
         self.dtype = np.dtype(layout.dtype)
         self.units: dict[str, str] = dict(said["axes"])
-        with told(store.path, WHAT):
-            self.axes: dict[str, Array] = {name: store.given(name, (0,)) for name in self.units}
+        with as_file_error(store.path, WHAT):
+            self.axes: dict[str, Array] = {name: store.require(name, (0,)) for name in self.units}
             if crc32({}, dict(self.axes)) != said["coordinates"]:
                 raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
             validation.choice("normalize", said["normalize"], NORMALIZE)
@@ -420,7 +421,7 @@ class PSFStack:
         there = "" if done == total else f", {done} of {total} chunks there"
         return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{there}>"
 
-    def __getitem__(self, index: Any) -> PSF:
+    def __getitem__(self, index: ArrayIndex) -> PSF:
         """Return part of the stack in memory, indexed as a NumPy array.
 
         Raises
@@ -435,7 +436,7 @@ class PSFStack:
         which, found = self._members(index)
         said = self._store.said
         ways = np.unique(found["method"])
-        with told(self._store.path, WHAT):
+        with as_file_error(self._store.path, WHAT):
             if ways[-1] >= len(self._methods):
                 raise ValueError(f"it names method {ways[-1]} of {len(self._methods)}")
         if ways.size != 1:
@@ -450,11 +451,11 @@ class PSFStack:
         pupils = {name.removeprefix("pupil/"): at for name, at in found.items() if name.startswith("pupil/")}
         center = said["center"] if said["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
         bound = float(found["error_bound"].max())
-        with told(self._store.path, WHAT):
+        with as_file_error(self._store.path, WHAT):
             return PSF(
                 values=found["values"],
                 grid=self._pixels(center),
-                pupil=together(shared[int(lights[0])], pupils),
+                pupil=join_pupils(shared[int(lights[0])], pupils),
                 method=self._methods[int(ways[0])],
                 normalize=said["normalize"],
                 error_bound=None if math.isnan(bound) else bound,
@@ -468,7 +469,7 @@ class PSFStack:
         kept = {"integrate": said["integrate"], "fill": tuple(said["fill"])}
         return Grid(tuple(said["window"]), pixel, center=center, **kept)
 
-    def _members(self, index: Any, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
+    def _members(self, index: ArrayIndex, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
         """Return the members of the flattened stack at an index, and their arrays by name."""
         stack = self.shape[:-2]
         which = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
@@ -500,7 +501,7 @@ class _Values:
     def __init__(self, stack: PSFStack) -> None:
         self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
 
-    def __getitem__(self, index: Any) -> Values:
+    def __getitem__(self, index: ArrayIndex) -> Values:
         parts = index if isinstance(index, tuple) else (index,)
         lead = self.ndim - 2
         values = self._stack._members(parts[:lead], ("values",))[1]["values"]
@@ -511,7 +512,7 @@ class _Values:
 _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
 
 
-def apart(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
+def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
     """Return what the pupils of a stack share, for JSON, and arrays of what differs, the axes of the stack first."""
     first = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
     shared = first.to_dict()
@@ -531,8 +532,8 @@ def apart(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
     return {"kind": _LENS} | shared, arrays
 
 
-def together(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
-    """Return the stack of :func:`apart`, or of parts of its arrays, bit by bit; TypeError, ValueError or KeyError."""
+def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
+    """Return the stack of :func:`split_pupils`, or part of it, bit by bit; TypeError, ValueError or KeyError."""
     plain = dict(shared)
     if validation.choice("kind", plain.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
         planes = {name: arrays[name] for name in PLANES}
@@ -623,7 +624,7 @@ class Request:
 
 
 def requested(
-    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Any] | None, chunk: int | None
+    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Places] | None, chunk: int | None
 ) -> Request:
     """Return a checked request; see :func:`lommel.psf_to`."""
     stacks, listed, grid = _stacks(pupils, plan)
@@ -637,7 +638,7 @@ def requested(
     flat = [way for each in ways for way in each]
     methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
     dtype = np.dtype(plan.dtype)
-    # Sums of transforms by several threads differ in their last bits.
+    # Sums of transforms by several threads differ in their last bits, and chunks are the same wherever computed.
     asked: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
     asked |= {"integrate": grid.integrate, "fill": grid.fill}
     prepare = partial(Plan, grid.shape, grid.pixel, **asked)
@@ -686,7 +687,7 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
     if listed:
         shared, arrays = _differences(stacks, listed)
         if len(shared) == 1:  # only their phases differ
-            stacks, listed = (together(shared[0], arrays),), False
+            stacks, listed = (join_pupils(shared[0], arrays),), False
     if grid.stack:
         if listed:
             raise ValueError("center must be one (row, column) for listed pupils of several wavelengths or apertures")
@@ -697,7 +698,7 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
 
 def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
     """Return what pupils share, once if it is the same for all, and the arrays that differ."""
-    parts = [apart(one) for one in stacks]
+    parts = [split_pupils(one) for one in stacks]
     shared = [said for said, _ in parts]
     if not listed:
         return shared, parts[0][1]
@@ -712,11 +713,11 @@ def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Desc
 
 
 def _axes(
-    given: Mapping[str, Any] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
+    given: Mapping[str, Places] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
 ) -> tuple[dict[str, Array], dict[str, str]]:
     """Return the coordinates of each axis of the stack, by name, and their units."""
     if given is None:
-        given = _found(stack, arrays)
+        given = _default_axes(stack, arrays)
     if not isinstance(given, Mapping) or not all(isinstance(name, str) and name.isidentifier() for name in given):
         raise TypeError(f"axes must map names to coordinates, got {validation.shown(given)}")
     if len(given) != len(stack):
@@ -736,7 +737,7 @@ def _axes(
     return places, units
 
 
-def _found(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays:
+def _default_axes(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays:
     """Return the default axes: distances, depths and z that change along one axis only, else indices."""
     names: dict[int, tuple[str, Array]] = {}
     for name in ("object_distance", "depth", "z"):
@@ -756,10 +757,10 @@ def psf_to(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     *,
-    axes: Mapping[str, Any] | None = None,
+    axes: Mapping[str, Places] | None = None,
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    client: Any = None,
+    client: object = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
@@ -829,12 +830,12 @@ def psf_to(
     if there is not None and chunk is None:
         same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
         request = request if _difference(there.said, same.said) else same
-    opened = _begun(path, there, request)
+    opened = _existing_or_new(path, there, request)
     marks = opened.marks()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~marks)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
-    with _held(opened) if todo else nullcontext():
+    with _locked(opened) if todo else nullcontext():
         _require_room(opened, len(todo))
         work = partial(_work, opened, request.methods, request.prepare)
         tasks = ((index, request.seal(index), *request.part(index)) for index in todo)
@@ -846,7 +847,7 @@ def psf_to(
     return PSFStack(opened)
 
 
-def _begun(path: Path, there: Store | None, request: Request) -> Store:
+def _existing_or_new(path: Path, there: Store | None, request: Request) -> Store:
     """Return the store of the request, new if there is none, or in place of an empty one of another request."""
     other = "" if there is None else _difference(there.said, request.said)
     if there is not None and not other:
@@ -855,33 +856,33 @@ def _begun(path: Path, there: Store | None, request: Request) -> Store:
     arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
-    with nullcontext() if there is None else _held(there, alone=True):
+    with nullcontext() if there is None else _locked(there, alone=True):
         if there is not None and there.marks().any():
-            raise _taken(path, other)
+            raise _other_request(path, other)
         with suppress(FileExistsError):  # another call may have created it at the same time
             Store.create(path, said, arrays | request.axes, new=there is None)
     made = _opened(path)
     if other := _difference(made.said, request.said):
-        raise _taken(path, other)
+        raise _other_request(path, other)
     return made
 
 
-def _taken(path: Path, other: str) -> ValueError:
+def _other_request(path: Path, other: str) -> ValueError:
     return ValueError(
         f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another request ({other})"
     )
 
 
 @contextmanager
-def _held(store: Store, *, alone: bool = False) -> Iterator[None]:
+def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
     """Hold a store, with others to compute into it, or alone to replace it; ValueError if that cannot be."""
     with ExitStack() as held:
         try:
-            known = held.enter_context(atomic.in_use(store.mark, store.path, alone=alone))
+            known = held.enter_context(atomic.locked(store.mark, store.path, alone=alone))
         except FileNotFoundError:
             raise replaced(store.path) from None
         if alone and not known:
-            raise atomic.unsure(store.path)
+            raise atomic.unknown_use(store.path)
         # Without locks, every write still checks that the store was not replaced.
         _require_there(store)
         yield

@@ -1,1 +1,0 @@
-"""Reproduction of the figures and numbers of the paper that this package started from."""

@@ -29,7 +29,7 @@ SECTIONS = [
         "PSFs",
         "Compute PSFs and stacks, and prepare plans for many of them.",
         "See [](../start.md).",
-        ("psf", "optics.grid", "core.caches"),
+        ("psf", "optics.grid", "core.engine"),
         more="traced.traced_psf.TracedPSF",
     ),
     Section(
@@ -210,7 +210,7 @@ SECTIONS = [
         "",
         more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
         " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
-        " special.erf.disk_moments special.erf.unit_moments special.disk.disk_overlap special.erf.Erf"
+        " special.erf.disk_moments special.erf.unit_moments optics.aperture.shapes.disk_overlap special.erf.Erf"
         " special.erf.fresnel_auxiliary special.legendre.gauss_legendre special.piecewise.PiecewiseQuadratic"
         " special.piecewise.split_edges special.piecewise.fit_quadratics special.zernike.name"
         " special.zernike.polynomial special.zernike.rms_factor",

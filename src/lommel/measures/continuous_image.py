@@ -60,12 +60,11 @@ from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.aperture.opening import Opening
-from lommel.optics.aperture.shapes import Listed, listed
+from lommel.optics.aperture.shapes import Listed, disk_overlap, listed
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import FieldPupil, Pupil
-from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
 _GAUSS = 0.5 / math.sqrt(3.0)

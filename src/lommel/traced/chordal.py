@@ -9,7 +9,7 @@ The field of radially symmetric pupils as a matrix product.
 ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
 K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``
 in double precision. The number of nodes and the error of each pupil follow from the integrand on Bernstein ellipses:
-:mod:`lommel.methods.bounds`.
+:mod:`lommel.methods.hankel`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
 from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
-from lommel.methods import bounds
+from lommel.methods import hankel
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.grid import Grid
@@ -115,11 +115,11 @@ def make_radial(
     middle, spread = 0.5 * (c.max(axis=0) + c.min(axis=0)), 0.5 * (c.max(axis=0) - c.min(axis=0))
     powers, degree, far = isinstance(terms[0], str), c.shape[1], float(v.max(initial=0.0))
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
-    imaginary = stretch * _basis(powers, degree, bounds.ellipses(_ETA, low, steps)).imag
-    kernel = far * bounds.rise(_ETA, low, steps)
+    imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
+    kernel = far * hankel.rise(_ETA, low, steps)
     size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
-    needed = (bounds.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
+    needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
     if nodes > _MOST_NODES:
         raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")

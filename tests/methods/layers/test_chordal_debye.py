@@ -10,7 +10,7 @@ from lommel import _core
 from lommel.core.engine import SeriesSizes, chordal_field_errors, folded_waves
 from lommel.methods.layers import chordal_debye
 from lommel.optics.layers import debye, projection
-from lommel.optics.layers.quadrature_bounds import Model
+from lommel.optics.layers.debye import Model
 from lommel.special import zernike
 from objectives import EMITTERS as ALL
 from objectives import FIVE, OIL, oil

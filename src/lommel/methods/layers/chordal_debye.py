@@ -30,9 +30,9 @@ from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.averaging import averaged_gradient
 from lommel.optics.grid import Grid
 from lommel.optics.layers import projection
+from lommel.optics.layers.debye import Complex
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex
 from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike

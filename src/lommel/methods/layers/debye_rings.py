@@ -18,9 +18,9 @@ from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import Complex, Piece
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Piece
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence

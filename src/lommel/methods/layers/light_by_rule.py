@@ -22,8 +22,8 @@ from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import Rule
 from lommel.methods.layers.samples import chords_for
 from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import At, Complex, Model, pieces
 from lommel.optics.layers.emitter import Emitter
-from lommel.optics.layers.quadrature_bounds import At, Complex, Model, pieces
 from lommel.optics.layers.stratified import Layers
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre

@@ -20,10 +20,9 @@ from lommel.core.engine import Layered, LayeredSlopes, Window, layered_images, l
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import Rule, Turning
+from lommel.optics.layers.debye import Complex, Model, Rule, Turning
 from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Model
 from lommel.optics.layers.stratified import Layers
 
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.

@@ -28,10 +28,10 @@ from lommel.optics.aperture.shapes import (
     Shape,
     Spider,
     covered,
+    disk_overlap,
     listed,
     require_reach,
 )
-from lommel.special.disk import disk_overlap
 
 _EXACT = 1e-14  # relative error of rules for measures
 _APART = 1e-10  # area over pi that segments may have in common, by rounding

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.layers.quadrature_bounds import Model
+from lommel.optics.layers.debye import Model
 
 Form = NDArray[np.complex128]
 

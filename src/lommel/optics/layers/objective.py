@@ -16,9 +16,9 @@ from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import Model
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Model
 from lommel.optics.layers.stratified import (
     DEPTH_MOST,
     Amplitudes,

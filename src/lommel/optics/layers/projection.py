@@ -30,9 +30,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import Rule
+from lommel.optics.layers.debye import Complex, Model, Piece, Rule
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Model, Piece
 from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike

@@ -168,8 +168,8 @@ SECTIONS = [
         more="imaging.settings.Settings imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
         " adapters.deepinv.psf_generator imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
-        " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
-        " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
+        " methods.pixel_rule.pixel_rule methods.pixel_rule.PixelRule methods.pixel_rule.octant"
+        " methods.pixel_rule.sums_of_windows methods.pixel_rule.quarters base.encoding.to_light"
         " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
     ),
     Section(

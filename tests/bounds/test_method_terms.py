@@ -16,9 +16,9 @@ from digits import same
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import hankel
+from lommel.methods.averaging import _shared_by, averaged, filtered_by
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
-from lommel.methods.pixels.averaging import _shared_by, averaged, filtered_by
 from lommel.optics.aperture.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
 

@@ -30,7 +30,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 # The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
 # aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
-# methods/pixels/averaging.py). What samples err by counts as often as the moduli of all weights together.
+# methods/averaging.py). What samples err by counts as often as the moduli of all weights together.
 # Blur that ends at ``abs(w) = 2 s`` is computed in units of v / s, in which it ends at 2 too, on a lattice as coarse;
 # samples of the intensity are finer, for theirs must not be taken for frequencies of the blur (docs/certificate.md,
 # section 17).

@@ -176,8 +176,8 @@ def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Met
     if pupil.layered:
         return ways[-1:]
     from lommel.core.engine import disk_costs
+    from lommel.methods.averaging import samples_across
     from lommel.methods.nijboer_zernike import disk_stack, window_of
-    from lommel.methods.pixels.averaging import samples_across
     from lommel.optics.pupil import checked
 
     lens, count = checked(pupil), math.prod(pupil.shape)

@@ -134,7 +134,7 @@ class ChordalGauss(Method[Pupil]):
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
             return sampled(pupil, grid, self.tol, weights)
-        from lommel.methods.pixels.averaging import averaged_gradient
+        from lommel.methods.averaging import averaged_gradient
 
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
@@ -150,7 +150,7 @@ class ChordalIfCheaper(ChordalGauss):
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.integrate and not wanted.terms:
-            from lommel.methods.pixels.averaging import nearest
+            from lommel.methods.averaging import nearest
 
             if nearest(pupil, grid, self.tol) > _CHORDS:
                 raise Declined("so many samples near the axis take less time by the series")

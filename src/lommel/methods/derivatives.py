@@ -18,13 +18,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Pixels, Wanted
 from lommel.core.engine import least_average
-from lommel.methods.choice import first_proven
-from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
-from lommel.methods.method import Method, storing, widened
-from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.nonuniform_fft import NonuniformFFT
-from lommel.methods.pixels.averaging import (
+from lommel.methods.averaging import (
     Taps,
     as_long,
     blocks,
@@ -33,6 +27,12 @@ from lommel.methods.pixels.averaging import (
     sloping,
     weighed,
 )
+from lommel.methods.choice import first_proven
+from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
+from lommel.methods.method import Method, storing, widened
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.base_pupil import BasePupil

@@ -176,7 +176,7 @@ def disk_images(
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
-    from lommel.methods.pixels.averaging import averaged_images
+    from lommel.methods.averaging import averaged_images
 
     def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
         return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)

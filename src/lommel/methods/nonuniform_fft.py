@@ -33,10 +33,10 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, Pixels, Slopes, Wanted, not_met
 from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
+from lommel.methods.averaging import averaged_images
 from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, once_stored, painted, relative_error, storing
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil

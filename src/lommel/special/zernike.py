@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -131,21 +132,32 @@ def name(n: int, m: int) -> str:
 
 def radial(n: int, m: int, rho: Array) -> Array:
     """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
-    a = float(abs(m))
-    x = 2.0 * rho * rho - 1.0
+    (highest,) = deque(_jacobi(abs(m), n, rho), maxlen=1)
+    return np.asarray(rho ** abs(m) * highest)
+
+
+def radials(m: int, highest: int, rho: Array) -> list[Array]:
+    """Return ``R_n^|m|(rho)`` for n = |m|, |m| + 2, ... up to `highest`, which is at least |m|."""
+    outer = rho ** abs(m)
+    return [np.asarray(outer * factor) for factor in _jacobi(abs(m), highest, rho)]
+
+
+def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
+    """Yield ``P_k^(0,m)(2 rho^2 - 1)`` for k = 0, 1, ..., (highest - m) / 2, by their recurrence (DLMF 18.9.1-2)."""
+    a, x = float(m), 2.0 * rho * rho - 1.0
     before, here = np.zeros_like(x), np.ones_like(x)
-    # Jacobi's recurrence for alpha = 0, beta = a (DLMF 18.9.1-2).
-    for k in range((n - abs(m)) // 2):
+    yield here
+    for k in range((highest - m) // 2):
         s = 2 * k + a
-        if k == 0:
+        if k == 0:  # where the general factors are 0 over 0 for m = 0
             before, here = here, 0.5 * ((a + 2.0) * x - a)
-            continue
-        scale = 2.0 * (k + 1) * (k + 1 + a) * s
-        slope = (s + 1) * (s + 2) * s
-        shift = -(s + 1) * a * a
-        back = 2.0 * k * (k + a) * (s + 2)
-        before, here = here, ((slope * x + shift) * here - back * before) / scale
-    return np.asarray(rho ** abs(m) * here)
+        else:
+            scale = 2.0 * (k + 1) * (k + 1 + a) * s
+            slope = (s + 1) * (s + 2) * s
+            shift = -(s + 1) * a * a
+            back = 2.0 * k * (k + a) * (s + 2)
+            before, here = here, ((slope * x + shift) * here - back * before) / scale
+        yield here
 
 
 def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:

@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
-from lommel.traced.phases import PhaseRule
 
 _MOST = 60.0  # of a logarithm that is exponentiated: more counts as infinite
 _ROOM = 1.001  # for what is computed in float32
@@ -35,39 +34,7 @@ def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
     xp = ns.xp
     big = logarithm > _MOST
     least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
-    return xp.where(big, _infinite(ns, least), least)
-
-
-class FieldError(NamedTuple):
-    """Errors of a field but for quadrature.
-
-    Attributes
-    ----------
-    unit : float
-        Unit roundoff of the sums.
-    sums : float
-        Largest sum over nodes of the factors of the waves.
-    added : float
-        Rounding of sums, waves and tables; phase and amplitude that the terms leave out.
-    products : float
-        Factor of `sums` for matrix products that round their operands.
-    """
-
-    unit: float
-    sums: float
-    added: float
-    products: float
-
-    def total(
-        self, ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor, quadrature_error: Tensor | float
-    ) -> Tensor:
-        """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
-        xp = ns.xp
-        coarse = ns.coarseness(self.unit)
-        size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
-        each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
-        error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
-        return xp.where(size <= rule.limit, error + self.added, _infinite(ns, error))
+    return xp.where(big, infinite(ns, least), least)
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
@@ -82,17 +49,18 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
     peak = xp.max(values, axis=-1)
     room = peak - error
     ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
-    ratio = xp.where(room > 0.0, ratio, _infinite(ns, ratio))
+    ratio = xp.where(room > 0.0, ratio, infinite(ns, ratio))
     if divided:
         small = ratio < 0.5
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
-        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), _infinite(ns, ratio))
+        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROOM
     # NaN compares as False.
-    return xp.where(bound >= 0.0, bound, _infinite(ns, bound))
+    return xp.where(bound >= 0.0, bound, infinite(ns, bound))
 
 
-def _infinite(ns: Namespace, like: Tensor) -> Tensor:
+def infinite(ns: Namespace, like: Tensor) -> Tensor:
+    """Return infinities of the shape and type of an array: no bound is known."""
     return ns.xp.full_like(like, float("inf"))
 
 

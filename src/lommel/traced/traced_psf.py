@@ -16,16 +16,15 @@ from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.method import Method
-from lommel.methods.pixels.rule import octant, pixel_rule
+from lommel.methods.pixel_rule import octant, pixel_rule
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 from lommel.traced import certificate, chordal
-from lommel.traced.chordal import Chordal, Radial
+from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
-from lommel.traced.phases import UNIT
 
 _OF_NUMPY = (np.ndarray, np.generic)
 _FINER = 0.1  # factor of the error of quadrature from one trial to the next

@@ -12,8 +12,8 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
+from lommel.methods.averaging import averaged_images
 from lommel.methods.method import Method, RadialMethod, painted
-from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic

@@ -41,10 +41,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Wanted
+from lommel.core.answers import Images, Wanted
+from lommel.methods.averaging import Taps, finer, fitted, samples_across, weighed
 from lommel.methods.choice import candidates, first_proven
+from lommel.methods.layers.chordal_debye import chords_for
 from lommel.methods.method import Method
-from lommel.methods.pixels.averaging import Taps, finer, fitted, samples_across, weighed
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.special.legendre import gauss_legendre
@@ -145,13 +146,11 @@ def gauss_error(growth: Array, nodes: int) -> float:
         return float((4.0 * np.exp(growth - (2 * nodes - 1) * ETA) / np.expm1(ETA)).min())
 
 
-_B = np.geomspace(0.02, 6.0, 96)
-_CHORDS_MOST = 200
 _LEAST = 1e-12  # of methods
 _ROUNDING = 2.0**-50
 
 
-class Samples(NamedTuple):
+class SampledLight(NamedTuple):
     """Light of some planes at the centres of pixels."""
 
     values: Array  # (n, height, width)
@@ -162,16 +161,16 @@ class Samples(NamedTuple):
         """The largest value of each plane."""
         return np.asarray(np.abs(self.values).max(axis=(1, 2)))
 
-    def times(self, other: Samples | Array) -> Samples:
+    def times(self, other: SampledLight | Array) -> SampledLight:
         """Return the product with other light, or with a factor of each plane."""
         if isinstance(other, np.ndarray):
-            return Samples(self.values * other[:, None, None], self.error * np.abs(other))
+            return SampledLight(self.values * other[:, None, None], self.error * np.abs(other))
         sizes = self.most, other.most
         error = self.error * sizes[1] + other.error * (sizes[0] + self.error) + _ROUNDING * sizes[0] * sizes[1]
-        return Samples(self.values * other.values, error)
+        return SampledLight(self.values * other.values, error)
 
 
-def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int = 0) -> Samples:
+def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int = 0) -> SampledLight:
     """Return the intensity of a pupil, relative to the light collected in each plane; off by `asked` of its peak."""
     tol = max(asked, _LEAST)
 
@@ -181,7 +180,7 @@ def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int 
     made = first_proven(candidates(pupil, grid, tol), ask)[1]
     left = pupil.left_out[0]
     off = made.bound * made.brightest + left * (2.0 * np.sqrt(made.brightest) + left)
-    return Samples(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
+    return SampledLight(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
 
 
 class DiscFilter(NamedTuple):
@@ -200,11 +199,11 @@ class DiscFilter(NamedTuple):
         """Return the samples that means around the centres of pixels take."""
         return finer(grid, self.taps)
 
-    def of(self, given: Samples, threads: int = 0) -> Samples:
+    def of(self, given: SampledLight, threads: int = 0) -> SampledLight:
         """Return means of samples of light, whose transfer function has a modulus of integral 1 at most."""
         total = sum((weighed(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
         rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * given.most
-        return Samples(np.asarray(total), self.error + self.gain * (given.error + rounded))
+        return SampledLight(np.asarray(total), self.error + self.gain * (given.error + rounded))
 
 
 @lru_cache(maxsize=64)
@@ -247,19 +246,3 @@ def _response(half: int, h: float, error: float, length: float, *, mean: bool) -
         if off <= error or half >= most:
             return weights, off, gain
         half += max(2, half // 16)
-
-
-def chords_for(radius: float, error: float) -> int:
-    """Return an even number of chords of a disc that sums over these need to err by `error` at most."""
-    for chords in range(2, _CHORDS_MOST + 1, 2):
-        if chord_error(radius, chords) <= error:
-            return chords
-    raise Declined(
-        "with aberrations means are over discs of 15 Airy units at most; ask for a smaller pinhole or bead"
-    )
-
-
-def chord_error(radius: float, chords: int) -> float:
-    """Bound the error of the response of a sum over chords of a disc."""
-    grown = np.exp(np.minimum(2.0 * radius * np.sinh(_B) - 2.0 * chords * _B, 600.0))
-    return float(((1.0 + np.exp(-4.0 * _B)) * grown / -np.expm1(-2.0 * (chords + 1) * _B)).min())

@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
+from lommel.methods.averaging import averaged_images
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
 from lommel.methods.layers.samples import (
     ETA,
     HALF,
-    Samples,
+    SampledLight,
     Values,
     between,
     disc_filter,
@@ -34,7 +35,6 @@ from lommel.methods.layers.samples import (
 )
 from lommel.methods.layers.stratified import Stratified, profiles
 from lommel.methods.method import RadialMethod, painted, storing
-from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
@@ -185,7 +185,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         """Return the light at rising v, to about an accuracy."""
 
     @abstractmethod
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the light of pupils with aberrations at the centres of pixels, to about an accuracy."""
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
@@ -334,7 +334,7 @@ class Bead(ProvenMethod):
             error += share[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the light at the centres of pixels."""
         size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
         heights, stack, share, off = self._planes(pupil, asked)
@@ -348,7 +348,7 @@ class Bead(ProvenMethod):
                 one = means.of(light_samples(plane, means.samples(grid), asked / means.gain, threads), threads)
                 values += one.times(share[j]).values
                 error += share[j] * one.error
-        return Samples(values, error)
+        return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
         """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
@@ -496,7 +496,7 @@ class Confocal(ProvenMethod):
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
         return product(excited.times(self._absorbed(pupil)), passed.times(np.full(len(seen.error), self._share)))
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the product at the centres of pixels."""
         accuracy = asked / max(1.0, self._share)
         means = disc_filter(grid.step(pupil), AIRY * self.pinhole, accuracy)
@@ -556,7 +556,7 @@ class TwoPhoton(ProvenMethod):
         once = light(pupil, v, asked, self.tol)
         return product(once, once)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the square of the intensity at the centres of pixels."""
         once = light_samples(pupil, grid, asked, threads)
         return once.times(once)
@@ -638,13 +638,13 @@ class Sted(Confocal):
         beam = self.depletion
         return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return what is left of the product at the centres of pixels."""
         rate = math.log(2.0) * self.saturation
         excited = super()._pixels(pupil, grid, asked, threads)
         depleting = light_samples(self._depleting(pupil), grid, asked / max(1.0, rate), threads)
         left = np.exp(-rate * np.maximum(depleting.values, 0.0))
-        return excited.times(Samples(left, rate * depleting.error))
+        return excited.times(SampledLight(left, rate * depleting.error))
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return what is left of the product at rising v, of the emission."""

@@ -16,6 +16,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Declined, Images, Slopes, Wanted
+from lommel.methods.averaging import averaged, averaged_images, finished
 from lommel.methods.derivative_names import term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers import chordal_debye
@@ -23,7 +24,6 @@ from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened
-from lommel.methods.pixels.averaging import averaged, averaged_images, finished
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection

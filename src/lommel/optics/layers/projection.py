@@ -259,9 +259,11 @@ def _integrals(
 
     def weighted(parts: Sequence[Complex]) -> Complex:
         weights = [
-            part * ((n + 1.0) * zernike.radial(int(n), order, rule.rho))
+            part * ((n + 1.0) * radial)
             for order, part in zip(model.orders, parts, strict=True)
-            for n in degrees(order, degree)
+            for n, radial in zip(
+                degrees(order, degree), zernike.radials(order, max(degree, order), rule.rho), strict=True
+            )
         ]
         return np.stack(weights, axis=1)
 

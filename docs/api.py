@@ -138,7 +138,7 @@ SECTIONS = [
         " measures.energy.image_centroid measures.energy.window_centroid measures.spot.peak_position"
         " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
         " measures.transfer.image_otf measures.transfer.sampled_otf measures.transfer.sampled_spectrum"
-        " measures.pullback.pullback psf.Measured",
+        " psf.Measured",
     ),
     Section(
         "Fisher information and phase retrieval",

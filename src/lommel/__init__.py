@@ -42,10 +42,12 @@ def __dir__() -> list[str]:
     return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
-def _register_displays() -> None:
-    """Import the modules that draw, tabulate and write pupils, lenses and wavefronts."""
-    from lommel.io import zernike_tables  # noqa: F401
-    from lommel.show import notebook, pupils  # noqa: F401
+def _register_displays(what: str) -> None:
+    """Import the modules that draw, tabulate or write PSFs, pupils, lenses and wavefronts."""
+    if what == "file":
+        from lommel.io import psf_files, zernike_tables  # noqa: F401
+    else:
+        from lommel.show import curves, notebook, plot, pupils  # noqa: F401
 
 
 display.load = _register_displays

@@ -11,13 +11,11 @@ from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import show
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Values, largest
 from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
-from lommel.io import psf_files
 from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
 from lommel.methods.method import Method, painted, storing, widened
@@ -155,19 +153,19 @@ class ColourPSF(Measured, ColourPSFLike):
         See :func:`lommel.show.plot.colour`.
         """
         validation.axes("ax", ax)
-        return show.plot.colour(self, ax, stretch=stretch)
+        return display.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write a file of a `path` as :meth:`lommel.PSF.save`, ``.png`` in colour.
 
         See :func:`lommel.io.psf_files.save_colours`.
         """
-        psf_files.save_colours(self, path)
+        display.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
         """Read a file, `path`, that :meth:`save` wrote, but for ``.png``; ValueError for any other file."""
-        return cls(*psf_files.load_colours(path, PSF))
+        return cls(*display.named("load channels", "file")(path, PSF))
 
 
 def _parts(whole: Values, psfs: Sequence[PSF]) -> bool:

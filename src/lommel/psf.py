@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import measures, show
-from lommel.base import validation
+from lommel import measures
+from lommel.base import display, validation
 from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.core.answers import Declined, ToleranceError
 from lommel.measures.psf_like import PSFLike
@@ -452,7 +452,7 @@ class Measured:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSF(Measured, PSFLike):
+class PSF(Measured, PSFLike, display.Shown):
     """A computed point spread function (PSF), or a stack of them, with its pupil, grid, method and error bound.
 
     Attributes
@@ -550,26 +550,56 @@ class PSF(Measured, PSFLike):
         return measures.spot.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
-        """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).
+        """Return the gradient of a loss from its derivative with respect to the values (reverse mode).
 
-        Gradients by the wavefront and the axis cost about two images, for any number of parameters, and so do those
-        by stage and depth of an Objective with aberrations; see `derivatives` of :func:`psf` and
-        :func:`lommel.measures.pullback.pullback`.
+        ``sum g * derivative`` over pixels. Derivatives by phase coefficients and shifts are computed in reverse mode,
+        by a transform to the pupil: they cost about two images, for any number of parameters. So are those of an
+        Objective with aberrations by the stage and the depth, in windows that :class:`lommel.ChordalDebye` takes; all
+        others, and those of radially symmetric pupils, are computed in forward mode.
+
+        Parameters
+        ----------
+        g : array_like
+            Of the shape of the values.
+        of : sequence, optional
+            As `derivatives` of :func:`psf`; by default the names of :attr:`derivatives`, or the terms of the
+            wavefront.
+
+        Returns
+        -------
+        dict of name to ndarray
+            Of the shape of the pupil.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `g` is not real and finite or of another shape, or where there are no such derivatives.
+        ToleranceError
+            If the tolerance of the method cannot be met.
         """
-        return measures.pullback.pullback(self, g, of)
+        if self.blur or not self.grid.square:
+            raise ValueError("psf must have square pixels without fill and blur for its derivatives, got others")
+        names = tuple(self.derivatives) or None if of is None else question.names(of, "of")
+        weights = validation.real_array("g", g)
+        if weights.shape != self.shape:
+            raise ValueError(f"g must have the shape of the values, {self.shape}, got {weights.shape}")
+        if self.normalize == "peak":
+            raise ValueError(
+                'of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"'
+            )
+        images, scale = weights.reshape(-1, *self.grid.shape), np.asarray(self.scale).ravel()
+        found = question.gradient(self.method, self.pupil, self.grid, names, images, scale, self.normalize)
+        return {name: slope.reshape(self.pupil.shape) for name, slope in found.items()}
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""
-        from lommel.io import psf_files  # takes as long to import as all that computes
-
-        psf_files.save(self, path)
+        display.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
         """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or not such a file."""
-        from lommel.io import psf_files
-
-        return psf_files.load(path, cls)
+        found: PSF = display.named("load PSF", "file")(path, cls)
+        return found
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the PSF with matplotlib and return the axes, an array of them for a stack; sections for a z stack.
@@ -577,22 +607,22 @@ class PSF(Measured, PSFLike):
         See :func:`lommel.show.plot.plot`.
         """
         validation.axes("ax", ax)
-        return show.plot.plot(self, ax, stretch=stretch)
+        return display.plot(self, ax, stretch=stretch)
 
     def plot_mtf(self, ax: Axes | None = None) -> Axes:
         """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
 
         See :func:`lommel.show.curves.mtf`.
         """
-        return show.curves.mtf(self, ax)
+        axes: Axes = display.named("mtf", "plot")(self, ax)
+        return axes
 
     def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
         """Draw the encircled energy up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
-        return show.curves.encircled_energy(self, ax, radius=radius)
+        axes: Axes = display.named("encircled energy", "plot")(self, ax, radius=radius)
+        return axes
 
     def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
         """Draw the spot diagram over the PSF; see :func:`lommel.show.plot.spots`."""
-        return show.plot.spots(self, ax, rings=rings, stretch=stretch)
-
-    def _repr_html_(self) -> str:
-        return show.notebook.psf(self)
+        axes: Axes = display.named("spots", "plot")(self, ax, rings=rings, stretch=stretch)
+        return axes

@@ -474,3 +474,46 @@ def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: 
     values = total.astype(dtype)
     error = error + (len(factors) + 8) * 2.0**-53 * size + storing(dtype) * _most(total)
     return Slope(values, error / bright)
+
+
+def gradient(
+    method: Method, pupil: Pupil, grid: Grid, names: Sequence[Name], weights: Array, scale: float, *, energy: bool
+) -> dict[Name, Array]:
+    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+
+    Values are `scale` times the intensity. Those by phases are computed in reverse mode where the chordal rule serves
+    (certificate, section 8, "Derivatives"), all others as sums over images of derivatives.
+    """
+    tol, free = method.tol, _with_derivatives(method)
+    sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
+    way, engine = engines(free, pupil, names, list(sums.values()), tol)
+    found: dict[Name, Array] = {}
+    if isinstance(engine, ChordalGauss):
+        factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _by_phase(each)}
+        terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
+        each = np.zeros((len(weights), len(terms)))
+        for part in way.components(pupil) if terms else ():
+            rate = scale * part.weight * part.stretch  # phases grow as the wavelength falls
+            each += rate * engine.gradient(part.pupil, grid, weights, terms)
+        for name, phases in factors.items():
+            found[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
+    if others := [name for name in names if name not in found]:
+        _, _, slopes = differentiated(free, pupil, grid, others, Wanted(scale), tol, energy=energy)
+        for name, slope in zip(others, slopes, strict=True):
+            found[name] = np.einsum("nij,nij->n", weights, slope.values)
+    return found
+
+
+def _by_phase(each: Parts) -> bool:
+    """Return whether a derivative is by coefficients of the phase alone."""
+    return not (np.any(each.own) or np.any(each.scaling) or each.obscuration)
+
+
+def _with_derivatives(method: Method) -> Method | None:
+    """Return the method, None or a sum of none for the default choice, where others have more derivatives."""
+    # The images are equal within the tolerance.
+    if not isinstance(single_light(method), NijboerZernike | ChordalGauss):
+        return method
+    if isinstance(method, Polychromatic):
+        return Polychromatic(method.wavelengths, method.weights, tol=method.tol)
+    return None

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from lommel.methods.derivative_names import Name
     from lommel.methods.derivatives import Slope
     from lommel.optics.layers.objective_pupil import ObjectivePupil
+    from lommel.optics.wavefront.wavefront import Wavefront
 
 
 class Asked(NamedTuple):
@@ -118,16 +119,53 @@ def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtyp
     return Wanted(scale, dtype, threads=threads)
 
 
+def gradient(
+    method: Method,
+    pupil: BasePupil,
+    grid: Grid,
+    names: tuple[Name, ...] | None,
+    weights: Array,
+    scale: Array,
+    normalize: str,
+) -> dict[Name, Array]:
+    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+
+    Values are `scale`, (n,), times the intensity of the flattened stack. None names all terms of the wavefront.
+    """
+    energy = normalize == "energy"
+    if pupil.layered:
+        from lommel.methods.layers.slopes import layered_gradient
+
+        layers = cast("ObjectivePupil", pupil)
+        by, far = _terms(layers.aberrations) if names is None else names, normalize == "emitted"
+        found = layered_gradient(method, layers, grid, by, weights, scale, energy=energy, far=far)
+        return {name: found[name] for name in by}
+    from lommel.methods import derivatives
+    from lommel.optics.pupil import checked
+
+    lens = checked(pupil)
+    by = _terms(lens.wavefront) if names is None else names
+    found = derivatives.gradient(method, lens, grid, by, weights, float(scale[0]), energy=energy)
+    return {name: found[name] for name in by}
+
+
+def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
+    """Return the terms of a wavefront but the constant, on which no intensity depends."""
+    return tuple(term for term in wavefront.terms if term != (0, 0)) if wavefront else ()
+
+
 AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
 
 
-def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
-    """Return what `derivatives` are by; TypeError or ValueError if there are none such."""
+def names(
+    derivatives: Sequence[str | tuple[int, int]], argument: str = "derivatives"
+) -> tuple[str | tuple[int, int], ...]:
+    """Return what `derivatives` are by; TypeError or ValueError, naming the `argument`, if there are none such."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
     from lommel.methods.derivative_names import checked  # most answers have none
 
-    return checked(derivatives)
+    return checked(derivatives, argument)
 
 
 def array(name: str, value: object) -> Pixels:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
@@ -322,6 +322,7 @@ _POINTS = 129
 _MOST = 8  # pupils of a stack
 
 
+@display.register("mtf")
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
     """Draw the MTF along x and along y, with that of the unaberrated aperture and of the pixel.
 
@@ -420,6 +421,7 @@ _RADII = 129
 _SHARES = (0.5, 0.8)
 
 
+@display.register("encircled energy")
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
     """Draw the encircled energy about the axis, with that of the unaberrated aperture.
 

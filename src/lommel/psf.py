@@ -233,9 +233,6 @@ class Plan:
         names = () if isinstance(derivatives, tuple) and not derivatives else question.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        slopes: dict[Name, Values] = {}
-        slope_bounds: dict[Name, float] = {}
-        error: float | None
         found = None
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
@@ -245,21 +242,34 @@ class Plan:
                 if len(ways) == 1:
                     raise
                 asked = asked._replace(ways=ways[1:])  # which the next method answers
-        if found is not None:
-            (scale, error), method = found, ways[0].reported
-        else:
-            place = None if out is None else question.place(out, shape, self.dtype)
-            method, made, found_slopes = asked.images(pupil, names, place)
-            values = made.values.reshape(shape) if place is None else place
-            scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
-            for name, slope in zip(names, found_slopes, strict=True):
-                slopes[name], slope_bounds[name] = slope.values.reshape(shape), largest(slope.error)
+        if found is None:
+            return self._computed(asked, pupil, names, out)
+        (scale, error), method = found, ways[0].reported
         # The parts have been checked: the initializer would take a tenth of the time of a small image.
         psf = object.__new__(PSF)
         parts = psf.__dict__
         parts["values"], parts["grid"], parts["pupil"], parts["method"] = values, grid, pupil, method
         parts["normalize"], parts["error_bound"], parts["scale"] = self.normalize, error, scale
-        parts["derivatives"], parts["derivative_bounds"], parts["blur"] = slopes, slope_bounds, ()
+        parts["derivatives"], parts["derivative_bounds"], parts["blur"] = {}, {}, ()
+        return psf
+
+    def _computed(self, asked: Asked, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
+        """Return a PSF, with derivatives by checked names, where no shortcut answers."""
+        place = None if out is None else question.place(out, asked.shape, self.dtype)
+        method, made, slopes = asked.images(pupil, names, place)
+        psf = object.__new__(PSF)  # as above
+        psf.__dict__.update(
+            values=made.values.reshape(asked.shape) if place is None else place,
+            grid=asked.grid,
+            pupil=pupil,
+            method=method,
+            normalize=self.normalize,
+            error_bound=None if made.error is None else largest(made.error),
+            scale=made.scale.reshape(pupil.shape),
+            derivatives={n: slope.values.reshape(asked.shape) for n, slope in zip(names, slopes, strict=True)},
+            derivative_bounds={n: largest(slope.error) for n, slope in zip(names, slopes, strict=True)},
+            blur=(),
+        )
         return psf
 
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: Values | None) -> PSF:

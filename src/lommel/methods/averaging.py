@@ -195,21 +195,10 @@ def _averaged(
             err_response * 2.0 ** math.floor(math.log2(_EASIER * ceiling * pupil.likely_strehl)),
         )
     for _ in range(5):
-        slope = None
-        if gradients:
-            taps, slope = _with_slope(step, err_response, widest)
-        elif widest < _WIDEST:
-            taps = filtered_by(step, err_response, widest)
-        else:
-            taps = _shared_by(step, err_response, grid.shape, in_disc=in_disc)
+        taps, slope = _filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
+        tol_samples = err_samples / taps.gain**2
+        err_single, dark = _dark_samples(taps, _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0)
         try:
-            tol_samples = err_samples / taps.gain**2
-            # What sums in single precision along both axes cost averages, of the largest sample.
-            lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
-            err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
-            dark = err_single / lost
-            if dark > 1.0:  # all of them
-                err_single, dark = lost, _ALL
             total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
         except ToleranceError as fault:
             # Errors of averages grow with those of the samples.
@@ -226,14 +215,15 @@ def _averaged(
         relative = (err_given[0] + err_own) / peak
         bounds = once_stored(relative, wanted)
         if largest(bounds) <= tol:
-            errors = np.empty(err_given.shape)
-            errors[0] = bounds
-            errors[1:] = (err_given[1:] + 2.0 * err_filter + rounding * peaks[1:]) / peak
+            # Transfer functions of derivatives by terms are at most twice that of the aperture: section 8.
+            errors = err_given + 2.0 * err_filter + rounding * peaks
             if slope is not None:
-                # The response to slopes is at most 2, that of averages 1.
+                # The response to slopes is at most 2, that of averages 1: section 12, "Shifts".
                 missed = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
                 rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
-                errors[-2:] = (err_given[-2:] + missed + rounding * peaks[-2:]) / peak
+                errors[-2:] = err_given[-2:] + missed + rounding * peaks[-2:]
+            errors /= peak
+            errors[0] = bounds
             return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
         # Where the filter alone is to blame, samples stay: doubles may not reach what they need not.
@@ -244,6 +234,27 @@ def _averaged(
             err_samples /= too_large
         err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
     raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
+
+
+def _filters(
+    step: float, error: float, widest: float, shape: tuple[int, int], *, gradients: bool, in_disc: bool
+) -> tuple[Taps, Taps | None]:
+    """Return a filter of averages off by `error`, and with `gradients` one of their derivatives along an axis."""
+    if gradients:
+        return _with_slope(step, error, widest)
+    if widest < _WIDEST:
+        return filtered_by(step, error, widest), None
+    return _shared_by(step, error, shape, in_disc=in_disc), None
+
+
+def _dark_samples(taps: Taps, allowed: float) -> tuple[float, float]:
+    """Return the error, at most `allowed`, of sums of dark samples in single precision, and how bright these may be.
+
+    Both over the peak; certificate, section 10, "Dark rows".
+    """
+    # What sums in single precision along both axes cost averages, of the largest sample.
+    lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
+    return (lost, _ALL) if allowed > lost else (allowed, allowed / lost)
 
 
 def before_storing(tol: float, wanted: Wanted) -> float:

@@ -429,19 +429,7 @@ def traced(
     """Return a traced plan for `values` tolerance, normalisation, type and `where` framework, device, precision."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
-    double, precision = ns.has_double(device), where[2]
-    if precision == "float64" and not double:
-        raise ValueError(
-            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
-            + (_X64 if ns.name == "jax" else "")
-        )
-    if precision == "auto":
-        precision = "float64" if double else "float32"
-    if precision == "float32" and dtype == "float64":
-        raise ValueError(
-            'dtype must be float32 where precision is "float32", got float64'
-            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
-        )
+    precision = _precision(ns, device, where[2], dtype)
     if not pupil.circular:
         raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask and stop")
     if normalize == "emitted":
@@ -459,10 +447,7 @@ def traced(
     # The peak of a defocused pupil falls about as its phase rises; that of small aberrations of all kinds does not.
     size = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * size + 1.0) if pupil.radial else 0.15)
-    there, distances = pupil.geometry, None
-    if there is not None and there.model == "paraxial" and pupil.wavelength is not None:
-        waves = math.pi / (2.0 * pupil.wavelength) * there.aperture_radius**2
-        distances = Distances(-there.in_focus, waves)
+    distances = _distances(pupil)
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
@@ -476,6 +461,32 @@ def traced(
             f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
         )
     return placed(static, tables, device)
+
+
+def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str:
+    """Return the type of the computation on a device, "float64" or "float32"; ValueError where there is none."""
+    double = ns.has_double(device)
+    if precision == "float64" and not double:
+        raise ValueError(
+            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
+            + (_X64 if ns.name == "jax" else "")
+        )
+    if precision == "auto":
+        precision = "float64" if double else "float32"
+    if precision == "float32" and dtype == "float64":
+        raise ValueError(
+            'dtype must be float32 where precision is "float32", got float64'
+            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
+        )
+    return precision
+
+
+def _distances(pupil: Pupil) -> Distances | None:
+    """Return the numbers of the defocus of objects of a paraxial lens, the paper's Eq. 3; None for other pupils."""
+    lens = pupil.geometry
+    if lens is None or lens.model != "paraxial" or pupil.wavelength is None:
+        return None
+    return Distances(-lens.in_focus, math.pi / (2.0 * pupil.wavelength) * lens.aperture_radius**2)
 
 
 def _components(pupil: Pupil, method: Method | None) -> list[Component]:

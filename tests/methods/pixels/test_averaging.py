@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lommel.methods.pixels import averaging
 
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel._core import average_samples, limit_instructions
 from lommel.core.answers import Wanted
 from lommel.core.engine import least_average
-from lommel.methods import chordal_gauss
+from lommel.methods import averaging, chordal_gauss
 from lommel.methods.averaging import filtered_by, paired
 
 

@@ -203,19 +203,48 @@ def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
 ) -> tuple[Method, Images, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
+    named = {name: term for name in names if (term := term_of(name)) is not None}
+    _require_available(method, pupil, names, named)
+    terms = tuple(dict.fromkeys(named.values()))
+    kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
+    axis = any(name in _AXIS for name in names)
+    far, by_engine = isinstance(wanted.scale, np.ndarray), pupil.radial and isinstance(method, Stratified)
+
+    def rates(planes: ObjectivePupil) -> list[By]:
+        return [by_name(name, planes, far=far, energy=energy) for name in kinds]
+
+    if by_engine:
+        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
+    elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
+        # Growth by the wavelength takes tilts of finer samples anyway, which move the axis too.
+        moved = axis and grid.integrate and "wavelength" not in kinds
+        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
+    else:
+        made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
+    each: dict[Name, Slope] = {}
+    if made.slopes is not None:  # by the axis or without
+        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
+    grows = "wavelength" in kinds and not by_engine
+    if grows or (axis and "row" not in each):
+        each |= _moved(method, pupil, grid, made, wanted, each["wavelength"] if grows else None)
+    return method.reported, made, [each[named.get(name, name)] for name in names]
+
+
+def _require_available(
+    method: Method, pupil: ObjectivePupil, names: Sequence[Name], named: Mapping[Name, Term]
+) -> None:
+    """Raise ValueError, or Declined where another method may have them, for derivatives that a method lacks."""
     if not isinstance(method, LAYERED):
         raise ValueError(
             f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, "
             "ChordalDebye or, with aberrations, DebyeRings"
         )
-    named = {name: term for name in names if (term := term_of(name)) is not None}
-    terms = tuple(dict.fromkeys(named.values()))
     if unknown := [name for name in names if name not in (*_OWN, *_AXIS, *named)]:
         raise ValueError(
             "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' and "
             f"Zernike terms, got {unknown[0]!r}"
         )
-    if terms and not isinstance(method, ChordalDebye):
+    if named and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
     if isinstance(method, Stratified) and not known(pupil.light):
         raise ValueError(
@@ -227,36 +256,27 @@ def layered_slopes(
             "derivatives by 'wavelength' are not available from DebyeRings; ask for a window small enough for "
             "ChordalDebye, or take differences of the PSFs of pupil.in_light(w)"
         )
-    kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
-    axis = any(name in _AXIS for name in names)
 
-    def rates(planes: ObjectivePupil) -> list[By]:
-        return [by_name(name, planes, far=isinstance(wanted.scale, np.ndarray), energy=energy) for name in kinds]
 
-    if pupil.radial and isinstance(method, Stratified):
-        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
-    elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        moved = axis and grid.integrate and "wavelength" not in kinds
-        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
-    else:
-        made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
-    each: dict[Name, Slope] = {}
-    if made.slopes is not None:  # by the axis or without
-        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
-    grows = "wavelength" in kinds and not (pupil.radial and isinstance(method, Stratified))
-    if (axis and "row" not in each) or grows:
-        # What is left out of the phase moves fields and their gradients by as much.
-        left = 4.0 * pupil.left_out[0]
-        tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
-        for name, (values, off) in zip(("column", "row"), tilts, strict=True):
-            each[name] = _stored(grid.step(pupil) * values, grid.step(pupil) * off, made, wanted)
-        if grows:
-            values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
-            # So does the phase that is left out, as the wavelength falls.
-            off = off + 2.0 * pupil.left_out[0]
-            of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
-            each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
-    return method.reported, made, [each[named.get(name, name)] for name in names]
+def _moved(
+    method: Method, pupil: ObjectivePupil, grid: Grid, made: Images, wanted: Wanted, at_fixed_v: Slope | None
+) -> dict[Name, Slope]:
+    """Return the derivatives by the axis and, from that `at_fixed_v`, by the wavelength: certificate, section 12."""
+    step = grid.step(pupil)
+    # What is left out of the phase moves fields and their gradients by as much.
+    left = 4.0 * pupil.left_out[0]
+    tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
+    found: dict[Name, Slope] = {
+        name: _stored(step * values, step * off, made, wanted)
+        for name, (values, off) in zip(("column", "row"), tilts, strict=True)
+    }
+    if at_fixed_v is not None:
+        values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
+        # So does the phase that is left out, as the wavelength falls.
+        off = off + 2.0 * pupil.left_out[0]
+        of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
+        found["wavelength"] = _sum(at_fixed_v, of_place, made, wanted)
+    return found
 
 
 def _radial(

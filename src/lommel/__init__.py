@@ -6,7 +6,6 @@ import os
 import re
 from functools import cache
 from importlib import import_module
-from typing import Any
 
 from lommel.base import display, imports
 
@@ -22,7 +21,7 @@ def _homes() -> dict[str, str]:
     return {name: home for home, names in found for name in re.findall(r"(\w+) as \1", names)}
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name == "__version__":
         from lommel.base.optional import version
 

@@ -147,13 +147,14 @@ class ColourPSF(Measured, ColourPSFLike):
         """Return a `measure` of each channel, along an axis after those of the stack."""
         return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
         """Draw the PSF in colour, a stack side by side; unless there are three channels, draw each separately.
 
         See :func:`lommel.show.plot.colour`.
         """
         validation.axes("ax", ax)
-        return display.plot(self, ax, stretch=stretch)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, stretch=stretch)
+        return axes
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write a file of a `path` as :meth:`lommel.PSF.save`, ``.png`` in colour.

@@ -611,13 +611,14 @@ class PSF(Measured, PSFLike, display.Shown):
         found: PSF = display.named("load PSF", "file")(path, cls)
         return found
 
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
         """Draw the PSF with matplotlib and return the axes, an array of them for a stack; sections for a z stack.
 
         See :func:`lommel.show.plot.plot`.
         """
         validation.axes("ax", ax)
-        return display.plot(self, ax, stretch=stretch)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, stretch=stretch)
+        return axes
 
     def plot_mtf(self, ax: Axes | None = None) -> Axes:
         """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.

@@ -133,10 +133,19 @@ def radial_plan(
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     height, width = window.shape
-    place: dict[str, Any] = {"height": height, "width": width, "center_y": row, "center_x": column}
-    place |= {"step": window.step, "integrate": integrate, "threads": wanted.threads}
     plan = _core.RadialPlan(
-        obscuration=stack.obscuration, amplitude=stack.amplitude, tol=tol, scale=scale, kind=kind, **place
+        obscuration=stack.obscuration,
+        amplitude=stack.amplitude,
+        height=height,
+        width=width,
+        center_y=row,
+        center_x=column,
+        step=window.step,
+        integrate=integrate,
+        tol=tol,
+        threads=wanted.threads,
+        scale=scale,
+        kind=kind,
     )
     over, alike = _over(wanted), np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers

@@ -34,7 +34,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -639,14 +639,18 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
         yield RayImage(uniform_filter(light, round(pixel / side), mode="constant") if pixel else light, side)
 
 
-def images(model: ImageModel, reach: float) -> Iterator[Any]:
+Image = CartesianImage | PolarImage | RayImage
+"""What has the light within circles and rectangles."""
+
+
+def images(model: ImageModel, reach: float) -> Iterator[Image]:
     """Return the images of a flattened stack, good up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
     return (polar_images if polar(model) or in_seeing(model) else cartesian_images)(model, reach)
 
 
-def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Any]:
+def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
     """Return the same for sums of light over `what`; ValueError where these would count light of a repeated image."""
     # An integral over part of one period is at most all light.
     if (period := model.method.period(model.pupil)) < math.inf:
@@ -693,7 +697,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
             yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
         return
     band, (short, _) = model.band, model.spread
-    pupil: Any = model.pupil
+    pupil = cast("Pupil", model.pupil)
     blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
     parts = []
     for share, stretch, part in model.method.components(pupil):

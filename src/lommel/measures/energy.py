@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, energy_images
+from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, CartesianImage, Image, ImageModel, energy_images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod, require_period
@@ -62,8 +62,8 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     if model.radial_method is not None:
         return radial_energy(model.radial_method, psf.pupil, at)
 
-    def within(image: Any, radii: Array, center: Array) -> Array:
-        return np.asarray(image.circles(radii, tuple(center)))
+    def within(image: Image, radii: Array, center: Array) -> Array:
+        return image.circles(radii, (float(center[0]), float(center[1])))
 
     return _measured(model, "radius", at, away, np.hypot(*away.T), within)
 
@@ -94,8 +94,9 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     if model.radial_method is not None:
         return radial_square_energy(model.radial_method, psf.pupil, at)
 
-    def within(image: Any, sides: Array, center: Array) -> list[float]:
-        return [image.rectangle(tuple(center - a), tuple(center + a)) for a in sides]
+    def within(image: Image, sides: Array, center: Array) -> list[float]:
+        x, y = center
+        return [image.rectangle((x - a, y - a), (x + a, y + a)) for a in sides]
 
     return _measured(model, "half_width", at, away, np.abs(away), within)
 
@@ -271,7 +272,7 @@ def window_energy(psf: PSFLike) -> Numbers:
         # An even window may reach half a pixel beyond half of a period to one side, and lacks that on the other.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
         each = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
-        return numbers([image.rectangle(tuple(low), tuple(far)) for image in each], pupil.shape)
+        return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in each], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.
     corners = [
@@ -375,7 +376,8 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
     area = math.pi * float(reach.max(initial=0.0)) ** 2
-    error = None if math.isnan(image.error) else OWN_ERROR + SEAM_NORM * area * image.error
+    known = isinstance(image, CartesianImage) and not math.isnan(image.error)
+    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if known else None
     return Encircled(image.circles(reach), error)
 
 

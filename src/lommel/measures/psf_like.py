@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, TypeVar, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
@@ -175,11 +175,14 @@ class PSFGridLike:
         return self.psf.unit
 
 
+Found = TypeVar("Found")
+
+
 @runtime_checkable
 class Measurable(Protocol):
     """A PSF, or several, whose every PSF a function measures."""
 
-    def measured(self, measure: Callable[[Any], Any]) -> Any:
+    def measured(self, measure: Callable[[PSFLike], Found]) -> Found:
         """Return the `measure` of each PSF."""
 
 

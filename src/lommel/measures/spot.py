@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
 from lommel.measures.continuous_image import (
     CartesianImage,
+    Image,
     ImageModel,
     PolarImage,
     cartesian_images,
@@ -323,7 +323,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         while True:
             (image,) = energy_images(one, reach + math.hypot(x, y), "fraction")
 
-            def lacks(radius: float, image: Any = image, center: tuple[float, float] = (x, y)) -> float:
+            def lacks(radius: float, image: Image = image, center: tuple[float, float] = (x, y)) -> float:
                 return float(image.circles(np.array([radius]), center)[0]) - wanted
 
             if lacks(reach) >= 0.0:
@@ -397,7 +397,7 @@ def stage(psf: PSFLike) -> Array:
     ValueError
         If `psf` is of a lens, a single plane, of several depths along that axis, or not in order of z.
     """
-    pupil: Any = checked(psf).pupil
+    pupil = checked(psf).pupil
     if not isinstance(pupil, ObjectivePupil):
         raise ValueError("z is what an Objective's stage does; this is the PSF of a lens")
     if not pupil.shape or pupil.shape[-1] < 2:

@@ -180,28 +180,27 @@ class Lens(display.Shown):
             raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
         if not isinstance(apodization, str | Apodization):
             apodization = illumination(apodization).slope
-        values: dict[str, Any] = {
-            "focal_length": f,
-            "aperture_diameter": diameter,
-            "sensor_distance": d,
-            "wavelength": validation.wavelength(wavelength),
-            "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
-            "aberrations": validation.instance("aberrations", aberrations, Wavefront),
-            "spider": spider,
-            "vignetting": vignetting,
-            "mask": mask,
-            "stop": stop,
-            "model": validation.choice("model", model, MODELS),
-            "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
-            "apodization": apodization,
-            "colour": colour,
-        }
+        vars(self).update(
+            focal_length=f,
+            aperture_diameter=diameter,
+            sensor_distance=d,
+            wavelength=validation.wavelength(wavelength),
+            obscuration=validation.real("obscuration", obscuration, least=0.0, below=1.0),
+            aberrations=validation.instance("aberrations", aberrations, Wavefront),
+            spider=spider,
+            vignetting=vignetting,
+            mask=mask,
+            stop=stop,
+            model=validation.choice("model", model, MODELS),
+            corrected_for=validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
+            apodization=apodization,
+            colour=colour,
+        )
         validation.optional("colour", colour, Colour)
         # Refuse shapes that leave nothing clear now, not at the first pupil.
-        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask, stop=stop)
-        vars(self).update(values)
-        visible = _VISIBLE[0] <= values["wavelength"] <= _VISIBLE[1]
-        if f > _LONG and f_number is not None and visible and not values["obscuration"]:
+        Pupil(obscuration=self.obscuration, spider=spider, vignetting=vignetting, mask=mask, stop=stop)
+        visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
+        if f > _LONG and f_number is not None and visible and not self.obscuration:
             warnings.warn(
                 f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. Of a telescope give "
                 "aperture_diameter instead of f_number",

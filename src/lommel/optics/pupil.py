@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.base_pupil import BasePupil, Geometry, not_a_pupil
+from lommel.optics.base_pupil import BasePupil, Geometry, OfEach, not_a_pupil
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
@@ -340,7 +340,7 @@ class Pupil(BasePupil):
             found = replace(found, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
         return found
 
-    def _each(self, of: Callable[[Any], Any]) -> Pupil:
+    def _each(self, of: OfEach) -> Pupil:
         wavefront, geometry, colour = of(self.wavefront), self.geometry, self.colour
         if geometry is not None:
             distances = of(np.reshape(geometry.distances, self.shape))
@@ -470,7 +470,7 @@ class FieldPupil(BasePupil):
         raise ValueError("each position has an aperture of its own: index the stack, and measure each PSF")
 
     @property
-    def transmission(self) -> Any:
+    def transmission(self) -> Array:  # type: ignore[override]
         """Transmitted light, of the shape of the stack."""
         return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
 
@@ -488,7 +488,7 @@ class FieldPupil(BasePupil):
         """Return the largest distance of rays from the axis on the sensor, of the shape of the stack."""
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
-    def _each(self, of: Callable[[Any], Any]) -> Any:
+    def _each(self, of: OfEach) -> Any:
         which = of(np.arange(len(self.pupils)).reshape(self.shape))
         if which.ndim == 0:
             return self.pupils[int(which)]

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +71,6 @@ _MOST_OF_MEAN = 40.0  # of logarithms of means on usable curves
 _ROUNDED = 0.05  # for the rounding of exponentials and logarithms
 _LEAST, _FAR = 0.5, 60.0  # the least H - m that is used, and where its exponential would overflow
 _NUMPY = Namespace.of(None)
-Reals = NDArray[np.floating[Any]]
 
 
 class Mean(NamedTuple):
@@ -104,7 +103,7 @@ class Mean(NamedTuple):
 
 
 def fewest(
-    where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
+    where: tuple[tuple[tuple[int, int], ...], float, tuple[Array, Array]],
     c: Array,
     disks: list[tuple[float, Array]],
     error: float,
@@ -161,19 +160,19 @@ def mean_on_curve(
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
     steps = _STEPS * max(2, int(degrees.max()))
-    angle = np.arange(steps + 1) * (math.pi / steps)
+    angle = np.arange(steps + 1.0) * (math.pi / steps)
     at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
     samples = stretch * polynomials(terms, *at).imag
     # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
-    half = (np.arange(count) + 0.5) * (math.pi / count)
+    half = (np.arange(float(count)) + 0.5) * (math.pi / count)
     if name == "chords":
         eta, gauss = gauss_legendre(count, -1.0, 1.0)
         curve = _curve(name, b, half, eta, half)
         share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
-        phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
+        phi = np.arange(1.0, chords + 1.0) * (math.pi / (chords + 1))
         curve = _curve(name, b, phi, half, half)
         share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
     at = [radius * places for places in curve]
@@ -200,7 +199,7 @@ def mean_on_curve(
     return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
 
 
-def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tuple[Values, Values]:
+def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
     """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta

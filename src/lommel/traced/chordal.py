@@ -398,7 +398,7 @@ def folded_intensity(
 
 
 @cache
-def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
+def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
     """Return the function that sums the part of values at four images that is even or odd in y and x."""
 
     def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:

@@ -388,7 +388,7 @@ class TracedPSF:
             f"{', '.join(map(str, static.terms))}; {static.precision} inside, {static.dtype}, tol={static.tol:g}>"
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         ns = self._static.namespace
         return placed, (self._static, tuple({k: ns.to_numpy(v) for k, v in one.items()} for one in self.tables))
 

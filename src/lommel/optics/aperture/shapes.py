@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -229,9 +229,8 @@ def listed(region: Shape) -> Listed:
     return Listed(np.array(ellipses).reshape(-1, 5), tuple(polygons), tuple(steps))
 
 
-def _point(name: str, value: Any) -> tuple[float, float]:
-    pair = isinstance(value, tuple | list | np.ndarray)
-    if not pair or validation.array(name, value).shape != (2,):
+def _point(name: str, value: ArrayLike) -> tuple[float, float]:
+    if not isinstance(value, tuple | list | np.ndarray) or validation.array(name, value).shape != (2,):
         raise TypeError(f"{name} must be a pair (x, y), got {validation.shown(value)}")
     x, y = (validation.real(f"{name}[{i}]", part, least=-_FARTHEST, most=_FARTHEST) for i, part in enumerate(value))
     return x, y

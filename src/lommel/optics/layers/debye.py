@@ -19,7 +19,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -179,7 +179,7 @@ class Piece:
             return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
-    def _ellipses(self, eta: Array, theta: NDArray[Any]) -> Complex:
+    def _ellipses(self, eta: Array, theta: Array) -> Complex:
         """Return points on the ellipses around the piece, one for each eta, shape ``(eta, theta)``."""
         half = 0.5 * (self.high - self.low)
         return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
@@ -191,7 +191,7 @@ class Piece:
 
     def _cover(self, eta: Array) -> At:
         step = 2.0 * math.pi / _ARCS
-        theta = (np.arange(_ARCS) + 0.5) * step
+        theta = (np.arange(float(_ARCS)) + 0.5) * step
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
@@ -223,7 +223,7 @@ class Piece:
 
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
         """Estimate :meth:`growth` from some points of each ellipse: no bound, at a tenth of the cost."""
-        at = At(self, self._ellipses(ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
+        at = At(self, self._ellipses(ETA, (np.arange(float(_GLANCE)) + 0.5) * (2.0 * math.pi / _GLANCE)))
         fixed, by_depth, by_focus = at.rates
         with np.errstate(all="ignore"):
             light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))

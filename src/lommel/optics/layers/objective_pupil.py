@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property
-from lommel.optics.base_pupil import BasePupil
+from lommel.optics.base_pupil import BasePupil, OfEach
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Light, Scalar, light_of
 from lommel.optics.layers.stratified import Layers
@@ -117,10 +116,10 @@ class ObjectivePupil(BasePupil):
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
-    def _each(self, of: Callable[[Any], Any]) -> ObjectivePupil:
-        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}
-        measured = self.aberrations
-        return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
+    def _each(self, of: OfEach) -> ObjectivePupil:
+        depth, focus, z = (np.asarray(of(getattr(self, name))) for name in PLANES)
+        measured = of(self.aberrations) if self.aberrations and self.aberrations.shape else self.aberrations
+        return replace(self, depth=depth, focus=focus, z=z, aberrations=measured)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
         """Return the pupil at another `wavelength`, metres: same indices and path differences; or a ValueError."""
@@ -150,19 +149,14 @@ class ObjectivePupil(BasePupil):
             plain["polarization"] = tuple(complex(*part) for part in jones)
         layers = description["layers"]
         numbers: Json = {name: validation.real(name, layers[name]) for name in _NUMBERS}
-        pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
+        films, paths = (tuple((float(n), float(t)) for n, t in layers[name]) for name in ("films", "paths"))
         exponent = tuple(validation.real_array("exponent", layers.get("exponent", ())).tolist())
-        planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}
+        depth, focus, z = (validation.real_array(name, description[name]) for name in PLANES)
         magnification = validation.real("magnification", description["magnification"], above=0.0)
         measured = description.get("aberrations")
         aberrations = measured and Wavefront.from_dict(measured)
-        return cls(
-            Layers(**numbers, **pairs, exponent=exponent),
-            magnification,
-            emitter=kind(**plain),
-            aberrations=aberrations,
-            **planes,
-        )
+        of = Layers(**numbers, films=films, paths=paths, exponent=exponent)
+        return cls(of, magnification, depth, focus, z, kind(**plain), aberrations)
 
     def __eq__(self, other: object) -> bool:
         """Return whether two pupils are the same."""
@@ -189,4 +183,3 @@ def _power_at(layers: Layers, emitter: Emitter, depth: float) -> Array:
 
 PLANES = ("depth", "focus", "z")
 _NUMBERS = ("NA", "immersion", "glass", "sample", "wavelength")
-_PAIRS = ("films", "paths")

@@ -27,7 +27,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Never, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Never, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -73,7 +73,10 @@ def radians_per(unit: str, wavelength: float | None) -> float:
     return 2.0 * math.pi / wavelength
 
 
-def common_shape(what: str, parts: Mapping[Any, Array | Wavefront]) -> tuple[int, ...]:
+_Key = TypeVar("_Key")
+
+
+def common_shape(what: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[int, ...]:
     """Return the shape that arrays and stacks broadcast to; ValueError with their shapes by name otherwise."""
     try:
         return np.broadcast_shapes(*[part.shape for part in parts.values()])
@@ -369,12 +372,13 @@ class Wavefront(EqualByContent, display.Shown):
         """
         display.save(self, path, **how)
 
-    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Axes | NDArray[np.object_]:
         """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
 
         See :func:`lommel.show.pupils.wavefront`.
         """
-        return display.plot(self, ax, unit=unit)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, unit=unit)
+        return axes
 
     @classmethod
     def from_seidel(
@@ -773,7 +777,7 @@ class Wavefront(EqualByContent, display.Shown):
         return cls(**parts, nonradial=others)
 
 
-def _once_or_all(value: Array) -> Any:
+def _once_or_all(value: Array) -> object:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 

@@ -243,7 +243,11 @@ class RadialMethod(Method[P]):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
             return self.on_pixels(pupil, grid, threads)
-        return self.profile(pupil, grid.v(pupil))
+        return self._threaded_profile(pupil, grid.v(pupil), threads)
+
+    def _threaded_profile(self, pupil: P, v: Array, threads: int) -> Intensities:
+        """Return :meth:`profile` with at most `threads` threads; few methods have more than one."""
+        return self.profile(pupil, v)
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -358,10 +362,14 @@ class FieldMethod(RadialMethod[P]):
 
     def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
-        values, error = self.evaluate(pupil, v)
-        intensity = values.real**2 + values.imag**2
-        relative = None if error is None else relative_error(intensity, error)
-        return Intensities(intensity, relative, intensity.max(axis=1))
+        return squared(self.evaluate(pupil, v))
+
+
+def squared(field: FieldValues) -> Intensities:
+    """Return I = abs(U)^2 with the bound on its error relative to the largest value."""
+    intensity = field.values.real**2 + field.values.imag**2
+    relative = None if field.error is None else relative_error(intensity, field.error)
+    return Intensities(intensity, relative, intensity.max(axis=1))
 
 
 def relative_error(intensity: Array, field_error: Array) -> Array:

@@ -17,11 +17,10 @@ At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``. See docs
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -140,7 +139,6 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
     return np.asarray(poly(centre)), np.asarray(spread)
 
 
-_Number = TypeVar("_Number", np.float64, np.complex128)
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
 
 
@@ -193,12 +191,6 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
             total += np.einsum("pq,qt->pt", waves, made.changes)
         found[1 + rates.index(WAVENUMBER)] = total / made.steepest
     return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * made.rule.rounding, made.steepest)
-
-
-def by_part(coefficients: NDArray[_Number], orders: tuple[int, ...], degree: int) -> list[NDArray[_Number]]:
-    """Return the coefficients of each part, or their moduli."""
-    ends = np.cumsum([0, *(degrees(order, degree).size for order in orders)])
-    return [coefficients[..., low:high] for low, high in itertools.pairwise(ends)]
 
 
 @lru_cache(maxsize=32)

@@ -14,17 +14,6 @@ turbulence, takes it from the pupil, at Gauss nodes along the radius. :class:`Ca
 discrete transform of samples, and cuts it off smoothly between the cutoff of the optics (where it ends) and twice
 that: this replaces the indicator of a circle by a function with the same transform below the cutoff, which differs
 from it within 12 lambda*N of the rim. Samples beyond that do not count, so a window that ends there loses nothing.
-
-Autocorrelation of pupils at the shifts that blur leaves, from the pupil function on square cells.
-Cells carry the mean of the pupil function over their area. The autocorrelation of these is that of the pupil,
-smoothed by two squares of the size of a cell, which their second moment corrects; at 0 it is known. Between cells
-it is interpolated by cubic splines. It is off by some 1e-6, more where a shift by less than a cell opens or closes a
-gap; images, which average it, by about 1e-6 of all light.
-
-Apertures on square cells: the area of each that is clear, in a second for any number of parts.
-Lines of constant y cross ellipses and convex polygons in one interval each. Two Gauss nodes between edges of cells,
-corners and, where they are flat, the places at which edges enter the next cell are exact for straight edges, but
-where these cross one another within a cell.
 """
 
 from __future__ import annotations
@@ -68,6 +57,12 @@ from lommel.optics.pupil import FieldPupil, Pupil
 from lommel.special.legendre import gauss_legendre
 
 _GAUSS = 0.5 / math.sqrt(3.0)
+
+
+# Apertures on square cells: the area of each that is clear, in a second for any number of parts. Lines of constant y
+# cross ellipses and convex polygons in one interval each. Two Gauss nodes between edges of cells, corners and, where
+# they are flat, the places at which edges enter the next cell are exact for straight edges, but where these cross one
+# another within a cell.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
@@ -164,8 +159,13 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
 
 
-_FINE = 32.0
-"""Cells that the shifts reach over, at least."""
+# Autocorrelation of pupils at the shifts that blur leaves, from the pupil function on square cells (certificate,
+# "Measures of an image", "From cells"). Cells carry the mean of the pupil function over their area. The
+# autocorrelation of these is that of the pupil, smoothed by two squares of the size of a cell, which their second
+# moment corrects; at 0 it is known. Between cells it is interpolated by cubic splines. It is off by some 1e-6, more
+# where a shift by less than a cell opens or closes a gap; images, which average it, by about 1e-6 of all light.
+
+_FINE = 32.0  # cells that the shifts reach over, at least
 
 
 class SmallShifts(NamedTuple):
@@ -233,10 +233,10 @@ def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.compl
     return cells(pupil).between(shifts).reshape(fx.shape)
 
 
-_SEAM = 12.0
-"""Times the band in cycles per lambda*N: where the cut-off's kernel has fallen below 1e-10."""
+# Of the cut-off c(f) of the certificate, "Measures of an image", "From samples":
+_SEAM = 12.0  # times the band in cycles per lambda*N: where its kernel has fallen below 1e-10
+# In units of the band: erfc(4) / 2 = 8e-9 is what it misses of 1 and of 0 at 1 and 2.
 _MIDDLE, _WIDTH = 1.5, 0.125
-"""Of the cut-off, in units of the band: erfc(4) / 2 = 8e-9 is what it misses of 1 and of 0 at 1 and 2."""
 SEAM_NORM = 3.94
 """Integral of the modulus of its kernel over the plane: by how much errors of samples can grow."""
 OWN_ERROR = 2e-8
@@ -246,8 +246,8 @@ MOST_SIDE = 6144
 """Samples a side, at most."""
 _AT_ONCE = 2**24
 _FAR = 64.0
+# Directions over half a turn, at least: of responses of pixels, and of apertures with vanes.
 _SMOOTH, _ROUGH = 48, 160
-"""Directions over half a turn, at least: of responses of pixels, and of apertures with vanes."""
 _CELLS = 512
 
 

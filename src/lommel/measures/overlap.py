@@ -9,20 +9,7 @@ the lens-shaped overlap of two discs, ``u = +-(cos(theta) - f)``, entire functio
 in theta and u converge spectrally. An obscured aperture is cut where its arcs meet, with ``y = eps sin(theta)``
 beside the obscuration.
 
-All other apertures take the rules of :func:`lommel.core.engine.row_rule`, whose error is proven. The overlap lies in
-the ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
-difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
-polynomial that is proven to be close to the integrand (:func:`lommel.optics.aperture.opening.degree_needed`). The
-ellipse moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there.
-Each pair of segments that overlap has its own rule and phase. Pupils with a mask: mask_overlap.py.
-
-Autocorrelation of pupils with a mask: sums over cells.
-The pupil function is constant on the square cells of a mask, where the wavefront counts in the middles. The overlap
-of two cells is linear in either coordinate of their shift, and so the autocorrelation is, between shifts d by whole
-cells, the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``: exactly, whatever the mask.
-
-The image of samples is not that of square cells, but one period of ``sum_d A(d) exp(2 pi i d.r / side)``. At whole
-cells its transform is the same.
+All other apertures take rules with a proven error, those with a mask sums over cells: certificate, section 18.
 
 References
 ----------
@@ -53,8 +40,14 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_MAX_TABLE = 2048
-"""Cells along a side of which all shifts are kept, in 270 MB."""
+# The pupil function is constant on the square cells of a mask, where the wavefront counts in the middles. The overlap
+# of two cells is linear in either coordinate of their shift, and so the autocorrelation is, between shifts d by whole
+# cells, the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``: exactly, whatever the mask.
+#
+# The image of samples is not that of square cells, but one period of ``sum_d A(d) exp(2 pi i d.r / side)``. At whole
+# cells its transform is the same.
+
+_MAX_TABLE = 2048  # cells along a side of which all shifts are kept, in 270 MB
 
 
 class Cells:
@@ -126,8 +119,7 @@ def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
     return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
 
 
-_CHUNK = 2**20
-"""Pupil values held at once."""
+_CHUNK = 2**20  # pupil values held at once
 _MAX_NODES = 4096
 
 
@@ -278,6 +270,13 @@ def _panel(
     parts = [(*lines[:2], low.ravel(), np.maximum(high - low, 0.0).ravel(), lines[2]) for low, high in pieces]
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
+
+# All other apertures take the rules of lommel.core.engine.row_rule, whose error is proven. The overlap lies in the
+# ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
+# difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
+# polynomial that is proven to be close to the integrand (lommel.optics.aperture.opening.degree_needed). The ellipse
+# moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there. Each pair
+# of segments that overlap has its own rule and phase.
 
 _LEAST = 2e-15  # error of a rule
 

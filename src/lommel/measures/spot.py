@@ -33,11 +33,10 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 PointImage = CartesianImage | PolarImage
 
-_STEP = 0.15
-"""Spacing of tables in v, over the stretch of the method."""
+_STEP = 0.15  # spacing of tables in v, over the stretch of the method
 _MAX_RADII = 2**16
+# Half of the largest full width at half of an image that is not radially symmetric, in lambda*N.
 _MAX_WIDTH = 250.0
-"""Half of the largest full width at half of an image that is not radially symmetric, in lambda*N."""
 _MAX_DIAMETER = 6000.0
 _MAX_SAMPLED = 1400.0
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
+# A stack that is computed in parts takes one method; some of its pupils stand for the cost of all.
 _LOOKS = 8  # pupils that stand for a stack
 _Answer = TypeVar("_Answer")
 
@@ -187,6 +188,7 @@ def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Met
     samples = Grid((height, width), grid.side / across)
     _, series, chords = ways
     try:
+        # Estimates of the time that chords and the series take, by the compiled core.
         costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
     except Declined:
         return series, chords

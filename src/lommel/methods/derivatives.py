@@ -83,6 +83,7 @@ def scaling_derivative(
 def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
+    # Filters may add a thousandth of the tolerance, and no filter is better than rounding.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = as_long(filtered_by(step, response), filtered_by(step, response, growing=True))
     # Neither response is larger than 2.
@@ -173,11 +174,13 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
     across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
+    # A tenth of the error for each of the two fields of the product.
     aim = max(0.1 * error / (amplitude + light), 1e-15)
     terms = pupil.wavefront.amplitudes()
     x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, reach, aim / light)
+    # The trapezoidal rule, by midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
     # A phase or an amplitude off by e changes both fields by e of what they are at most; so do roundings.
@@ -419,6 +422,7 @@ def _pieces(
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
     )
+    # Certificate, section 12, "Powers of rho^2": 3, 12, 63 and 321 for the terms up to degree 8.
     closer = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
     scales, obscures = (any(np.any(getattr(each, part)) for each in sums) for part in ("scaling", "obscuration"))
     keys = _keys(sums)
@@ -472,6 +476,7 @@ def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: 
             error = error + np.abs(by) * pieces[key].error
             size = size + np.abs(by) * _most(pieces[key].values)
     values = total.astype(dtype)
+    # Certificate, section 12: k + 8 roundings of the sum of the largest magnitudes.
     error = error + (len(factors) + 8) * 2.0**-53 * size + storing(dtype) * _most(total)
     return Slope(values, error / bright)
 

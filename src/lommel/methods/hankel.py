@@ -26,6 +26,7 @@ from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
+# Any eta proves a bound; the best of these is taken.
 _ETA = np.geomspace(1e-3, 4.0, 96)
 _STEPS = 128
 
@@ -42,6 +43,7 @@ def growth(terms: Array, low: float, v: float, light: Apodization = _EVEN) -> Ar
     grid (Ehlich and Zeller, 1964). Else it is not, and each interval has its own bounds: see :func:`rise`.
     """
     degree = terms.shape[1]
+    # The box around a stack in the space of coefficients.
     middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
     spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
     t = ellipses(_ETA, low, _STEPS)
@@ -92,6 +94,7 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
     ``degree^2`` of that (Bernstein).
     """
     steps = phase.shape[1] - 1
+    # Ehlich and Zeller: the maximum of a trigonometric polynomial from its values at enough equal steps.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     if low == 0.0:
         return np.asarray((phase + kernel).max(axis=1) * widening)
@@ -106,11 +109,13 @@ def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
 
 def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
     """Return the fewest nodes for which :func:`quadrature_error` is at most `error`."""
+    # The bound solved for n, once for each eta.
     needed = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
     return max(1, math.ceil(float(needed.min())))
 
 
 def _quadrature_log(g: Array, low: float) -> Array:
+    # 64/15 of Theorem 19.3 times half the length of the interval.
     return np.asarray(math.log(32.0 / 15.0 * (1.0 - low)) + g - np.log(-np.expm1(-2.0 * _ETA)))
 
 
@@ -162,6 +167,7 @@ class Hankel(FieldMethod[Pupil]):
         terms = pupil.radial_terms()
         reach = float(v[-1]) if v.size else 0.0
         g = growth(terms, low, reach, pupil.illumination)
+        # U is relative to U(0) = 1 - eps^2 of the unaberrated annulus.
         n = quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise Declined(

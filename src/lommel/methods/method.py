@@ -35,8 +35,11 @@ Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
 """From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
 
 _AN = {"lens": "a lens", "objective": "an objective"}
+# Levels l of tables of the compiled core, whose errors are about 10^-l: certificate, section 9, "Requested accuracy".
 _LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
 _USUAL = 10
+# Steps of the line that is searched for the peak, from the axis to where the last rays arrive: certificate, section
+# 9, "Relative to what".
 _SCAN = 512
 
 
@@ -272,6 +275,7 @@ class RadialMethod(Method[P]):
         # The largest value may be the peak of I or, of pixels that hold all light, its average.
         side = grid.step(pupil) if grid.integrate else 0.0
         likely = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
+        # Interpolation may take a fifth of the tolerance; its errors are in units of half the range of I.
         needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
         if self.profile(pupil, np.zeros(1)).error is None:
@@ -311,6 +315,7 @@ def _pixel_sums(
 ) -> tuple[Array, Array | None, Array]:
     """Return values of pixels, and what the profile and the sums add to the bound on their error."""
     # What varies faster than I is I of a larger window.
+    # Exponential type and range of I, which all bounds of section 9 are in units of.
     faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
@@ -331,6 +336,7 @@ def _pixel_sums(
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
     """Return what the largest value over the plane is at least, from the axis to where the last rays arrive."""
+    # Rays end at the largest slope of the phase, and diffraction spreads the peak by no more than a few units of v.
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
     pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
     count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
@@ -375,6 +381,7 @@ def squared(field: FieldValues) -> Intensities:
 def relative_error(intensity: Array, field_error: Array) -> Array:
     """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``."""
     # M is the largest abs(U) computed; the exact one may be smaller by e.
+    # Certificate, section 6.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -383,6 +390,7 @@ def relative_error(intensity: Array, field_error: Array) -> Array:
 
 def storing(dtype: DTypeLike) -> float:
     """Bound what it adds to errors over the peak that values are scaled and stored, as the compiled core does."""
+    # Six roundings: two squares and their sum, the scale and the product with it (certificate, section 6, "Storing").
     return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
 
 
@@ -411,6 +419,7 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
 
 def normalized_error(relative: Array) -> Array:
     """Bound the error of values divided by their own largest one, itself in error by `relative`."""
+    # 2 r / (1 - r): the value and the largest one that it is divided by are both off by r.
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
@@ -420,6 +429,7 @@ def widened(made: Images, pupil: BasePupil, method: Method, *, normalized: bool)
     # A phase in error by e changes U by at most e int A dx dy / pi, and a derivative of U by as much. At another
     # wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
     # counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
+    # Certificate, "Model error of a wavefront".
     of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
@@ -455,6 +465,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
 def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
     """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
     # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
+    # Certificate, section 5.
     coefficients = pupil.coefficients()
     outer = disk(coefficients, v)
     if pupil.obscuration == 0.0:

@@ -1,17 +1,6 @@
 """Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
 
-Quadrature over the whole disc with the moments of an aperture: few nodes, whatever its edges.
-A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
-times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
-same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or complex;
-their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area.
-
-g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
-polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
-
-Averages over pixels of apertures of any shape: nodes of the window, and a rule with the moments of the aperture.
-The nodes of the rule are those of the chordal rule of the disk, its weights complex numbers of either sign, see
-:mod:`lommel.methods.nonuniform_fft`: pupils stand side by side in vector lanes, as those of round apertures do.
+Small windows of many fields take another rule, with the moments of the aperture: certificate, section 18.
 
 References
 ----------
@@ -52,6 +41,16 @@ _LEAST_FIELDS = 4  # from which on it is worth while to make the rule
 _LEAST_ERROR = 3e-12  # of the field over its amplitude, below which roundings are in the way
 _MOST_WAVES = 2**22  # values of waves that are kept
 _STEP = 32  # of degrees
+
+
+# A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
+# times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
+# same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or
+# complex; their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted
+# area: certificate, section 18, "Moments".
+#
+# g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
+# polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
 
 
 def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float) -> bool:
@@ -323,6 +322,11 @@ _MAKING, _NODE_SUMS, _SAMPLE = (
 _LARGEST = 400  # degree
 _SINGLE = 0.5  # of an error, what sums in single precision may lose
 _LEAST_NODES = 1e-12  # error of the field, below which roundings are in the way
+
+
+# Averages over pixels: nodes of the window, and a rule with the moments of the aperture. The nodes of the rule are
+# those of the chordal rule of the disk, its weights complex numbers of either sign: pupils stand side by side in
+# vector lanes, as those of round apertures do.
 
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:

@@ -29,6 +29,8 @@ def mixed(
 
     Or, with `window`, over its largest value in the window: a contract where `way` keeps one.
     """
+    # At a shorter wavelength the same light is concentrated on a smaller area: I over that of the reference grows as
+    # 1/lambda^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
     asked, least = tol, (way.method or Method).least_tol
     while True:
@@ -45,6 +47,7 @@ def mixed(
         # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
         if asked <= least:
             raise not_met(way.tol, worst, "the largest value in the window" if window else "the peak")
+        # The next tolerance from the error that was found, with a factor of two to spare.
         asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
@@ -77,6 +80,7 @@ def _sums(
             found.append(Intensities(values, None, highest))
             continue
         used = np.flatnonzero(row)
+        # Certificate, section 9, last paragraph.
         off = (len(used) + 8) * 2.0**-53 * highest  # what weights, products and the sum are rounded by
         off = off + sum(row[k] * errors[k] * tops[k] for k in used)
         # Nothing is negative, so the sum is at least as bright as any part of it.

@@ -99,6 +99,7 @@ def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtyp
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
+    # Rays have no largest v: Geometric is the one method without samples.
     if method.sampling == "center":
         grid.require_reach(pupil)
     if pupil.period < math.inf:
@@ -113,6 +114,7 @@ def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtyp
     if normalize == "emitted":
         scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
+        # All light is the integral of I over the plane, 4 pi times the transmission in v^2 (Parseval).
         scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
         scale = 1.0 / method.unaberrated_peak(pupil)
@@ -191,6 +193,7 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
 def output_type(dtype: DTypeLike | None, tol: float) -> DType:
     """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
     if dtype is None:
+        # float32 rounds values by 2^-24 of the peak, 6e-8, which a tolerance of 1e-6 has room for.
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
     kind = validation.kind("dtype", dtype, np.float32, np.float64)
     if kind == np.float32 and tol < 2.0**-22:

@@ -4,12 +4,6 @@ Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; along a chord the kernel i
 chords that of its columns. The bounds of the two sums are in docs/certificate.md, section 8: with W_p the amplitude
 of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
 that the bound is a product too. An inner disk is more chords, of negative weights.
-
-The field of radially symmetric pupils as a matrix product.
-``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
-K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``
-in double precision. The number of nodes and the error of each pupil follow from the integrand on Bernstein ellipses:
-:mod:`lommel.methods.hankel`.
 """
 
 from __future__ import annotations
@@ -35,6 +29,16 @@ from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.certificate import CURVES, Mean, even, exponential, fewest, infinite
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
+
+# Phases at quadrature nodes and their cosines and sines, in float64, or in float32 at full accuracy (certificate,
+# "Differentiable PSFs", "Rounding"). In float32 a phase of 100 rad would be off by 6e-6. So coefficients are split,
+# ``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of
+# ``2^-q``: as ``n B_1`` are multiples of it too, and their sum is less than ``2^(23 - q)``, products, sums and what
+# is left without whole turns are exact. ``n B_2 + r B / 2 pi`` is a small part of a turn, and only it is rounded.
+# With u the unit roundoff, d terms, and the small part at most ``delta``, the phase is off by at most ``u (2 pi (2 d
+# + 4) delta + 6 pi (1/2 + delta))``.
+#
+# Rounding n to whole numbers has the derivative 0, and that of r by c is 1: derivatives are those of the phase.
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
 _ADDED = 4  # terms up to which products of columns and rows are added, which compilers make one pass of
@@ -216,6 +220,12 @@ class FieldError(NamedTuple):
 _ETA = np.geomspace(2e-3, 4.0, 80)
 _CHOSEN = 4  # ellipses on the device, around the best one for the stack
 _MOST_NODES = 4096
+
+
+# The field of radially symmetric pupils as a matrix product. ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over
+# ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at K nodes from a few coefficients, its cosine
+# and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)`` in double precision. The number of nodes and
+# the error of each pupil follow from the integrand on Bernstein ellipses lommel.methods.hankel.
 
 
 class Radial(NamedTuple):

@@ -43,11 +43,14 @@ from lommel.special.legendre import gauss_legendre
 
 _B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, each of which proves a bound
 _SINH = np.sinh(_B)
+# Both numbers are solved for halves: the bounds fall like exp(-2 n b), and the core returns n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
+# cosh^2 b over half of cosh 2b: certificate, section 16, "Chords and nodes".
 _TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # the weight of chords on curves over its mean
 _ETA = np.linspace(0.0, 1.0, 17)
+# 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0  # exp(-s) I_0(s) is at most the root of this over s
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
 _MOST_NODES, _MOST_DEGREE = 256, 250  # of which sums of exp(n b) are finite
@@ -162,6 +165,8 @@ class ChordalDebye(AberratedMethod):
         """
         # What is divided by its own largest value is off by twice as much, and stored twice.
         twice = 2.0 if wanted.scale is None else 1.0
+        # Errors of fields begin at what serves a peak of a quarter of the likely one, and follow the peak that was
+        # found.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
@@ -175,6 +180,7 @@ class ChordalDebye(AberratedMethod):
                 return found, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
+            # The peak was lower than expected, or the bound looser: ask for fields that are more exact.
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
 
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
@@ -238,6 +244,7 @@ def gathered(
         middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
         if len(these) > 1:
             # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
+            # exp(-i (v - d).r) = exp(-i v.r) exp(i d.r), d the shift of the axis in v.
             row, column = (here - middle).T * grid.step(pupil)
             tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
             planes = replace(planes, aberrations=tilts + planes.aberrations if planes.aberrations else tilts)
@@ -351,9 +358,11 @@ def _case(
 ) -> _Case:
     wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
+    # Derivatives by ln k have i W as a factor of the waves: section 16, "Their derivatives".
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
     plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
     highest = max((n for n, _ in phases), default=0)
+    # The degree is chosen with the factor of the highest term that is differentiated by.
     size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(layers, model)
     degree = degree_for(size.across, norm, _SHARES[0] * field)
@@ -366,7 +375,9 @@ def _case(
     left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
+    # Section 16, "Rounding": 2 N + 2 K are added where the rule is known.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    # What a factor of degree n loses besides: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
@@ -504,12 +515,14 @@ def growth(
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
     """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three curves, for v up to `y` and `x`."""
+    # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
     # The mean over a chord of a convex function, by trapezoids above it.
     each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
     held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
     around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
+    # m_K <= I_0(abs(v_y) sinh b) <= exp(s) sqrt(pi / (8 s)).
     along = np.maximum(y * _SINH, 1e-12)
     return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
 
@@ -526,6 +539,7 @@ def _beyond(degree: int) -> Array:
 
 def _tail(first: Array | float) -> Array:
     """Return the logarithm of what terms from a degree on add, but for the exponential of that degree."""
+    # The sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b), less its first exponential.
     terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
@@ -536,6 +550,7 @@ _FIRST_TAIL = _tail(40.0)
 def degree_for(size: Array, norm: float, error: float) -> int:
     """Return a degree of amplitudes of such a norm beyond which terms add at most about `error`."""
     needed = size + math.log(norm / error)
+    # The tail depends on the degree weakly: two steps of a fixed-point iteration are enough.
     first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
     first = np.maximum((needed + _tail(first)) / _B, 1.0)
     degree = math.ceil(float(first.min())) - 1
@@ -561,6 +576,7 @@ def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
 @lru_cache(maxsize=64)
 def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
     """Return the logarithms of what so many chords, and nodes, make of what an integrand is at most."""
+    # Certificate, section 8: e_N and e_K over the means.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
 
@@ -576,6 +592,7 @@ class Quadrant(NamedTuple):
 @lru_cache(maxsize=16)
 def quadrant(chords: int, nodes: int) -> Quadrant:
     """Return the nodes of a quadrant of a rule, and their weights."""
+    # The other three quadrants are mirror images, whose waves the core folds onto these nodes.
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
     eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
@@ -602,6 +619,7 @@ def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTa
     )
 
 
+# Numbers of parities: 2 for odd in x plus 1 for odd in y.
 _PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
 
 
@@ -632,6 +650,7 @@ def chords_for(radius: float, error: float) -> int:
 
 def chord_error(radius: float, chords: int) -> float:
     """Bound the error of the response of a sum over chords of a disc."""
+    # Section 8 with exp(i s w.r), abs(w) <= 2, for the integrand.
     grown = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
     return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
@@ -725,6 +744,7 @@ def light(
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
     """Return the light collected at each depth, as :attr:`lommel.ObjectivePupil.power`."""
     each, place = np.unique(depth, return_inverse=True)
+    # Each depth once.
     near, _ = debye.power(layers, each, emitter.light.model)
     return np.asarray((near @ emitter.light.shares)[place.ravel()])
 
@@ -746,6 +766,7 @@ def _amplitudes(
 def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
     """Return how many angles of each section suffice: those that the degree and the swing of phases need."""
     of = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
+    # What the phase changes by from the axis to the rim, or to the critical angle.
     swing = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in of]
     turns = swing[0] + swing[1] * float(planes.depth.max()) + swing[2] * float(np.abs(planes.focus).max())
     return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * turns) / 8.0)

@@ -10,22 +10,6 @@ multiplies the transfer function by
 the sum over chords of :class:`lommel.ChordalGauss`, within ``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b)`` over ``1 -
 exp(-2 (N + 1) b)`` for ``abs(w) <= 2`` and every b > 0. Each factor is the response of a filter of samples.
 
-Means of radial intensities over discs, from few samples, with a proven error bound.
-An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
-continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds:
-
-- the mean over a circle by m points, ``exp(2 s sinh eta) / (exp(m eta) - 1)`` for every eta > 0;
-- the mean over radii by n Gauss points in their squares, ``2 exp(2 a sinh(eta / 2)) rho^(1 - 2 n) / (rho - 1)`` with
-  ``rho = exp(eta)``, since on Bernstein's ellipse around [0, 1] no imaginary part of ``sqrt(t)`` is above
-  ``sinh(eta / 2)``;
-- values between those of an even table of step h, by polynomials of degree 11:
-  ``(2 h)^12 max(abs(omega)) / (2 * 12!)`` (Bernstein's inequality).
-
-Of light ``sum_m F_m(r) exp(i m phi)`` all three can be done to each order apart: a disc is its own mirror image at
-the line from the axis to its middle, so the mean of an order has that order, and along a line through the axis F_m at
-negative r is ``(-1)^m`` times that at positive r. What is done to the orders sums to the same rule done to the light
-itself, which the bounds are of.
-
 References
 ----------
 L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), theorem 8.2.
@@ -52,6 +36,20 @@ from lommel.special.legendre import gauss_legendre
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
+
+# Means of radial intensities over discs, from few samples, with a proven error bound (certificate, "Means over a
+# disc"). An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
+# continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds
+# the mean over a circle by m points, ``exp(2 s sinh eta) / (exp(m eta) - 1)`` for every eta > 0; the mean over radii
+# by n Gauss points in their squares, ``2 exp(2 a sinh(eta / 2)) rho^(1 - 2 n) / (rho - 1)`` with ``rho = exp(eta)``,
+# since on Bernstein's ellipse around [0, 1] no imaginary part of ``sqrt(t)`` is above ``sinh(eta / 2)``; and values
+# between those of an even table of step h, by polynomials of degree 11, ``(2 h)^12 max(abs(omega)) / (2 * 12!)``
+# (Bernstein's inequality).
+#
+# Of light ``sum_m F_m(r) exp(i m phi)`` all three can be done to each order apart: a disc is its own mirror image at
+# the line from the axis to its middle, so the mean of an order has that order, and along a line through the axis F_m
+# at negative r is ``(-1)^m`` times that at positive r. What is done to the orders sums to the same rule done to the
+# light itself, which the bounds are of.
 
 HALF = 6  # half of the points that an interpolation takes
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
@@ -83,6 +81,7 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
     """Return how to average an intensity over discs around points at radii `v`."""
     from scipy.sparse import coo_array
 
+    # A third for the table, and a third each for circles and radii: certificate, "Means over a disc".
     step = table_step(error / 3.0)
     (x, y), w = _points(radius, error / 1.5)
     along = v[:, None] + x
@@ -128,6 +127,7 @@ def _points(radius: float, error: float) -> tuple[Array, Array]:
         around += 2
     while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), across) > 0.5 * error:
         across += 1
+    # In the squares of radii, which weighs by area.
     t, w = gauss_legendre(across)
     theta = math.pi * (2 * np.arange(around // 2) + 1) / around
     r = radius * np.sqrt(t)[:, None]
@@ -178,6 +178,7 @@ def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int 
         return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
     made = first_proven(candidates(pupil, grid, tol), ask)[1]
+    # An error of the phase changes a field by as much, and I as in section 6.
     left = pupil.left_out[0]
     off = made.bound * made.brightest + left * (2.0 * np.sqrt(made.brightest) + left)
     return SampledLight(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
@@ -213,6 +214,7 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
     With `least` weights on either side at the least. Declined where it would take too many chords.
     """
     chords = chords_for(radius, 0.5 * error)
+    # As dense as averages over pixels take them: section 10.
     stride = samples_across(step)
     h, each = step / stride, error / 8.0
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)

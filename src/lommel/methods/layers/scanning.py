@@ -1,6 +1,5 @@
 """Scanning microscopes and beads: intensities as azimuthal Fourier orders at given radii, interpolated between these.
 
-Intensities as azimuthal Fourier orders at given radii, and the base class of methods that interpolate these.
 The intensity of any emitter is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; products of
 several have a few more orders. Radially symmetric intensities have the order 0 alone.
 """
@@ -106,6 +105,7 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
     orders = np.zeros((len(values), 2 * most + 1, v.size), np.complex128)
     for h, each in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
         if h.order:
+            # a cos m phi + b sin m phi = Re (a - i b) exp(i m phi).
             orders[:, most + h.order] += 0.5 * (h.cosine - 1j * h.sine) * each
         else:
             orders[:, most] = each
@@ -119,6 +119,7 @@ def product(one: Orders, other: Orders) -> Orders:
     kind = np.result_type(one.values, other.values)
     values = np.zeros((len(one.values), first + second - 1, one.values.shape[2]), kind)
     for j in range(first):
+        # Orders of a product are the convolution of those of its factors.
         values[:, j : j + second] += one.values[:, j, None] * other.values
     sizes = one.most, other.most
     error = one.error * sizes[1] + other.error * (sizes[0] + one.error) + _ROUNDING * sizes[0] * sizes[1]
@@ -352,6 +353,7 @@ class Bead(ProvenMethod):
 
     def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
         """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
+        # Gauss's rule for the weight 1 - u^2 over heights in units of the radius.
         heights, weights, off = _rule(self._growth(pupil), asked)
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
         focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
@@ -366,6 +368,7 @@ class Bead(ProvenMethod):
         within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
         fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
         # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
+        # Certificate, "Beads".
         across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
         return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
 
@@ -490,6 +493,7 @@ class Confocal(ProvenMethod):
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the product at rising v, of the emission."""
+        # At the same radius in metres.
         excited = light(self._lit(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
         means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._share), highest(pupil))
         seen = light(pupil, means.places, asked, self.tol)
@@ -653,6 +657,7 @@ class Sted(Confocal):
         rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
         # Both are band-limited, and what is left of them is wanted at many more radii.
+        # Discs of radius 0 interpolate, from a table as fine as the band of the product needs.
         means = disc_means(slower * v, 0.0, 0.1 * asked / ceiling, highest(self._lit(pupil)))
         known = super()._orders(pupil, means.places / slower, asked)
         excited = Orders(means.of(known.values), known.error * means.gain + ceiling * means.error)
@@ -669,6 +674,7 @@ class Sted(Confocal):
         """That of the polynomial."""
         from scipy.special import ive
 
+        # exp(-2 a D), D from 0 to 1, has the coefficients 2 exp(-a) I_k(a) in Chebyshev polynomials of 2 D - 1.
         a = 0.5 * math.log(2.0) * self.saturation
         # Beyond 40 terms more than the root of 80 a what is left is below 1e-17.
         k = np.arange(1, math.ceil(math.sqrt(80.0 * a)) + 41)

@@ -63,6 +63,8 @@ def sampled_slopes(
     if isinstance(method, Stratified):
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     else:
+        # Derivatives over their largest factor have transfer functions at most twice that of I: section 15, last
+        # paragraph.
         most = (*projection.steepest(layers, model), 0.0)
         if any(one.which == engine.BY_WAVENUMBER for one in by):
             most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
@@ -152,6 +154,7 @@ def _by_circles(
             ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
             for turn in (1j, -1j)
         )
+        # Twice the difference, over s = 1 / steep: certificate, section 16, "Derivatives".
         share = 2.0 * one.factor * steep / size
         own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
         slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
@@ -185,6 +188,7 @@ def _by_chords(
             raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
             error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
             largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
+    # Storing, and products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= made.brightest
     return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
@@ -314,6 +318,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         return By(engine.BY_FOCUS)
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
+    # The light that values are divided by depends on depth and wavenumber too.
     near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
         _, whole = debye.power(pupil.layers, np.zeros(0), model)
@@ -331,6 +336,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
     """Return a derivative of images from that of I, as they are stored."""
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
+    # Times the scale of the images.
     kept = np.empty(values.shape, wanted.dtype)
     np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))

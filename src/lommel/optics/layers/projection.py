@@ -5,14 +5,6 @@ kernel and a measured wavefront nearly are such polynomials: the kink of amplitu
 integrated without nodes near it. Coefficients are integrals over the angles of :mod:`lommel.optics.layers.debye`,
 
 .. math:: c_n = 2 (n + 1) \int_0^1 t(\rho) R_n^q(\rho) \rho \, d\rho , \quad n = q, q + 2, \dots, D .
-
-Azimuthal Fourier orders of a measured wavefront in a microscope's pupil, with bounds.
-``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the complex plane, theta + i b, a term of W of order m
-gains an imaginary part of at most ``w sinh(m b)``, w being its size at the edge, so that for any b > 0
-
-.. math:: |P_m(\rho)| \le \exp\Bigl(\sum_j w_j \sinh(m_j b) - |m| b\Bigr), \quad 0 \le \rho \le 1 .
-
-At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``. See docs/certificate.md.
 """
 
 from __future__ import annotations
@@ -40,6 +32,13 @@ _ORDERS_MOST = 250
 _HEIGHTS = np.geomspace(1e-2, 6.0, 200)
 Sizes = tuple[tuple[tuple[int, int], float], ...]
 """n and m >= 0 of terms, and the largest amplitude of m and -m together, radians at the edge."""
+
+
+# Azimuthal Fourier orders of a measured wavefront W, ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the
+# complex plane, theta + i b, a term of W of order m gains an imaginary part of at most ``w sinh(m b)``, w being its
+# size at the edge, so that ``abs(P_m(rho)) <= exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to
+# 1. At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``: certificate, section 16, "Angles of the
+# pupil" and "Nodes".
 
 
 class Orders(NamedTuple):

@@ -212,6 +212,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
             "waves at its samples only; give that phase as Zernike terms (lommel.fit_opd), or take lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
+    # Squares of the phase have twice its degree in rho, which is its degree in t.
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
     # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
@@ -279,6 +280,7 @@ def _strehl(pupil: Pupil) -> float:
     if not pupil.circular:
         # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
+        # Tilts of segments act as a shift of the window does.
         steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         at = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
         mean = np.sum(at.weight * np.exp(1j * at.phase(pupil)))

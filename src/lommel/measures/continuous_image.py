@@ -95,6 +95,7 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     # Where light begins counts from there on, where it ends no more.
     place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
     place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
+    # The clear part of each cell along a line is a running sum of where light begins and ends.
     change = np.concatenate([weight[line], -weight[line]])
     first = np.floor(place).astype(np.int64)
     top, left = int(row[line].min()), int(first.min())
@@ -135,6 +136,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
+    # Two Gauss nodes integrate the cubic that a straight edge makes of the area.
     middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
@@ -212,6 +214,7 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
     spectrum = fft.fft2(field, (size, size))
     near = np.arange(-most - 1, most + 2)
     raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(near, near)].conj()
+    # Cells of the area (2 / side)^2 over all light.
     raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
     found = raw[1:-1, 1:-1]
     # Means over cells, of both pupils, are of the variance 1/6 along each axis.
@@ -310,6 +313,7 @@ class ImageModel(NamedTuple):
         """Frequency from which nothing passes, cycles per lambda*N: that of the optics, or where blur has faded."""
         far = self.finest
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
+        # The direction in which Gaussian blur is narrowest: nothing may be cut off there.
         least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         left = np.exp(-2.0 * math.pi**2 * least * f**2)
         longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
@@ -400,8 +404,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     # light extends without limit, up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.finest
+    # 1 / h >= b_0 + 2 b: no alias reaches what the cut-off leaves (certificate, "From samples").
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
+    # Light beyond does not count: the kernel of the cut-off has fallen to 1e-10 there.
     half = reach + _SEAM / band + short
     half += seeing_room(reach, seen)
     period = model.method.period(pupil)
@@ -561,6 +567,7 @@ class PolarImage:
         reach = reach + self.model.spread[0]
         for f, weight, otf, wavelength in self.parts:
             least = _SMOOTH if otf is None else _ROUGH
+            # exp(2 pi i f.r) has orders up to about 2 pi f r around the axis.
             angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
             # Over half a turn: the rest is conjugate.
             theta = math.pi / angles * np.arange(angles)
@@ -703,6 +710,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     for share, stretch, part in model.method.components(pupil):
         eps = part.obscuration
         # Where the overlap of the aperture with itself, shifted, changes its shape.
+        # The rims of both apertures and of both obscurations touch at these shifts.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
         at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)

@@ -220,6 +220,7 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
+    # Panels end at the radii that were asked about, so that one running sum serves all.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
     return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
@@ -304,6 +305,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
         # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
+        # The angle of the circle of radius v that lies in the rectangle.
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)
         weights.append(2.0 * (high - low) * s * w * v * np.maximum(arc, 0.0))
@@ -375,6 +377,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
+    # Errors of samples of one sign everywhere: certificate, "From samples".
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     known = isinstance(image, CartesianImage) and not math.isnan(image.error)
     error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if known else None
@@ -431,6 +434,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
+    # A zone of the pupil is in focus where its slope and that of the defocus, 2 C_d, cancel.
     low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0
     scan = np.linspace(low, high, math.ceil(2.0 * (high - low)) + 1)
 

@@ -83,6 +83,7 @@ class Cells:
 
     def between(self, shift: Array) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts in cells, shape (points, 2)."""
+        # Overlaps of cells are linear in their shift along each axis: certificate, "Masks".
         first = np.floor(np.clip(shift, -len(self.field), len(self.field)))
         (x, y), (column, row) = (shift - first).T, first.T.astype(np.int64)
         x, y = (np.clip(part, 0.0, 1.0) for part in (x, y))
@@ -95,6 +96,7 @@ class Cells:
         # The derivative of the autocorrelation at 0, or the integral of x over the period of each wave.
         d = np.arange(1, 2 if squares else side)
         weight = (np.ones(1) if squares else -((-1.0) ** d) * 2.0 / d) * (-0.5 * side / math.pi)
+        # One axis at a time: the centroid along x is that of the light summed along y.
         zero = np.zeros_like(d)
         return np.array([weight @ self.at(d, zero).imag, weight @ self.at(zero, d).imag])
 
@@ -207,6 +209,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
     """Return the integrals along lines for defocus alone, shape (n, lines): the phase differs by ``8 slope u``."""
+    # The integral of cos(8 slope u) over a line is a sinc.
     half = 4.0 * slope * width + 1e-300  # never 0
     lines = np.cos(8.0 * slope * low + half)
     lines *= np.sin(half)
@@ -308,6 +311,7 @@ def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, to
     back = np.array([[cos, -sin], [sin, cos]]) * axes
     frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
     share = float(axes[0] * axes[1]) / pupil.transmission
+    # Only segments whose discs meet can overlap.
     moved = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
     pairs = np.argwhere(moved < clear.radii[:, None] + clear.radii)
     first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
@@ -316,6 +320,7 @@ def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, to
     # Half for the polynomial close to the integrand, half for the rules.
     aim = min(max(0.45 * tol / share, _LEAST), 0.05)
     steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
+    # Section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
     sizes = _amplitudes(pupil, back, f)
     try:

@@ -206,6 +206,7 @@ def brightest_place(model: ImageModel) -> tuple[float, float]:
 def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
     """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
     (image,) = point_images(model, reach)
+    # Eight samples to the period of the highest frequency.
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
     return image, image.on(places, places), places, step
@@ -213,6 +214,7 @@ def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array,
 
 def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
     """Return the largest light per area, and where: by Newton's method from the brightest of samples."""
+    # Local maxima, of which the highest few may be the largest between samples.
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
@@ -267,6 +269,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
+    # Twelve places for each interpolation: some beyond the last that counts.
     places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
@@ -317,6 +320,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         return radial_diameter(model.radial_method, pupil, wanted)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
+        # An image of samples repeats: circles must stay within one period.
         within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
         reach = min(one.extent, max(within, 0.0))
         while True:

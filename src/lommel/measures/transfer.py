@@ -114,6 +114,7 @@ def otf(
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
     for share, _, part in parts:
+        # Over the cutoff of this wavelength, 1 / (lambda N).
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
         total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)

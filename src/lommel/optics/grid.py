@@ -71,6 +71,7 @@ class Grid(EqualByContent):
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
         pitch = validation.pitch("pixel", pixel)
+        # The default needs no check: a grid is made for every PSF without a plan.
         fill = (1.0, 1.0) if isinstance(fill, float) and fill == 1.0 else validation.fill("fill", fill)
         center = middle if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
@@ -81,6 +82,7 @@ class Grid(EqualByContent):
         vars(self)["fill"] = fill
 
     def _content(self) -> tuple[object, ...]:
+        # Arrays have no hash; their bytes have.
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
         return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
@@ -238,6 +240,7 @@ class Grid(EqualByContent):
     @cached_property
     def _farthest(self) -> float:
         """Distance of the farthest point of a pixel from the axis, in pixels."""
+        # Averages reach to the corners of pixels.
         half = 0.5 if self.integrate else 0.0
         sides = zip(self._far_center, self.shape, strict=True)
         return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
@@ -271,6 +274,7 @@ class Grid(EqualByContent):
 
 @lru_cache(maxsize=8)
 def _quadrant(height: int, width: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    # Squares of distances are whole numbers, so that equal distances are equal exactly.
     squares, index = engine.distinct_radii(height // 2, width // 2)
     squares.flags.writeable = index.flags.writeable = False
     return squares, index

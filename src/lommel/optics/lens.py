@@ -288,6 +288,7 @@ class Lens(display.Shown):
             self,
             aperture_diameter=aperture(self.focal_length, stop, None),
             apodization=light,
+            # The same metres over a smaller radius.
             obscuration=self.obscuration * ratio,
             aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
             spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
@@ -304,6 +305,7 @@ class Lens(display.Shown):
         return replace(
             self,
             wavelength=wave,
+            # Phases of segments are path differences.
             stop=stop.scaled(self.wavelength / wave) if isinstance(stop, Segments) else stop,
             focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
             aberrations=same_path(self.aberrations, self.wavelength, wave),
@@ -342,6 +344,7 @@ class Lens(display.Shown):
     @cached_property
     def _of_defocus(self) -> tuple[float, float, float]:
         """The terms of C_d without 1/s."""
+        # The paper, Eq. 3, without the distance of the object.
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
         return vergence, math.pi / (2.0 * self.wavelength), (0.5 * self.aperture_diameter) ** 2
 

@@ -201,6 +201,7 @@ class Pupil(BasePupil):
     @property
     def likely_strehl(self) -> float:
         """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
+        # Terms are orthogonal: variances add. Larger ones would overflow.
         edge = np.minimum(np.abs(self.wavefront.edge), 1e6)
         return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
@@ -309,6 +310,7 @@ class Pupil(BasePupil):
         self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
     ) -> NDArray[np.float64]:
         """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase, with slopes of segments."""
+        # Central differences: an estimate is enough, for it only says how far rays go.
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -397,6 +399,7 @@ def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
     from lommel.core.engine import row_samples
 
     x, y, weight = _samples(opening, mask)
+    # Segments and a complex mask have phases of their own at each sample.
     phase = opening.phase(x, y) + np.angle(mask.at(x, y))
     return row_samples(x, y, weight, phase if np.any(phase) else None)
 

@@ -56,6 +56,7 @@ def j0_series(a: ArrayLike, terms: int = 3) -> Array:
     -------
     ndarray
     """
+    # J0(a) = sum (-a^2 / 4)^m / m!^2.
     q = -0.25 * np.asarray(a, dtype=np.float64) ** 2
     return np.asarray(np.polynomial.polynomial.polyval(q, [1.0 / math.factorial(m) ** 2 for m in range(terms)]))
 

@@ -119,6 +119,7 @@ class TableErf(Erf):
 
 @lru_cache(maxsize=4)
 def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
+    # s from 0 to infinity on [0, 1]; (s + 2) G(s) tends to i / 2.
     y = np.linspace(0.0, 1.0, samples)
     s = 2.0 * y[:-1] / (1.0 - y[:-1])
     return y, np.append((s + 2.0) * fresnel_auxiliary(s), 0.5j)
@@ -269,6 +270,7 @@ def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     """
     turns = np.abs(phase)
     out = np.empty((count, *phase.shape), dtype=np.complex128)
+    # The recurrence multiplies errors by m / phase at each step.
     slow = turns <= max(32.0, 2.0 * count)
     if np.any(slow):
         u, w = gauss_legendre(24 + count // 2 + int(turns[slow].max()))

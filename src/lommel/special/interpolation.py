@@ -118,6 +118,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
         return np.sinc(w * (width / _TURN))
 
     fit = _chebyshev(4 * reach, band)[: 2 * reach]
+    # Even filters have real responses: cosines of the distance of neighbours.
     factors = np.cos(np.outer(fit, each)) * twice
     weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], response(fit), rcond=1e-15)
     # Where the error is judged.
@@ -166,6 +167,7 @@ def _off(taps: Taps, w: Array, gains: Array, weights: Array, wanted: Array | NDA
     """Return the error bound of each frequency, shape ``(len(w), positions)``, for a `wanted` response."""
     turned = np.exp(1j * np.outer(w, _places()))
     off = np.abs(wanted[:, None] * turned - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
+    # Weights are polynomials of degree 16, whose sums round once a term.
     rounding = 2.0**-53 * (taps.size + _DEGREE) * _ROOT * np.abs(weights).sum(axis=1).max() * np.abs(gains)
     return np.asarray(_ROOT * (off + rounding[:, None]))
 

@@ -174,6 +174,7 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
     -------
     ndarray
     """
+    # Cosines for m >= 0, sines for m < 0: docs/conventions.md.
     azimuth = np.cos(m * theta) if m >= 0 else np.sin(-m * theta)
     return np.asarray(radial(n, m, rho) * azimuth)
 
@@ -296,6 +297,7 @@ def annular(m: int, highest: int, obscuration: float) -> Array:
     # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
     weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
     basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)
+    # R of the QR factors is Gram and Schmidt's triangular matrix.
     factor = np.linalg.qr(basis, mode="r")
     factor *= np.sign(np.diag(factor))[:, None]
     if not float(np.linalg.cond(factor)) < 1e7:

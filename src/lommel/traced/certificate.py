@@ -64,6 +64,7 @@ def infinite(ns: Namespace, like: Tensor) -> Tensor:
     return ns.xp.full_like(like, float("inf"))
 
 
+# Certificate, "Differentiable PSFs", "Any terms": steps of pi / 5 d, and the widening that they take (M. Riesz).
 _STEPS = 5  # of half a turn, for each degree
 _WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
@@ -94,7 +95,9 @@ class Mean(NamedTuple):
         mean = forms[: self.corners, :] + lost
         square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
         spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        # Bennett's inequality, x = H - mu (certificate, "Any terms").
         x, variance = top - mean + 2.0 * lost, spread * spread
+        # (e^x - 1 - x) / x^2 rises with x: a larger x is safe, and a small one would cancel.
         near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
         near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
         tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
@@ -117,6 +120,7 @@ def fewest(
     for kind, name in enumerate(("chords", "nodes")):
         found = None
         for j, b in enumerate(CURVES.tolist()):
+            # The exponential of the kernel would overflow on this curve and all farther ones.
             if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
                 break
             tables = Tables()
@@ -164,6 +168,7 @@ def mean_on_curve(
     at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
     samples = stretch * polynomials(terms, *at).imag
     # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
+    # The kernel on the curve is at most exp(R sinh b).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
     half = (np.arange(float(count)) + 0.5) * (math.pi / count)
@@ -186,6 +191,7 @@ def mean_on_curve(
         total = float(weight.sum())
         mean = values @ (weight / total)
         off = values - mean[:, None]
+        # The variance as a sum of squares: one product with the coefficients on the device.
         size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
         constants.append(math.log(total))
         means.append(mean)
@@ -212,6 +218,7 @@ def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDA
     """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 
+    # rho^m exp(+-i m theta) = (x +- i y)^m at complex x and y.
     square, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
     found = []
     for n, m in terms:

@@ -82,7 +82,9 @@ def phase_tables(
         table = basis / math.tau
         tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
         return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
+    # Some room beyond the valid range, in which the rule still holds.
     limit = 1.25 * largest + 1.0
+    # float32 has 24 bits: sums below 2^(23 - q) of multiples of 2^-q are exact.
     q = 23 - math.ceil(math.log2(limit / math.tau))
     least = float(size[size > 0.0].min()) if size.any() else 1.0
     scale = 2.0 ** max(0, round(0.5 * (q - math.log2(limit / least))))
@@ -309,7 +311,9 @@ def make_radial(
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
     if nodes > _MOST_NODES:
         raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")
+    # Pupils of the valid range may have their best ellipse on either side of that of the stack.
     chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
+    # Ehlich and Zeller, as in lommel.methods.hankel.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
     t, weights = gauss_legendre(nodes, low, 1.0)
@@ -319,6 +323,7 @@ def make_radial(
     phase, tables = phase_tables(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
     # Sums, waves and products; weights and amplitude; J0, whose argument is off by 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
+    # Certificate, "Differentiable PSFs", "Rounding": (K + 16) u.
     added = sums * (nodes + 16.0) * unit
     added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
@@ -369,6 +374,7 @@ class Axis(NamedTuple):
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
     """Return the axis of increasing places, and the places that are kept."""
+    # Windows that are symmetric about the axis need one half of their places.
     half = np.unique(np.abs(v))
     first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
     positive = len(v) - negative
@@ -611,6 +617,7 @@ def make_chordal(
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
     phase, arrays = phase_tables(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
+    # (K + N + 32) u, K / 2 and N / 2 being the sizes of the tables.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
@@ -659,6 +666,7 @@ def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
     py = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
+    # U = U_1 - eps^2 U_2: certificate, section 5.
     signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
     w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

@@ -29,6 +29,7 @@ from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 _OF_NUMPY = (np.ndarray, np.generic)
 _FINER = 0.1  # factor of the error of quadrature from one trial to the next
 _LEAST = 2.0**-52
+# Bounds are checked again for every pupil that is evaluated: trials only find numbers of nodes that are enough.
 _MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between these, that a tolerance is tried with
 _BLOCK = 2**21  # values that trials hold at once
 _RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
@@ -355,6 +356,7 @@ class TracedPSF:
             values, error = values + intensity, error + slack
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
+        # Scaling, squares and sums, and a rounding to float32 of what was float64.
         stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
         if static.scale is None:
@@ -540,6 +542,7 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
     # Of many pupils those with the largest phases and a few others.
+    # Bounds rise with the phase.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
     some = np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])
     worst = largest(c[some])
@@ -575,6 +578,7 @@ def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
         column, row = octant(half)
         cell = np.empty((half + 1, half + 1), dtype=np.int64)
         cell[row, column] = cell[column, row] = np.arange(row.size)
+        # Each cell of the octant once, for windows that are not square.
         used, index = np.unique(cell[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True)
         matrix = np.ascontiguousarray(rule.matrix[:, used])
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)

@@ -166,6 +166,7 @@ class Piece:
         return self._composed(at, model, t_s * of_s, t_p * of_p)
 
     def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
+        # Certificate, section 14, "What is odd in rho", has the parts of beams.
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
         light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if self.layers.exponent:
@@ -214,6 +215,7 @@ class Piece:
         worst = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
             for d, f in extremes(depth, focus):
+                # abs(exp(i psi)) = exp(-Im psi), with the radii of the discs.
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
             grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
@@ -332,6 +334,7 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     """Return the sections of the pupil, that beyond the critical angle last, if its light counts."""
     odd = model.kind in _ODD
     lowest = min(layers.immersion, layers.glass, layers.sample)
+    # 1 - cos of the largest angle, without the cancellation of that difference.
     sine = min(1.0, layers.NA / lowest)
     edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
     found: list[Piece] = []
@@ -340,11 +343,13 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     if not odd or edge > _CENTRE:
         found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
     if layers.sample < layers.NA and model.supercritical:
+        # kappa = abs(c_s) at the rim.
         reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
         found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
     return tuple(found)
 
 
+# Roundings are allowed for, not proven: certificate, section 14, "Rounding".
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # at once
 
@@ -392,6 +397,7 @@ def rule(
     rho = np.concatenate(rhos)
     joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
     fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
+    # Section 14, "Rounding": phases lose digits in proportion to the optical paths that they are sums of.
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
@@ -418,6 +424,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
     Rules of twice as many angles until two agree to 1e-13; `by` is "depth" or "wavenumber" (ln k).
     """
     model = model or Model()
+    # Quadrature converges geometrically: two that agree are exact to about rounding.
     before = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
         steady, fading, faint, steady_change, faint_change = _collected(layers, model, n)
@@ -425,6 +432,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
         all_light = left @ faint + steady
         near, far = all_light, steady
         if by is not None:
+            # Far from the glass nothing changes with the depth.
             near, far = left @ (faint * fading[:, None]), 0.0 * far
         if by == "wavenumber":
             near = depth[:, None] * near + left @ faint_change + steady_change
@@ -507,6 +515,7 @@ def slope_errors(
         factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
         proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
         each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
+    # Section 15, "The wavelength".
     by_k = turning(found, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
     if by_k.changes is not None:
@@ -523,6 +532,7 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
     found = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):
+        # The narrowest ellipse without a singularity; by the maximum principle its bound holds inside.
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]

@@ -192,6 +192,7 @@ class Beam:
             return _light(self._around, waves)
         a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
+        # Order 2 of linearly polarised light; the cross terms of circular light cancel.
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
         across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
@@ -244,9 +245,11 @@ class Absorbed(Beam):
 def _light(kind: str, waves: Waves) -> Light:
     """Return all azimuthal orders of waves, whose ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
     model, orders = Model(kind), np.array(waves.orders)
+    # (-i)^abs(q) of the Bessel expansion of a plane wave, for each order q.
     turns = (-1j) ** np.abs(orders)
     form = waves.form * np.multiply.outer(turns, turns.conj())
     found = []
+    # Products of two waves have the difference of their orders.
     for m in range(2 * int(orders.max()) + 1):
         F = np.zeros((len(model.orders), len(model.orders)), np.complex128)
         for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):

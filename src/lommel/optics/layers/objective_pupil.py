@@ -96,6 +96,7 @@ class ObjectivePupil(BasePupil):
     @cached_property
     def power(self) -> Array:
         """Light collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
+        # One plane is common in searches, and its light is kept.
         if self.depth.size == 1:
             return _power_at(self.layers, self.emitter, self.depth.item()).copy()
         depth, place = np.unique(self.depth.ravel(), return_inverse=True)
@@ -105,14 +106,17 @@ class ObjectivePupil(BasePupil):
     @property
     def collected(self) -> Array:
         """:attr:`power` over that of the same emitter far from the glass, of the shape of the stack."""
+        # Without a depth near the glass: what an emitter far from it sends into the objective.
         _, far = debye.power(self.layers, np.zeros(0), self.light.model)
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
         """Return the largest ray distance from the axis on the camera, metres, within 0.98 of the critical angle."""
+        # Slopes of the phase have no bound at the critical angle.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
+        # Heights of rays are slopes of the phase.
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 

@@ -63,6 +63,7 @@ def checked(wavefront: Wavefront | None) -> Wavefront | None:
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
     """Return the orders needed for an error of at most `error`; ValueError if they are too many."""
+    # S(b) of certificate, section 16, "Angles of the pupil".
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
     def beyond(m: int) -> float:
@@ -85,6 +86,7 @@ def orders(terms: Sizes, error: float) -> Orders:
 
 def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
     """Return P_m at each rho, shape ``(n, 2 most + 1, len(rho))``, m from -most on, of a flattened stack."""
+    # A discrete Fourier transform over the azimuth at each rho.
     theta = 2.0 * np.pi / kept.angles * np.arange(kept.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
     found = np.fft.fft(np.exp(1j * phases), axis=-1) / kept.angles
@@ -97,6 +99,7 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
     # The most that orders m and -m add in any part and pupil, then all orders from m on.
+    # Section 16: of the orders that hold at all radii those are kept that matter at the nodes.
     weights = np.abs(np.stack(rule.parts))
     each = (np.abs(found) @ weights.T).max(axis=-1)
     each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
@@ -121,6 +124,7 @@ def growth(piece: Piece, terms: Sizes) -> Array:
 
 def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tuple[NDArray[np.complex128], Array]:
     """Return ``R_n^m``, or over rho where m is odd, at centres of rho^2, and how far it is from that on discs."""
+    # Coefficients of the radial polynomial in rho^2, exact up to n = 30.
     half, low = (n + m) // 2, m // 2
     f = math.factorial
     powers = np.zeros(n // 2 + 1)
@@ -128,6 +132,7 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
         powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half - s) * f((n - m) // 2 - s))
     poly = np.polynomial.Polynomial(powers)
     size = np.polynomial.Polynomial(np.abs(powers))
+    # Taylor's series on a disc, whose terms bound the change; roundings first: section 16, "Nodes".
     spread = 2.0**-50 * size(np.abs(centre) + radius)
     step = np.ones(radius.shape)
     slope = poly
@@ -184,6 +189,7 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
         np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
     if by_k:
         fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
+        # i psi at each angle: certificate, section 15, "The wavelength".
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
         total = np.einsum("pq,qt->pt", turned, made.weights[0])
         if made.changes is not None:

@@ -194,6 +194,7 @@ def fit_radial(
     if callable(phase):
         if rho is not None:
             raise TypeError("rho must be left out where phase is a function")
+        # Nodes in rho^2 weigh by area.
         x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
         at, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
         values = validation.real_array("phase", phase(at))
@@ -301,6 +302,7 @@ def fit_opd(
     coefficients = np.empty((len(flat), len(terms)))
     residual = np.full(flat.shape, np.nan)
     condition = 1.0
+    # Those share their normal equations.
     alike: dict[bytes, list[int]] = {}  # maps with the same samples
     for i, pattern in enumerate(used.reshape(flat.shape)):
         alike.setdefault(np.packbits(pattern).tobytes(), []).append(i)
@@ -375,6 +377,7 @@ def _least_squares(
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
     share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
+    # Of terms that are orthonormal over the disc the matrix is near the unit matrix on a full pupil.
     gram = np.zeros((len(terms), len(terms)))
     for block, basis in _basis(rho, theta, terms, over_disc):
         gram += (basis * share[block]) @ basis.T
@@ -392,6 +395,7 @@ def _least_squares(
             raise refused
         whole = _most(places, terms, over_disc)
         own = np.linalg.inv(np.linalg.cholesky(gram)).T
+        # Orthonormal on the samples, so that the second fit is well conditioned.
         over_disc = own if over_disc is None else over_disc @ own
         if not 0.0 < _most(places, terms, over_disc) <= MAX_GROWTH * whole:
             raise refused
@@ -399,6 +403,7 @@ def _least_squares(
         for block, basis in _basis(rho, theta, terms, over_disc):
             gram += (basis * share[block]) @ basis.T
     coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
+    # The second pass fits the residual of the first, which takes most of its rounding away.
     for _ in range(2):
         moments = np.zeros_like(coefficients)
         for block, basis in _basis(rho, theta, terms, over_disc):

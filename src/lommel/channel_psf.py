@@ -94,6 +94,7 @@ class ColourPSF(Measured, ColourPSFLike):
             raise TypeError(
                 f"psfs must be a PSF for each of the {len(self.channels)} channels, got {validation.shown(self.psfs)}"
             )
+        # One array of all channels needs one shape and type; plots and files one pixel and unit.
         alike = {(p.values.shape, p.values.dtype.str, p.pixel, p.normalize, p.unit) for p in psfs}
         if len(alike) > 1:
             raise ValueError(f"psfs must be alike but for their light, got {validation.shown(sorted(alike))}")
@@ -233,6 +234,7 @@ def colour_psf(
     derivatives = rest.pop("derivatives", ())
     plan = Plan(shape, pixel, **rest)
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
+    # Derivatives, blur and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
         rest |= {"tol": None}
         made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
@@ -271,6 +273,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
             index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
             part, grid = pupil[index], grid[index] if grid.stack else grid
         normalized = asked.wanted.scale is None
+        # Values divided by their own largest one are off by twice as much.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
         found = together(sums, part, grid, plan.threads, aim, window=normalized)
         for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):

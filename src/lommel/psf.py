@@ -131,6 +131,7 @@ def psf(
     >>> answer.values.shape
     (512, 512)
     """
+    # The type of the array that values go to decides, so that callers need not give it twice.
     if out is not None and dtype is None:
         dtype = question.array("out", out).dtype
         if dtype != np.float32 and dtype != np.float64:
@@ -223,6 +224,7 @@ class Plan:
             pupil = question.for_axes(pupil, self._places)
         if not self.plain:
             return self._spread(pupil, derivatives, out)
+        # What checks, methods and tables depend on; pupils of a fit or a stack differ in their phase alone.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
@@ -290,8 +292,10 @@ class Plan:
             raise ValueError("center must be one for a stack whose apertures differ; compute each position by itself")
         shape = (*pupil.shape, *self._sampled.shape)
         place = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
+        # One plan serves them one by one, each with its own aperture.
         windows = place.reshape(-1, *self._sampled.shape)
         found = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
+        # A stack has a bound if all of its images have one.
         bounds = [one.error_bound for one in found if one.error_bound is not None]
         return replace(
             next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
@@ -309,6 +313,7 @@ class Plan:
         """Return the grid of pixels for `pupil`, in metres or in units of lambda*N."""
         averages = self.integrate
         if averages is None:
+            # Pixels in metres are those of a camera, which average.
             metric = pupil.wavelength is not None
             averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled

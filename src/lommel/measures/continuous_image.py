@@ -679,10 +679,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def in_seeing(model: ImageModel) -> bool:
-    """Return whether an image is that of a lens through seeing, which leaves of the transfer function what is near 0.
-
-    Samples would take a lattice as wide as the halo.
-    """
+    """Return whether an image is that of a lens through seeing, which leaves the transfer function near 0."""
+    # Samples would take a lattice as wide as the halo.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False

@@ -72,11 +72,9 @@ class PSFLike(Recorded):
 
     @property
     def sum_is_light(self) -> bool:
-        """Whether values of all the plane sum to its light: averages over pixels, and samples at most lambda*N apart.
-
-        The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds its
-        values at multiples of 1 / pixel (Poisson's formula).
-        """
+        """Whether all values sum to the light: averages over pixels, and samples at most lambda*N apart."""
+        # The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds
+        # its values at multiples of 1 / pixel (Poisson's formula).
         return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:

@@ -58,6 +58,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     times = np.where(x > 0.0, 2.0, 1.0)
     basis, wanted = times * wave(np.outer(w, x)), response(w)
     if in_disc:
+        # Least squares in the norm that bounds the mean error: certificate, section 10.
         at, weights = transfer_rule(w.size)
         root = np.sqrt(weights)
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
@@ -67,6 +68,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
     gain = float((times * np.abs(c)).sum())
     rounding = 2.0**-52 * (x.size + 3) * gain
+    # A polynomial but for 1e-17 in w is at most sqrt(2) times its largest value at twice as many Chebyshev points.
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
     if in_disc:
         # One of the two factors of an average is off by this in the mean, the other at most by `most`.
@@ -84,6 +86,7 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in
         return tall * wide + (_TAP * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
     # One sample for two pixels is interpolated half way, by weights of either sign that magnify its error.
+    # Rules of the mean error go to the end of the band, h = pi / 2; others need a gap.
     least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _FARTHEST)
     counts = range(max(2, math.ceil(least)), 2 * across + 1)
     fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _FARTHEST), key=samples)
@@ -92,6 +95,8 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in
 
 def _half(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
     """Return how many samples on either side a filter takes, likely."""
+    # The width of the gap between the band of I and what folds back onto it (certificate, "Samples that pixels
+    # share").
     room = 1.0 - 4.0 * step / (s * math.pi)
     if in_disc:
         # Where samples are as far apart as they may be, errors fall with a power of the length.
@@ -272,6 +277,7 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
     """Return errors of samples and of a response that are likely to be enough for one of averages."""
     # As if the largest average were a few times the least it can be, and the peak not faint.
     lowest = least_average(step)
+    # Half of the tolerance for samples, some thousandths for the response, which G^2 and the peak multiply.
     return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
@@ -292,6 +298,7 @@ def nearest(pupil: Pupil, grid: Grid, tol: float) -> float:
     step = grid.step(pupil)
     if farthest(step, grid.shape) == 0.0:
         return 0.0
+    # m_0 / r^3 of certificate, section 9, "Farther out".
     rings = 4.0 / math.pi * float(pupil.illumination.at(np.ones(()))) ** 2 * min(1.0, math.sqrt(2.0) / step)
     return math.cbrt(rings / (_SHARE * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2)))
 
@@ -544,11 +551,9 @@ def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array
 def averaged_gradient(
     gradient: Callable[[P, Grid, float, Array], Array], pupil: P, grid: Grid, tol: float, weights: Array
 ) -> Array:
-    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
-
-    By the transpose of a filter: `gradient` is asked about samples, with a tolerance and weights for these. The
-    tolerance is that which :func:`averaged` begins with, and mostly ends with.
-    """
+    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels."""
+    # By the transpose of a filter: `gradient` is asked about samples, with a tolerance and weights for these. The
+    # tolerance is that which :func:`averaged` begins with, and mostly ends with.
     finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
     def by(widest: float) -> Array:
@@ -586,6 +591,7 @@ def spread_out(weights: Array, taps: Taps) -> Array:
     def matrix(pixels: int) -> Array:
         made = np.zeros((_samples(pixels, taps), pixels))
         for pixel in range(pixels):
+            # The transpose of the filter along one axis.
             made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
         return made
 

@@ -195,11 +195,9 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
 
 
 def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error: float) -> int:
-    """Return how many equal angles integrate the field of the rim, over its largest, to this error.
-
-    At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes err
-    by twice that over ``e^(k b) - 1``, for every b > 0.
-    """
+    """Return how many equal angles integrate the field of the rim, over its largest, to this error."""
+    # At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes
+    # err by twice that over ``e^(k b) - 1``, for every b > 0.
     size = eps * reach * np.sinh(_B)
     for (n, m), w in terms.items():
         size = size + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))

@@ -67,13 +67,11 @@ def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
 
 
 def rise(eta: Array, low: float, steps: int) -> Array:
-    r"""Return abs(Im sqrt t): at the points of :func:`ellipses` if `low` is 0, else its largest between neighbours.
-
-    With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
-    ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. It
-    therefore lies below the larger of two neighbours, but between those around its one maximum, at
-    ``x = -cosh(eta) (1 - sqrt(low)) / (1 + sqrt(low))``.
-    """
+    r"""Return abs(Im sqrt t) at the points of :func:`ellipses` if `low` is 0, else its largest between two."""
+    # With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
+    # ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. It
+    # therefore lies below the larger of two neighbours, but between those around its one maximum, at ``x = -cosh(eta)
+    # (1 - sqrt(low)) / (1 + sqrt(low))``.
     at = np.asarray(np.abs(np.sqrt(ellipses(eta, low, steps)).imag))
     if low == 0.0:
         return at
@@ -87,12 +85,10 @@ def rise(eta: Array, low: float, steps: int) -> Array:
 
 
 def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
-    """Bound the largest sum over theta of a phase at the points of the grid and of a kernel as of :func:`rise`.
-
-    Where the kernel is known by intervals: between two points a trigonometric polynomial of a `degree` is off what
-    is linear by at most ``(degree step)^2 / 8`` of its largest value, its second derivative being at most
-    ``degree^2`` of that (Bernstein).
-    """
+    """Bound the largest sum over theta of a phase at the points of the grid and of a kernel as of :func:`rise`."""
+    # Where the kernel is known by intervals: between two points a trigonometric polynomial of a `degree` is off what
+    # is linear by at most ``(degree step)^2 / 8`` of its largest value, its second derivative being at most
+    # ``degree^2`` of that (Bernstein).
     steps = phase.shape[1] - 1
     # Ehlich and Zeller: the maximum of a trigonometric polynomial from its values at enough equal steps.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)

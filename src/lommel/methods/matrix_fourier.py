@@ -103,10 +103,8 @@ class MatrixFourier(Method[Pupil]):
 
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
-    """Return the fewest samples across the aperture for which no light wraps around into the window, and why so many.
-
-    Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
-    """
+    """Return the fewest samples across the aperture with which no light wraps into the window, and why."""
+    # Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
     # To the edges of pixels, which averages reach.

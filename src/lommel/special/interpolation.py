@@ -82,11 +82,10 @@ def steps(band: float, error: float, width: int = 0) -> Steps:
     """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
 
     Of averages over `width` steps instead of values, of which the filter takes care.
-
-    The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in t
-    and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are, for
-    given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
     """
+    # The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in
+    # t and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are,
+    # for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
             for neighbours in range(2, NEIGHBOURS_MOST + 1, 4):

@@ -32,11 +32,9 @@ def check_term(n: object, m: object) -> tuple[int, int]:
 
 
 def term(index: object, order: str) -> tuple[int, int]:
-    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term.
-
-    R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
-    "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
-    """
+    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term."""
+    # R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
+    # "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
@@ -180,11 +178,9 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients over a concentric disk of another `radius`, constant included.
-
-    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006):
-    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
-    """
+    """Return the coefficients over a concentric disk of another `radius`, constant included."""
+    # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
+    # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     at = np.asarray(radius, dtype=np.float64)
     found: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():

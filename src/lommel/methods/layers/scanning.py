@@ -683,11 +683,9 @@ class Sted(Confocal):
 
 
 def crest(pupil: ObjectivePupil) -> float:
-    """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers.
-
-    Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase psi
-    of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
-    """
+    """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers."""
+    # Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase
+    # psi of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()

@@ -109,11 +109,9 @@ def engine_slopes(
     wanted: Wanted,
     otherwise: Callable[[], Images] | None,
 ) -> Images | None:
-    """Return images and derivatives by the engine, or None where it has no such windows.
-
-    Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come with
-    a looser one, and images are those that `otherwise` returns, or of a looser one too.
-    """
+    """Return images and derivatives by the engine, or None where it has no such windows."""
+    # Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come
+    # with a looser one, and images are those that `otherwise` returns, or of a looser one too.
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)

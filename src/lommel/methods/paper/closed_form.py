@@ -411,10 +411,8 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
 
 
 def _hankel_pieces(ratio: float, reach: float) -> tuple[Array, NDArray[np.complex128]]:
-    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for the amplitude of x J0(x) on each.
-
-    It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
-    """
+    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for x J0(x) on each."""
+    # It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
     count = max(1, math.ceil(math.log(max(1.0, reach / _TRANSITION)) / math.log(ratio)))
     starts = np.asarray(_TRANSITION * ratio ** np.arange(count), dtype=np.float64)
     x = starts * (0.5 * (1.0 + ratio) + 0.5 * (ratio - 1.0) * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None])

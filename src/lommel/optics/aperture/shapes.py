@@ -109,6 +109,7 @@ class Listed(NamedTuple):
         """Return the region of ``matrix @ point + shift``; the matrix does not mirror."""
         x, y, a, b, angle = self.ellipses.T
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
+        # The image of the unit circle under a matrix has its singular values for semi-axes.
         axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
         places = np.stack([x, y], axis=-1) @ matrix.T + shift
         ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
@@ -125,6 +126,7 @@ class Listed(NamedTuple):
         without: Callable[[_Part, _Part], _Part],
     ) -> _Part:
         """Return what is known of each part, put together as the region is made of them."""
+        # Postfix order: operands first, then what combines the last two.
         by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
         for step in self.steps:
             if step >= 0:
@@ -143,7 +145,9 @@ class Listed(NamedTuple):
                 continue
             second, first = stack.pop(), stack.pop()
             if step == _WITHOUT and isinstance(second, int):
+                # a - b is a and not b.
                 second, step = _FULL - second, _BOTH
+            # What one operand alone decides: a union with all, an intersection with nothing.
             decides = _FULL if step == _EITHER else _NONE
             if decides in (first, second):
                 stack.append(decides)
@@ -190,11 +194,13 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     """
     parts: list[Shape] = []
     region._listed(parts, [])
+    # A band of cells at a time, to keep memory bounded.
     if x.size * len(parts) > _AT_ONCE and x.size > 1:
         pieces = -(-x.size * len(parts) // _AT_ONCE)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
     whole, near = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    # A cell whose centre is farther from an edge than its corners are is not crossed by it.
     margins = (part.margin(x, y) for part in parts)
     known = np.array([np.where(m > near, _FULL, np.where(m < -near, _NONE, _CUT)) for m in margins], np.int8)
     state = whole.combined(list(known), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))

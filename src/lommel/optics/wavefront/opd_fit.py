@@ -367,12 +367,10 @@ def _least_squares(
     obscuration: float = 0.0,
     places: tuple[Array, Array] | None = None,
 ) -> tuple[Array, Array, float]:
-    """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit.
-
-    Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
-    errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if their
-    sum is determined at all `places`.
-    """
+    """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit."""
+    # Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
+    # errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if
+    # their sum is determined at all `places`.
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")

@@ -233,6 +233,7 @@ def colour_psf(
     rest: dict[str, Any] = {**options}
     derivatives = rest.pop("derivatives", ())
     plan = Plan(shape, pixel, **rest)
+    # A channel is an incoherent sum; all channels share the wavelengths, and so the fields at each.
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
     # Derivatives, blur and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
@@ -249,6 +250,7 @@ def _in_own_light(psf: PSF) -> PSF:
     method, wavelength = psf.method, psf.pupil.wavelength
     if not isinstance(method, Polychromatic) or wavelength is None or len(method.wavelengths) > 1:
         return psf
+    # A channel of one wavelength is a plain PSF, with measures at that wavelength.
     (own,) = method.wavelengths
     # Intensities relate to the peak at the wavelength of the pupil, which is brighter in shorter light.
     return replace(psf, pupil=psf.pupil.in_light(own), scale=psf.scale * (wavelength / own) ** 2)
@@ -265,6 +267,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
     values = np.empty((len(sums), *pupil.shape, *sides), plan.dtype)
     scales = np.empty((len(sums), count))
     errors: list[list[NDArray[np.float64] | None]] = [[] for _ in sums]
+    # Intensities of all channels are held in double precision before they are stored.
     step = max(1, _AT_ONCE // math.prod(sides))
     for first in range(0, count, step):
         block = slice(first, min(first + step, count))

@@ -137,6 +137,7 @@ def psf(
         if dtype != np.float32 and dtype != np.float64:
             validation.kind("out.dtype", dtype, np.float32, np.float64)  # says so by the name that was given
     imaged(pupil)  # first, for whoever mixes up the order
+    # Plans of the last calls are kept: calls with the same options pay for checks and tables once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
     prepared = None
@@ -203,6 +204,7 @@ class Plan:
             self.blur = blurs(blur)
         # Which of the two a pupil is recorded on, its unit decides.
         self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
+        # Pixels with a fill factor below 1 always average.
         self._sampled = self._averaged if self._averaged.partly else self._averaged.sampled
         if integrate is False and self._averaged.partly:
             raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
@@ -519,6 +521,7 @@ class PSF(Measured, PSFLike, display.Shown):
                 f"grid must have one center, or one for each pupil of a stack of shape {self.pupil.shape}, "
                 f"got {self.grid.stack}"
             )
+        # Files make PSFs too, so that all parts are checked.
         wanted = self.pupil.shape + self.grid.shape
         if not isinstance(self.values, np.ndarray) or self.values.dtype not in (np.float32, np.float64):
             raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
@@ -539,6 +542,7 @@ class PSF(Measured, PSFLike, display.Shown):
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
         how += "".join(f", {type(blur).__name__}" for blur in self.blur)
+        # Samples farther apart than lambda*N do not sum to the light.
         if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"

@@ -172,6 +172,7 @@ def window_centroid(psf: PSFLike) -> Array:
 def energy_centers(psf: PSFLike, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
+    # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
         return np.zeros((math.prod(psf.pupil.shape), 2))
     return image_centroid(psf).reshape(-1, 2)
@@ -210,8 +211,10 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
+    # v is that of the reference wavelength; light of shorter waves oscillates faster by this factor.
     stretch = method.stretch(pupil)
     edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
+    # A node on the axis without weight: errors of a profile relate to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
         # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
@@ -314,6 +317,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 def energy_per_pixel(psf: PSFLike) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
+    # Values are `scale` times I, and all light is 4 pi times the transmission in v^2.
     factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
     return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 

@@ -54,6 +54,7 @@ class Cells:
     """The pupil function on the cells of a mask, of all light 1."""
 
     def __init__(self, field: NDArray[np.complex128]) -> None:
+        # So that the autocorrelation is 1 at no shift.
         self.field = field / np.linalg.norm(field)
 
     @cached_property
@@ -135,8 +136,10 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         mirrored = np.zeros(len(f), dtype=bool)
     else:
         # OTF(-f) is the conjugate of OTF(f).
+        # One half of the plane is enough for real images.
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
+    # Grids of frequencies have many alike.
     points, where = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
@@ -307,6 +310,7 @@ def _clear_parts(opening: Opening) -> _ClearParts:
 def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of other apertures at a frequency, off by less than `tol` and the rounding of phases."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
+    # Coordinates along f and across it.
     cos, sin = f / shift
     back = np.array([[cos, -sin], [sin, cos]]) * axes
     frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]

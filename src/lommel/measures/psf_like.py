@@ -122,6 +122,7 @@ class PSFLike(Recorded):
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
+        # Places in the flattened stack, by which all arrays are indexed alike.
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,

@@ -116,6 +116,7 @@ def otf(
     for share, _, part in parts:
         # Over the cutoff of this wavelength, 1 / (lambda N).
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
+        # Blur multiplies the transfer function; seeing depends on the wavelength.
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
         total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
@@ -331,6 +332,7 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numb
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             out[i] = low if ends[0] <= 0.0 else high
         else:
+            # Bracketed by the scan.
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
     return numbers(out, pupil.shape)
 

@@ -292,6 +292,7 @@ class Pupil(BasePupil):
             blur = np.zeros(1)
         else:
             blur = self._longest_gradient(*self._raster())
+        # From v to the sensor: r = v lambda N / pi.
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> NDArray[np.float64]:
@@ -389,6 +390,7 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    # Amplitude times covered area: certificate, section 18, "The light of a mask".
     weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # less is rounding
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
@@ -410,6 +412,7 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
     if mask is None:
         from lommel.optics.aperture.opening import degree_needed
 
+        # A polynomial close to the amplitude is integrated as exactly as its degree asks for.
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
@@ -492,6 +495,7 @@ class FieldPupil(BasePupil):
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
     def _each(self, of: OfEach) -> Any:
+        # Index places, and take the pupils there.
         which = of(np.arange(len(self.pupils)).reshape(self.shape))
         if which.ndim == 0:
             return self.pupils[int(which)]

@@ -97,6 +97,7 @@ def _radii(v: ArrayLike) -> Array:
     if radii.ndim != 1 or bad.any():
         found = f"shape {radii.shape}" if radii.ndim != 1 else radii[bad][0]
         raise ValueError(f"v must be a one-dimensional array of finite numbers >= 0, got {found}")
+    # Beyond there is less than 1e-17 of the light: certificate, section 3.
     if radii.size and radii.max() > MAX_REACH:
         raise ValueError(f"v must be at most {MAX_REACH:.0e}, got {radii.max():g}")
     return radii

@@ -62,6 +62,7 @@ class Erf(ABC):
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
         at = _arguments(s)
+        # erf is odd; G is needed for s >= 0 only.
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
 
@@ -247,6 +248,7 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
     -------
     ndarray of complex, shape ``(count,) + T.shape``
     """
+    # R = T x turns the limit into 1.
     square = np.asarray(limit, dtype=np.float64) ** 2
     powers = square ** np.arange(1, count + 1).reshape(-1, *(1,) * square.ndim)
     return np.asarray(powers * unit_moments(alpha * square, count))

@@ -184,6 +184,7 @@ def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dic
     at = np.asarray(radius, dtype=np.float64)
     found: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():
+        # Certificate, section 5: s_jk = R_n^k(eps) - R_n^(k+2)(eps).
         values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
             found[k, m] = found.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
@@ -195,6 +196,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
     zero = np.zeros(())
     turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
+        # a cos m(theta - angle) + b sin m(theta - angle), expanded.
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
         turned[n, m] = np.asarray(a * cosine - b * sine)

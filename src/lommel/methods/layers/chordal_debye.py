@@ -33,7 +33,7 @@ from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
-from lommel.optics.layers.debye import At, Complex, Model, pieces
+from lommel.optics.layers.debye import Complex, Model
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
@@ -777,21 +777,14 @@ def _integrals(
     layers: Layers, model: Model, degree: int, nodes: int
 ) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
     """Return rates of the phase at the angles of a rule, weights of these in the terms of all parts, and rho."""
-    rates, rhos, parts = [], [], []
-    for piece in pieces(layers, model):
-        x, w = gauss_legendre(nodes, piece.low, piece.high)
-        at = At(piece, x)
-        rates.append(at.rates)
-        rhos.append(np.sqrt(at.square) / layers.NA)
-        parts.append([w * part for part in piece.parts(at, model)])
-    rho = np.concatenate(rhos)
+    cut = debye.pieces(layers, model)
+    rho, parts, rates = debye.tabulated(cut, model, (nodes,) * len(cut))
     columns: list[Complex] = []
-    for order, part in zip(model.orders, map(np.concatenate, zip(*parts, strict=True)), strict=True):
+    for order, part in zip(model.orders, parts, strict=True):
         radial = zernike.radials(order, max(degree, order), rho)
         n = projection.degrees(order, degree)
         columns += [part * ((k + 1.0) * one) for k, one in zip(n, radial, strict=True)]
-    joined = tuple(np.concatenate([each[j] for each in rates]) for j in range(3))
-    return (joined[0], joined[1], joined[2]), np.stack(columns, axis=1), rho
+    return rates, np.stack(columns, axis=1), rho
 
 
 class Filter(NamedTuple):

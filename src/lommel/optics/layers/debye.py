@@ -384,25 +384,31 @@ def rule(
 
     `factor` bounds, as a log on each disc around a section, a further analytic factor of the integrands.
     """
-    rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
-    for piece in cut:
-        n = piece.enough(model, depth, focus, v, tol / len(cut), factor)
-        counts.append(n)
-        x, w = gauss_legendre(n, piece.low, piece.high)
-        at = At(piece, x)
-        rhos.append(np.sqrt(at.square) / layers.NA)
-        parts.append([w * part for part in piece.parts(at, model)])
-        rates.append(at.rates)
-    rho = np.concatenate(rhos)
-    joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
-    fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
+    counts = tuple(piece.enough(model, depth, focus, v, tol / len(cut), factor) for piece in cut)
+    rho, joined, rates = tabulated(cut, model, counts)
     # Section 14, "Rounding": phases lose digits in proportion to the optical paths that they are sums of.
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
     rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
-    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding), rounding, tuple(counts))
+    return Rule(rho, joined, rates, float(tol + rounding), rounding, counts)
+
+
+def tabulated(
+    cut: tuple[Piece, ...], model: Model, counts: tuple[int, ...]
+) -> tuple[Array, tuple[Complex, ...], tuple[Complex, Complex, Complex]]:
+    """Return rho, the weighted parts and the rates of the phase at so many Gauss nodes of each section."""
+    rhos, parts, rates = [], [], []
+    for piece, n in zip(cut, counts, strict=True):
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        at = At(piece, x)
+        rhos.append(np.sqrt(at.square) / piece.layers.NA)
+        parts.append([w * part for part in piece.parts(at, model)])
+        rates.append(at.rates)
+    fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
+    joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
+    return np.concatenate(rhos), joined, (fixed, by_depth, by_focus)
 
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:

@@ -72,6 +72,7 @@ class Light(NamedTuple):
 
 def _form(parts: int, entries: dict[tuple[int, int], complex]) -> Form:
     """Return the Hermitian matrix with these entries on and above its diagonal."""
+    # Intensities are real: the form is Hermitian.
     form = np.zeros((parts, parts), np.complex128)
     for (j, l), value in entries.items():
         form[j, l], form[l, j] = value, np.conj(value)
@@ -137,6 +138,7 @@ class Dipole:
     def moments(self) -> Array:
         """Three times the mean of ``p p^T`` over its directions: the unit matrix for a freely rotating dipole."""
         flat, azimuth = math.sin(self.polar), self.azimuth
+        # The unit vector of the dipole moment.
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
         return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
 
@@ -214,6 +216,7 @@ class Beam:
         parts: tuple[int, ...] = (0, 1, 1, 2, 2)
         if self._around in (None, "vortex"):
             jones = self._jones if self._around is None else _JONES["circular"]
+            # By reciprocity, the field of a beam in the sample is that of dipoles on the camera.
             field = np.einsum("c,cul->lu", jones, _CAMERA) / np.linalg.norm(jones)
             if self._around:
                 # Of circular light there is one sense of each order, and its phase turns once more.

@@ -223,6 +223,7 @@ class BasePupil(display.Shown):
     @property
     def airy_radius(self) -> float:
         """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
+        # The first zero of J1.
         return 3.8317059702075123 / math.pi * self.scale
 
     @property
@@ -242,6 +243,7 @@ class BasePupil(display.Shown):
 
 def not_a_pupil(thing: object) -> TypeError:
     """Return the error for an argument that is not a pupil, with the hint of a class that makes or has one."""
+    # Lens, Objective and PSF say how to get from them to a pupil.
     hint = getattr(type(thing), "pupil_hint", None) or validation.shown(thing)
     if isinstance(thing, list | tuple) and thing and isinstance(thing[0], BasePupil):
         hint += ": a stack is one Pupil of a Wavefront whose coefficients are arrays"

@@ -78,6 +78,7 @@ class Grid(EqualByContent):
         if fill != (1.0, 1.0) and not integrate:
             raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; average over them")
         stack = () if isinstance(center[0], float) else center[0].shape
+        # As object.__setattr__ of a frozen dataclass would, but all at once.
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
         vars(self)["fill"] = fill
 
@@ -119,6 +120,7 @@ class Grid(EqualByContent):
     @property
     def sampled(self) -> Grid:
         """The same pixels, with a fill factor of 1, as samples of their centres."""
+        # The fields are checked already.
         grid = object.__new__(Grid)
         vars(grid).update(self._fields() | {"integrate": False})
         return grid
@@ -251,6 +253,7 @@ class Grid(EqualByContent):
         if not self.stack:
             return self.axis
         (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
+        # The farthest corner of a window from each axis.
         away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
         return self[np.unravel_index(int(away.argmax()), self.stack)].axis
 

@@ -362,6 +362,7 @@ class Lens(display.Shown):
             return Wavefront.of_defocus(c)
         c = np.asarray(c)
         radius = 0.5 * self.aperture_diameter
+        # C_d = pi R_max^2 delta / (2 lambda), solved for the vergence delta.
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c
         return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
@@ -381,6 +382,7 @@ class Lens(display.Shown):
         """Amplitude across the pupil."""
         if not isinstance(self.apodization, str):
             return illumination(self.apodization)
+        # (cos theta)^(-1/2), with sin theta = rho R_max / d on the reference sphere.
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
 
     @cached_property
@@ -411,6 +413,7 @@ class Lens(display.Shown):
                 raise ValueError(
                     f"object_distance must broadcast with the aberrations, got shapes {shapes}"
                 ) from None
+        # A single pupil, which most are, needs no arrays.
         one = isinstance(s, float) and not wavefront.shape
         distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))

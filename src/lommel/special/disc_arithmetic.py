@@ -90,6 +90,7 @@ class Disc:
 
     def sqrt(self) -> Disc:
         """Return discs of the root with a positive real part; infinite where a disc reaches the left half plane."""
+        # In the right half plane the principal root is analytic: certificate, section 14, "Discs".
         right = self.centre.real * (1.0 - _ROUNDING) > self.radius
         root = np.sqrt(np.where(right, self.centre, 1.0))
         # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)), and both roots are within 45 degrees of the real axis:

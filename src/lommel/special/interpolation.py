@@ -130,6 +130,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
         rounding = 2.0**-53 * (2 * neighbours + 8) * _ROOT * np.abs(of).sum(axis=1).max() * np.abs(whole).sum()
         return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _BETWEEN * float(sums)
 
+    # Errors are judged, not derived: certificate, section 16, "Between circles".
     error, gain = judged(taps.at(places), response(w))
     return Steps(taps, weights, error, gain, *judged(taps.slopes(places), np.asarray(1j * w * response(w))))
 
@@ -139,7 +140,9 @@ def _kernel(count: int, band: float) -> Taps:
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
+    # The Kaiser-Bessel window, 0 beyond its taps.
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
+    # Between two taps each weight is a polynomial: a product with a few powers, without Bessel functions.
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
     powers[:, :count] = (chebyshev_powers(_DEGREE + 1) @ series)[::-1]

@@ -52,6 +52,7 @@ class PiecewiseQuadratic:
 
         The phase has the `coefficients` of :func:`lommel.special.piecewise.fit_quadratics`.
         """
+        # The paper averages over the radius, not the area.
         rho = (np.arange(20_000) + 0.5) / 20_000
         return float(np.mean(2.0 - 2.0 * np.cos(self.phase(rho) - _derivative(coefficients, rho, 0))))
 
@@ -208,6 +209,7 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
     powers = np.vander(rho - m, 3)[:, :free]
 
     def residual(p: Array) -> Array:
+        # abs(exp(i fit) - exp(i phase))^2, of which whole turns are no part.
         off = powers @ p - phase
         return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
 

@@ -349,6 +349,7 @@ class TracedPSF:
         unit, parts = UNIT[static.precision], []
         for (weight, light), tables in zip(static.lights, self.tables, strict=True):
             intensity, of_field = light.intensity(ns, tables, c)
+            # Errors of white light add.
             slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
             parts.append((intensity if weight == 1.0 else weight * intensity, slack))
         values, error = parts[0]
@@ -453,6 +454,7 @@ def traced(
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
+        # Nodes are added until the bounds of the stack, and of pupils between, leave some room.
         worst, most = _tried(static, tables, c)
         if most <= 0.6 * tol or error <= _LEAST:
             break
@@ -551,6 +553,7 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
 
 def _between(c: Array, *, boxed: bool) -> Array:
     """Return coefficients within the box of a stack, some of its corners among them, or between two members."""
+    # The same pupils each time, so that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
         one, other = c[draw.integers(len(c), size=(2, _BETWEEN // 2))]
@@ -607,6 +610,7 @@ def of_lattice(
     if not grid.integrate:
         return Pixels(grid.height, grid.width, False, 0.0, 0.0, 1), (rows, cols), {}
     b = np.linspace(0.05, 5.0, 200)
+    # The bound above, for the best b of some.
     for count in range(2, _MOST_SAMPLES + 1):
         exponent = stretch * step * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))
         error = 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0))

@@ -189,8 +189,10 @@ class PupilColour:
         """Return the wavefront that another wavelength adds to the same path differences, and the distances there."""
         known, shape = pupil.wavelength, pupil.shape
         assert known is not None
+        # Most pupils are seen in their own light.
         if wavelength == known:
             return Wavefront(), geometry
+        # Only the difference counts, so that the zero of the table is free.
         before, after = (self.focal_length + self.table.shift(w) for w in (known, wavelength))
         moved = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
         added = Wavefront()

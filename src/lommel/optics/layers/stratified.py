@@ -101,6 +101,7 @@ class Layers:
 
     def apodization(self, square: Values) -> Values:
         """Return minus the logarithm of the amplitude of the objective at `square`; 0 where it has none."""
+        # Horner's rule, in circular arithmetic too: certificate, section 14, "Apodization".
         t, total = square * self.NA**-2, square * 0.0
         for g in reversed(self.exponent):
             total = total * t + g
@@ -155,6 +156,7 @@ class _Matrix(NamedTuple):
 
 
 def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
+    # Born and Wolf, section 1.6: the fields at one side of a film from those at the other.
     top, bottom = to
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
 

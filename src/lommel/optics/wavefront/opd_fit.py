@@ -281,9 +281,11 @@ def fit_opd(
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
     validation.choice("within", within, ("pupil", "samples"))
+    # Where there is a mask, values outside of it may be anything.
     maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
+    # Pixels count by their centres.
     square = x * x + y * y
     used = valid & (square <= 1.0) & (square >= eps * eps)
     bad = np.argwhere(used & ~np.isfinite(maps))
@@ -374,12 +376,14 @@ def _least_squares(
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
+    # Equal weights: the mean over the samples stands for that over the pupil.
     share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
     # Of terms that are orthonormal over the disc the matrix is near the unit matrix on a full pupil.
     gram = np.zeros((len(terms), len(terms)))
     for block, basis in _basis(rho, theta, terms, over_disc):
         gram += (basis * share[block]) @ basis.T
     eigenvalues = np.linalg.eigvalsh(gram)
+    # The condition of the basis is the root of that of its normal equations.
     low, high = float(eigenvalues[0]), float(eigenvalues[-1])
     condition = math.sqrt(high / low) if low > 0.0 else math.inf
     if not condition <= MAX_GROWTH:
@@ -523,6 +527,7 @@ def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
     """Raise ValueError if areas of a map have one value, as files have it where nothing was measured."""
     # Neighbours that are alike: none where numbers are measured, and of stored steps about as many of each.
     for given, inside in zip(maps, used, strict=True):
+        # Arithmetic on a map of zeros, as a change of units, leaves rounding.
         tiny = _RESIDUE * float(np.abs(given[inside]).max(initial=0.0))
         opd = np.where(np.abs(given) <= tiny, 0.0, given)
         alike = np.zeros_like(inside)

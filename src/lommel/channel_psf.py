@@ -18,9 +18,9 @@ from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
 from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
-from lommel.methods.method import Method, painted, storing, widened
+from lommel.methods.method import Method, storing, to_images, with_model_error
 from lommel.methods.polychromatic import Polychromatic, together
-from lommel.methods.question import asked_about
+from lommel.methods.question import prepare
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
@@ -257,7 +257,7 @@ def _in_own_light(psf: PSF) -> PSF:
 
 
 def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
-    asked = asked_about(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
+    asked = prepare(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
     count, sides = math.prod(pupil.shape), asked.grid.shape
     if len(sums) * count * math.prod(sides) > validation.MAX_VALUES:
         raise ValueError(
@@ -284,7 +284,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
             question = Wanted(
                 _scale(each, part, plan, asked.wanted.scale, block), plan.dtype, out, threads=plan.threads
             )
-            images = widened(painted(intensities, grid, question), part, each, normalized=normalized)
+            images = with_model_error(to_images(intensities, grid, question), part, each, normalized=normalized)
             scales[c, block] = images.scale
             errors[c].append(images.error)
     return tuple(

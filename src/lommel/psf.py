@@ -19,7 +19,7 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
 from lommel.methods.method import Method
-from lommel.methods.question import Asked, asked_about
+from lommel.methods.question import Prepared, prepare
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 
@@ -195,7 +195,7 @@ class Plan:
         blur: Blur | Sequence[Blur] = (),
         threads: int | None = None,
     ) -> None:
-        method, tol = question.way(method, tol, integrate)
+        method, tol = question.checked_method(method, tol, integrate)
         self.integrate = integrate
         self.blur: tuple[Blur, ...] = ()
         if not isinstance(blur, tuple) or blur:
@@ -215,7 +215,7 @@ class Plan:
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = question.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._asked: Asked | None = None
+        self._asked: Prepared | None = None
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
@@ -230,7 +230,7 @@ class Plan:
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
-            asked = self._asked = asked_about(
+            asked = self._asked = prepare(
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
@@ -257,7 +257,7 @@ class Plan:
         parts["derivatives"], parts["derivative_bounds"], parts["blur"] = {}, {}, ()
         return psf
 
-    def _computed(self, asked: Asked, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
+    def _computed(self, asked: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
         """Return a PSF, with derivatives by checked names, where no shortcut answers."""
         place = None if out is None else question.place(out, asked.shape, self.dtype)
         method, made, slopes = asked.images(pupil, names, place)

@@ -40,10 +40,10 @@ from lommel.core.engine import product
 from lommel.measures.aperture_means import gradient
 from lommel.measures.overlap import autocorrelation, cells
 from lommel.measures.psf_like import PSFLike, checked
-from lommel.methods.choice import candidates, first_proven
+from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.layers.chordal_debye import ChordalDebye
-from lommel.methods.method import Method, RadialMethod, beyond_period, widened
+from lommel.methods.method import Method, RadialMethod, beyond_period, with_model_error
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
@@ -505,9 +505,9 @@ def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Im
         ways = candidates(pupil, grid, min(method.tol, Method.tol))
 
     def ask(way: Method) -> Images:
-        return widened(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
+        return with_model_error(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
 
-    return first_proven(ways, ask)[1]
+    return first_within_tolerance(ways, ask)[1]
 
 
 @dataclass(frozen=True)

@@ -218,7 +218,7 @@ def _averaged(
         if not peak.min() > 0:
             break
         relative = (err_given[0] + err_own) / peak
-        bounds = once_stored(relative, wanted)
+        bounds = stored_error(relative, wanted)
         if largest(bounds) <= tol:
             # Transfer functions of derivatives by terms are at most twice that of the aperture: section 8.
             errors = err_given + 2.0 * err_filter + rounding * peaks
@@ -268,7 +268,7 @@ def before_storing(tol: float, wanted: Wanted) -> float:
     return (0.4 if wanted.scale is None else 1.0) * (tol - (1.0 + tol) * storing(wanted.dtype))
 
 
-def once_stored(off: Array, wanted: Wanted) -> Array:
+def stored_error(off: Array, wanted: Wanted) -> Array:
     """Return what images are off by once they are stored, of averages that are off by so much of their peak."""
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
@@ -337,7 +337,7 @@ def _near_and_far(
         except ToleranceError:
             return None  # of the whole window there may be a bound
         off = away.error / near.peak
-        bounds = once_stored(off, wanted)
+        bounds = stored_error(off, wanted)
         if bounds.max() <= tol:
             away.values[:, inside[0], inside[1]] = near.values[0]
             # Values divided by their own largest one are at most 1 wherever that is.

@@ -132,7 +132,7 @@ def of_derivatives(pupil: "ObjectivePupil", ways: tuple[Method, ...]) -> tuple[M
     return (*first, *ways, ChordalDebye(tol))
 
 
-def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
+def first_within_tolerance(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
     """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
     # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
     # misses is for the series. Other errors are faults, and are not hidden.
@@ -170,7 +170,7 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
     return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
 
-def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
+def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
     """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
     if len(ways) == 1:
         return ways

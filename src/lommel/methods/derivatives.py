@@ -27,10 +27,10 @@ from lommel.methods.averaging import (
     sloping,
     weighed,
 )
-from lommel.methods.choice import first_proven
+from lommel.methods.choice import first_within_tolerance
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
-from lommel.methods.method import Method, storing, widened
+from lommel.methods.method import Method, storing, with_model_error
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
@@ -128,7 +128,7 @@ def _sampled(
     for part, one, pixels in blocks(pupil, grid, taps):
         question = one, finer(pixels, taps), Wanted(threads=threads)
         # Double precision may hold what is asked for, and no less.
-        _, made = first_proven((fine, engine), lambda way: ask(way, *question))  # noqa: B023
+        _, made = first_within_tolerance((fine, engine), lambda way: ask(way, *question))  # noqa: B023
         yield part, made.values, made.brightest * (made.bound + rounded)
 
 
@@ -253,7 +253,7 @@ def differentiated(
     """Return images, their derivatives by checked names, and the method that made them."""
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
-        made = widened(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
+        made = with_model_error(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
         assert made.slopes is not None
         return rule, made, list(map(Slope, *made.slopes))
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
@@ -270,7 +270,7 @@ def differentiated(
     # What is simple is stored by what makes the images, all else summed in double precision.
     stored, others = [each for each in sums if simple(each)], [each for each in sums if not simple(each)]
     keys = _keys(stored)
-    made = widened(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
+    made = with_model_error(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
     taken = iter(_taken(made, stored, keys))
     pieces = _pieces(way, engine, pupil, grid, made, wanted, others) if others else {}
     slopes = [next(taken) if simple(each) else _combined(each, made, pieces, wanted.dtype) for each in sums]
@@ -444,7 +444,7 @@ def _pieces(
                 slopes[term] = Piece(values, error + 4.0 * left)
         if rest := tuple(key for key in asked if key not in slopes):
             ask = partial(_asked, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
-            _, here = first_proven((closer, engine), ask)
+            _, here = first_within_tolerance((closer, engine), ask)
             assert here.slopes is not None
             for key, values, error in zip(rest, *here.slopes, strict=True):
                 slopes[key] = Piece(values, error * here.brightest + 4.0 * left)

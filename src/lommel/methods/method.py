@@ -150,14 +150,16 @@ class Method(ABC, Generic[P]):
             )
         way = self
         made = way.intensity(pupil, grid, wanted.threads)
-        while self.keeps_tol and (error := once_stored(made, wanted)) is not None and error.max() > self.tol:
+        while (
+            self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
+        ):
             # Values divided by their own largest one are off by twice as much.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
             way = finer
             made = way.intensity(pupil, grid, wanted.threads)
-        return painted(made, grid, wanted)
+        return to_images(made, grid, wanted)
 
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
@@ -258,7 +260,7 @@ class RadialMethod(Method[P]):
             return super().images(pupil, grid, wanted)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
-        return painted(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
+        return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
 
     def on_pixels(
         self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
@@ -399,14 +401,14 @@ def stored(relative: Array, dtype: DTypeLike) -> Array:
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def once_stored(made: Intensities, wanted: Wanted) -> Array | None:
+def with_storage_rounding(made: Intensities, wanted: Wanted) -> Array | None:
     """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
     if made.error is None:
         return None
     return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
 
 
-def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
+def to_images(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`lommel.Method.images`."""
     largest = made.values.reshape(len(made.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
@@ -414,7 +416,7 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(made.values, scales, values, wanted.threads)
-    return Images(values, scales, once_stored(made, wanted), None, made.peak)
+    return Images(values, scales, with_storage_rounding(made, wanted), None, made.peak)
 
 
 def normalized_error(relative: Array) -> Array:
@@ -424,7 +426,7 @@ def normalized_error(relative: Array) -> Array:
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
-def widened(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
+def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
     """Return images whose bounds count what the terms of wavefront and apodization leave out."""
     # A phase in error by e changes U by at most e int A dx dy / pi, and a derivative of U by as much. At another
     # wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and

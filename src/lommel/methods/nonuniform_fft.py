@@ -24,7 +24,7 @@ from lommel.core.answers import Declined, Images, Intensities, Pixels, Slopes, W
 from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
 from lommel.methods.averaging import averaged_images
 from lommel.methods.matrix_fourier import samples_needed
-from lommel.methods.method import Method, once_stored, painted, relative_error, storing
+from lommel.methods.method import Method, relative_error, storing, to_images, with_storage_rounding
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
@@ -507,7 +507,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
         bright = min(0.9 * math.sqrt(max(float(made.peak.min()), 1e-300)), 0.5 * bright)
     if not error <= tol:
         raise not_met(tol, error, "the peak")
-    answer = painted(made, grid, wanted)
+    answer = to_images(made, grid, wanted)
     if not wanted.terms:
         return answer
     peak = np.asarray(made.peak)
@@ -521,7 +521,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
 def _judged(values: Array, peak: Array, off: Array, wanted: Wanted) -> tuple[Intensities, float]:
     """Return intensities with bounds over a peak, from those of U, and the largest of these once they are stored."""
     made = Intensities(values, relative_error(peak[:, None], off), peak)
-    return made, float(np.max(once_stored(made, wanted)))  # type: ignore[arg-type]
+    return made, float(np.max(with_storage_rounding(made, wanted)))  # type: ignore[arg-type]
 
 
 def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:

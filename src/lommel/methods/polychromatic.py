@@ -10,8 +10,8 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, ToleranceError, Wanted, not_met
-from lommel.methods.choice import candidates, first_proven, of_profiles
-from lommel.methods.method import Method, RadialMethod, painted, storing
+from lommel.methods.choice import candidates, first_within_tolerance, of_profiles
+from lommel.methods.method import Method, RadialMethod, storing, to_images
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component, Spectrum
 from lommel.optics.grid import Grid
@@ -217,7 +217,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = aim if wanted.scale is not None else 0.48 * aim
         made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
-        return painted(made[0], grid, wanted)
+        return to_images(made[0], grid, wanted)
 
 
 def together(
@@ -235,7 +235,7 @@ def together(
 
     def ask(part: Component, tol: float) -> Intensities:
         ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
-        made = first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        made = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
         if alike or made.values.ndim == 3:
             return made
         values = np.empty((len(made.values), *grid.shape))

@@ -13,8 +13,8 @@ from numpy.typing import DTypeLike
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, DType, Images, Pixels, Wanted
-from lommel.methods.choice import candidates, first_proven, instead, of_derivatives
-from lommel.methods.method import Method, Shortcut, require_period, widened
+from lommel.methods.choice import candidates, first_within_tolerance, instead, of_derivatives
+from lommel.methods.method import Method, Shortcut, require_period, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from lommel.optics.wavefront.wavefront import Wavefront
 
 
-class Asked(NamedTuple):
+class Prepared(NamedTuple):
     """A window, methods and settings for all pupils that differ in their phase alone."""
 
     light: tuple[object, ...]  # all of a pupil but its phase, and whether that is radially symmetric
@@ -48,7 +48,7 @@ class Asked(NamedTuple):
             from lommel.methods.layers.slopes import layered_slopes
 
             layers = cast("ObjectivePupil", pupil)
-            return first_proven(
+            return first_within_tolerance(
                 self.ways if self.named else of_derivatives(layers, self.ways),
                 lambda way: layered_slopes(way, layers, self.grid, names, question, energy=self.energy),
             )[1]
@@ -62,10 +62,10 @@ class Asked(NamedTuple):
 
         def ask(way: Method) -> Images:
             made = way.images(pupil, self.grid, question)
-            return widened(made, pupil, way, normalized=question.scale is None)
+            return with_model_error(made, pupil, way, normalized=question.scale is None)
 
         try:
-            way, made = first_proven(self.ways, ask)
+            way, made = first_within_tolerance(self.ways, ask)
         except Declined as refused:
             if self.named:
                 raise
@@ -73,7 +73,7 @@ class Asked(NamedTuple):
         return way.reported, made, []
 
 
-def asked_about(
+def prepare(
     pupil: BasePupil,
     light: tuple[object, ...],
     grid: Grid,
@@ -82,19 +82,19 @@ def asked_about(
     normalize: str,
     dtype: DType,
     threads: int,
-) -> Asked:
+) -> Prepared:
     """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     ways = candidates(pupil, grid, tol) if method is None else (method,)
-    wanted = wanted_on(grid, pupil, ways[0], normalize, dtype, threads)
+    wanted = output_spec(grid, pupil, ways[0], normalize, dtype, threads)
     stack = pupil.shape
     shortcut = ways[0].plan(pupil, grid, wanted)
     named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
-    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+    return Prepared(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
 
 
-def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
+def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
     """Return how images are wanted, once pupil and window are checked."""
     method.require(pupil)
     for pitch in grid.pitch:
@@ -211,7 +211,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
         ) from None
 
 
-def way(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
+def checked_method(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
     """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(

@@ -16,7 +16,7 @@ from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
 from lommel.measures.energy import encircled_energy as within
 from lommel.measures.psf_like import PSFLike, checked, is_psf
-from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.choice import candidates, first_within_tolerance, of_profiles
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -132,7 +132,7 @@ def section(through: Moved, x: Array) -> Array:
             def ask(way: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
                 return way.images(pupil, grid, Wanted())
 
-            method, made = first_proven(candidates(pupil, grid), ask)
+            method, made = first_within_tolerance(candidates(pupil, grid), ask)
             values = made.values[:, 0]
         rows.append(values * (spread / method.unaberrated_peak(pupil)))
     return np.concatenate(rows).astype(np.float64)

@@ -140,7 +140,7 @@ def _kernel(count: int, band: float) -> Taps:
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
-    # The Kaiser-Bessel window, 0 beyond its taps.
+    # The Kaiser-Bessel window.
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
     # Between two taps each weight is a polynomial: a product with a few powers, without Bessel functions.
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)

@@ -13,7 +13,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.methods.averaging import averaged_images
-from lommel.methods.method import Method, RadialMethod, painted
+from lommel.methods.method import Method, RadialMethod, to_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
@@ -134,7 +134,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        return painted(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
+        return to_images(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels, around one axis or one for each plane."""

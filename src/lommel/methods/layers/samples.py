@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.methods.averaging import Taps, finer, fitted, samples_across, weighed
-from lommel.methods.choice import candidates, first_proven
+from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.layers.chordal_debye import chords_for
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
@@ -177,7 +177,7 @@ def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int 
     def ask(way: Method) -> Images:
         return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
-    made = first_proven(candidates(pupil, grid, tol), ask)[1]
+    made = first_within_tolerance(candidates(pupil, grid, tol), ask)[1]
     # An error of the phase changes a field by as much, and I as in section 6.
     left = pupil.left_out[0]
     off = made.bound * made.brightest + left * (2.0 * np.sqrt(made.brightest) + left)

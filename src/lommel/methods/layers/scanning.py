@@ -33,7 +33,7 @@ from lommel.methods.layers.samples import (
     table_step,
 )
 from lommel.methods.layers.stratified import Stratified, profiles
-from lommel.methods.method import RadialMethod, painted, storing
+from lommel.methods.method import RadialMethod, storing, to_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
@@ -254,7 +254,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         table, known = latest[0]
         pixels = made.values if alone else table.painted(known, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
-        return painted(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
+        return to_images(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
 
     def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         """Return the same where light has aberrations, relative to the largest value in the window."""
@@ -264,7 +264,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             found = self._pixels(pupil, grid, asked, wanted.threads)
             return np.maximum(found.values, 0.0), found.error
 
-        return painted(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
+        return to_images(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
 
 
 _NODES_MOST = 200

@@ -25,7 +25,7 @@ from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
-from lommel.methods.method import Method, storing, widened
+from lommel.methods.method import Method, storing, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
@@ -88,7 +88,7 @@ def sampled_slopes(
         sizes += [-grid.step(pupil)] * 2
     else:
         made = averaged_images(sample, pupil, grid, method.tol, question)
-    made = widened(made, pupil, method, normalized=False)
+    made = with_model_error(made, pupil, method, normalized=False)
     assert made.slopes is not None
     values, error = made.slopes
     for each, size in zip(values, sizes, strict=True):
@@ -222,7 +222,7 @@ def layered_slopes(
         moved = axis and grid.integrate and "wavelength" not in kinds
         made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:
-        made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
+        made = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     each: dict[Name, Slope] = {}
     if made.slopes is not None:  # by the axis or without
         each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)

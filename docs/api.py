@@ -29,7 +29,7 @@ SECTIONS = [
         "PSFs",
         "Compute PSFs and stacks, and prepare plans for many of them.",
         "See [](../start.md).",
-        ("psf", "optics.grid", "core.caches"),
+        ("psf", "optics.grid", "core.engine"),
         more="traced.traced_psf.TracedPSF",
     ),
     Section(
@@ -138,7 +138,7 @@ SECTIONS = [
         " measures.energy.image_centroid measures.energy.window_centroid measures.spot.peak_position"
         " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
         " measures.transfer.image_otf measures.transfer.sampled_otf measures.transfer.sampled_spectrum"
-        " measures.pullback.pullback psf.Measured",
+        " psf.Measured",
     ),
     Section(
         "Fisher information and phase retrieval",
@@ -168,8 +168,8 @@ SECTIONS = [
         more="imaging.settings.Settings imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
         " adapters.deepinv.psf_generator imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
-        " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
-        " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
+        " methods.pixel_rule.pixel_rule methods.pixel_rule.PixelRule methods.pixel_rule.octant"
+        " methods.pixel_rule.sums_of_windows methods.pixel_rule.quarters base.encoding.to_light"
         " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
     ),
     Section(
@@ -210,7 +210,7 @@ SECTIONS = [
         "",
         more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
         " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
-        " special.erf.disk_moments special.erf.unit_moments special.disk.disk_overlap special.erf.Erf"
+        " special.erf.disk_moments special.erf.unit_moments optics.aperture.shapes.disk_overlap special.erf.Erf"
         " special.erf.fresnel_auxiliary special.legendre.gauss_legendre special.piecewise.PiecewiseQuadratic"
         " special.piecewise.split_edges special.piecewise.fit_quadratics special.zernike.name"
         " special.zernike.polynomial special.zernike.rms_factor",

@@ -68,7 +68,7 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
     return {numbers[1], numbers[2]};
 }
 
-// Averages over pixels from finer samples: as methods/pixels/averaging.py has it, some rows of pixels at once. The bound is over what
+// Averages over pixels from finer samples: as methods/averaging.py has it, some rows of pixels at once. The bound is over what
 // the largest average anywhere is at least.
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
@@ -109,7 +109,7 @@ struct Averages {
         }
     }
 
-    // Far from the axis pixels take no samples, where that spares enough: as methods/pixels/averaging.py has it. Where those that
+    // Far from the axis pixels take no samples, where that spares enough: as methods/averaging.py has it. Where those that
     // remain would take too many, the page gets less exact averages.
     Proof run(double tol, double storing) {
         const std::size_t whole = side, across = lommel::PixelTaps::across(step, 1.05);

@@ -6,7 +6,6 @@ import os
 import re
 from functools import cache
 from importlib import import_module
-from typing import Any
 
 from lommel.base import display, imports
 
@@ -22,7 +21,7 @@ def _homes() -> dict[str, str]:
     return {name: home for home, names in found for name in re.findall(r"(\w+) as \1", names)}
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name == "__version__":
         from lommel.base.optional import version
 
@@ -42,10 +41,12 @@ def __dir__() -> list[str]:
     return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
-def _register_displays() -> None:
-    """Import the modules that draw, tabulate and write pupils, lenses and wavefronts."""
-    from lommel.io import zernike_tables  # noqa: F401
-    from lommel.show import notebook, pupils  # noqa: F401
+def _register_displays(what: str) -> None:
+    """Import the modules that draw, tabulate or write PSFs, pupils, lenses and wavefronts."""
+    if what == "file":
+        from lommel.io import psf_files, zernike_tables  # noqa: F401
+    else:
+        from lommel.show import curves, notebook, plot, pupils  # noqa: F401
 
 
 display.load = _register_displays

@@ -26,7 +26,7 @@ from lommel import (
 )
 from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
-from lommel.core.caches import clear_caches as clear_caches
+from lommel.core.engine import clear_caches as clear_caches
 from lommel.estimation.beads import (
     BeadFit as BeadFit,
     FittedBead as FittedBead,

@@ -11,18 +11,16 @@ from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import show
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Values, largest
 from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
-from lommel.io import psf_files
 from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
-from lommel.methods.method import Method, painted, storing, widened
+from lommel.methods.method import Method, storing, to_images, with_model_error
 from lommel.methods.polychromatic import Polychromatic, together
-from lommel.methods.question import asked_about
+from lommel.methods.question import prepare
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
@@ -96,6 +94,7 @@ class ColourPSF(Measured, ColourPSFLike):
             raise TypeError(
                 f"psfs must be a PSF for each of the {len(self.channels)} channels, got {validation.shown(self.psfs)}"
             )
+        # One array of all channels needs one shape and type; plots and files one pixel and unit.
         alike = {(p.values.shape, p.values.dtype.str, p.pixel, p.normalize, p.unit) for p in psfs}
         if len(alike) > 1:
             raise ValueError(f"psfs must be alike but for their light, got {validation.shown(sorted(alike))}")
@@ -149,25 +148,26 @@ class ColourPSF(Measured, ColourPSFLike):
         """Return a `measure` of each channel, along an axis after those of the stack."""
         return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
         """Draw the PSF in colour, a stack side by side; unless there are three channels, draw each separately.
 
         See :func:`lommel.show.plot.colour`.
         """
         validation.axes("ax", ax)
-        return show.plot.colour(self, ax, stretch=stretch)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, stretch=stretch)
+        return axes
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write a file of a `path` as :meth:`lommel.PSF.save`, ``.png`` in colour.
 
         See :func:`lommel.io.psf_files.save_colours`.
         """
-        psf_files.save_colours(self, path)
+        display.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
         """Read a file, `path`, that :meth:`save` wrote, but for ``.png``; ValueError for any other file."""
-        return cls(*psf_files.load_colours(path, PSF))
+        return cls(*display.named("load channels", "file")(path, PSF))
 
 
 def _parts(whole: Values, psfs: Sequence[PSF]) -> bool:
@@ -233,7 +233,9 @@ def colour_psf(
     rest: dict[str, Any] = {**options}
     derivatives = rest.pop("derivatives", ())
     plan = Plan(shape, pixel, **rest)
+    # A channel is an incoherent sum; all channels share the wavelengths, and so the fields at each.
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
+    # Derivatives, blur and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
         rest |= {"tol": None}
         made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
@@ -248,13 +250,14 @@ def _in_own_light(psf: PSF) -> PSF:
     method, wavelength = psf.method, psf.pupil.wavelength
     if not isinstance(method, Polychromatic) or wavelength is None or len(method.wavelengths) > 1:
         return psf
+    # A channel of one wavelength is a plain PSF, with measures at that wavelength.
     (own,) = method.wavelengths
     # Intensities relate to the peak at the wavelength of the pupil, which is brighter in shorter light.
     return replace(psf, pupil=psf.pupil.in_light(own), scale=psf.scale * (wavelength / own) ** 2)
 
 
 def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
-    asked = asked_about(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
+    asked = prepare(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
     count, sides = math.prod(pupil.shape), asked.grid.shape
     if len(sums) * count * math.prod(sides) > validation.MAX_VALUES:
         raise ValueError(
@@ -264,6 +267,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
     values = np.empty((len(sums), *pupil.shape, *sides), plan.dtype)
     scales = np.empty((len(sums), count))
     errors: list[list[NDArray[np.float64] | None]] = [[] for _ in sums]
+    # Intensities of all channels are held in double precision before they are stored.
     step = max(1, _AT_ONCE // math.prod(sides))
     for first in range(0, count, step):
         block = slice(first, min(first + step, count))
@@ -272,6 +276,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
             index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
             part, grid = pupil[index], grid[index] if grid.stack else grid
         normalized = asked.wanted.scale is None
+        # Values divided by their own largest one are off by twice as much.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
         found = together(sums, part, grid, plan.threads, aim, window=normalized)
         for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
@@ -279,7 +284,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
             question = Wanted(
                 _scale(each, part, plan, asked.wanted.scale, block), plan.dtype, out, threads=plan.threads
             )
-            images = widened(painted(intensities, grid, question), part, each, normalized=normalized)
+            images = with_model_error(to_images(intensities, grid, question), part, each, normalized=normalized)
             scales[c, block] = images.scale
             errors[c].append(images.error)
     return tuple(

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import measures, show
-from lommel.base import validation
+from lommel import measures
+from lommel.base import display, validation
 from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.core.answers import Declined, ToleranceError
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
 from lommel.methods.method import Method
-from lommel.methods.question import Asked, asked_about
+from lommel.methods.question import Prepared, prepare
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 
@@ -131,11 +131,13 @@ def psf(
     >>> answer.values.shape
     (512, 512)
     """
+    # The type of the array that values go to decides, so that callers need not give it twice.
     if out is not None and dtype is None:
         dtype = question.array("out", out).dtype
         if dtype != np.float32 and dtype != np.float64:
             validation.kind("out.dtype", dtype, np.float32, np.float64)  # says so by the name that was given
     imaged(pupil)  # first, for whoever mixes up the order
+    # Plans of the last calls are kept: calls with the same options pay for checks and tables once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
     prepared = None
@@ -193,7 +195,7 @@ class Plan:
         blur: Blur | Sequence[Blur] = (),
         threads: int | None = None,
     ) -> None:
-        method, tol = question.way(method, tol, integrate)
+        method, tol = question.checked_method(method, tol, integrate)
         self.integrate = integrate
         self.blur: tuple[Blur, ...] = ()
         if not isinstance(blur, tuple) or blur:
@@ -202,6 +204,7 @@ class Plan:
             self.blur = blurs(blur)
         # Which of the two a pupil is recorded on, its unit decides.
         self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
+        # Pixels with a fill factor below 1 always average.
         self._sampled = self._averaged if self._averaged.partly else self._averaged.sampled
         if integrate is False and self._averaged.partly:
             raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
@@ -212,7 +215,7 @@ class Plan:
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = question.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._asked: Asked | None = None
+        self._asked: Prepared | None = None
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
@@ -223,19 +226,17 @@ class Plan:
             pupil = question.for_axes(pupil, self._places)
         if not self.plain:
             return self._spread(pupil, derivatives, out)
+        # What checks, methods and tables depend on; pupils of a fit or a stack differ in their phase alone.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
-            asked = self._asked = asked_about(
+            asked = self._asked = prepare(
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
         names = () if isinstance(derivatives, tuple) and not derivatives else question.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        slopes: dict[Name, Values] = {}
-        slope_bounds: dict[Name, float] = {}
-        error: float | None
         found = None
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
@@ -245,21 +246,34 @@ class Plan:
                 if len(ways) == 1:
                     raise
                 asked = asked._replace(ways=ways[1:])  # which the next method answers
-        if found is not None:
-            (scale, error), method = found, ways[0].reported
-        else:
-            place = None if out is None else question.place(out, shape, self.dtype)
-            method, made, found_slopes = asked.images(pupil, names, place)
-            values = made.values.reshape(shape) if place is None else place
-            scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
-            for name, slope in zip(names, found_slopes, strict=True):
-                slopes[name], slope_bounds[name] = slope.values.reshape(shape), largest(slope.error)
+        if found is None:
+            return self._computed(asked, pupil, names, out)
+        (scale, error), method = found, ways[0].reported
         # The parts have been checked: the initializer would take a tenth of the time of a small image.
         psf = object.__new__(PSF)
         parts = psf.__dict__
         parts["values"], parts["grid"], parts["pupil"], parts["method"] = values, grid, pupil, method
         parts["normalize"], parts["error_bound"], parts["scale"] = self.normalize, error, scale
-        parts["derivatives"], parts["derivative_bounds"], parts["blur"] = slopes, slope_bounds, ()
+        parts["derivatives"], parts["derivative_bounds"], parts["blur"] = {}, {}, ()
+        return psf
+
+    def _computed(self, asked: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
+        """Return a PSF, with derivatives by checked names, where no shortcut answers."""
+        place = None if out is None else question.place(out, asked.shape, self.dtype)
+        method, made, slopes = asked.images(pupil, names, place)
+        psf = object.__new__(PSF)  # as above
+        psf.__dict__.update(
+            values=made.values.reshape(asked.shape) if place is None else place,
+            grid=asked.grid,
+            pupil=pupil,
+            method=method,
+            normalize=self.normalize,
+            error_bound=None if made.error is None else largest(made.error),
+            scale=made.scale.reshape(pupil.shape),
+            derivatives={n: slope.values.reshape(asked.shape) for n, slope in zip(names, slopes, strict=True)},
+            derivative_bounds={n: largest(slope.error) for n, slope in zip(names, slopes, strict=True)},
+            blur=(),
+        )
         return psf
 
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
@@ -280,8 +294,10 @@ class Plan:
             raise ValueError("center must be one for a stack whose apertures differ; compute each position by itself")
         shape = (*pupil.shape, *self._sampled.shape)
         place = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
+        # One plan serves them one by one, each with its own aperture.
         windows = place.reshape(-1, *self._sampled.shape)
         found = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
+        # A stack has a bound if all of its images have one.
         bounds = [one.error_bound for one in found if one.error_bound is not None]
         return replace(
             next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
@@ -299,6 +315,7 @@ class Plan:
         """Return the grid of pixels for `pupil`, in metres or in units of lambda*N."""
         averages = self.integrate
         if averages is None:
+            # Pixels in metres are those of a camera, which average.
             metric = pupil.wavelength is not None
             averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled
@@ -452,7 +469,7 @@ class Measured:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSF(Measured, PSFLike):
+class PSF(Measured, PSFLike, display.Shown):
     """A computed point spread function (PSF), or a stack of them, with its pupil, grid, method and error bound.
 
     Attributes
@@ -504,6 +521,7 @@ class PSF(Measured, PSFLike):
                 f"grid must have one center, or one for each pupil of a stack of shape {self.pupil.shape}, "
                 f"got {self.grid.stack}"
             )
+        # Files make PSFs too, so that all parts are checked.
         wanted = self.pupil.shape + self.grid.shape
         if not isinstance(self.values, np.ndarray) or self.values.dtype not in (np.float32, np.float64):
             raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
@@ -524,6 +542,7 @@ class PSF(Measured, PSFLike):
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
         how += "".join(f", {type(blur).__name__}" for blur in self.blur)
+        # Samples farther apart than lambda*N do not sum to the light.
         if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
@@ -550,49 +569,80 @@ class PSF(Measured, PSFLike):
         return measures.spot.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
-        """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).
+        """Return the gradient of a loss from its derivative with respect to the values (reverse mode).
 
-        Gradients by the wavefront and the axis cost about two images, for any number of parameters, and so do those
-        by stage and depth of an Objective with aberrations; see `derivatives` of :func:`psf` and
-        :func:`lommel.measures.pullback.pullback`.
+        ``sum g * derivative`` over pixels. Derivatives by phase coefficients and shifts are computed in reverse mode,
+        by a transform to the pupil: they cost about two images, for any number of parameters. So are those of an
+        Objective with aberrations by the stage and the depth, in windows that :class:`lommel.ChordalDebye` takes; all
+        others, and those of radially symmetric pupils, are computed in forward mode.
+
+        Parameters
+        ----------
+        g : array_like
+            Of the shape of the values.
+        of : sequence, optional
+            As `derivatives` of :func:`psf`; by default the names of :attr:`derivatives`, or the terms of the
+            wavefront.
+
+        Returns
+        -------
+        dict of name to ndarray
+            Of the shape of the pupil.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `g` is not real and finite or of another shape, or where there are no such derivatives.
+        ToleranceError
+            If the tolerance of the method cannot be met.
         """
-        return measures.pullback.pullback(self, g, of)
+        if self.blur or not self.grid.square:
+            raise ValueError("psf must have square pixels without fill and blur for its derivatives, got others")
+        names = tuple(self.derivatives) or None if of is None else question.names(of, "of")
+        weights = validation.real_array("g", g)
+        if weights.shape != self.shape:
+            raise ValueError(f"g must have the shape of the values, {self.shape}, got {weights.shape}")
+        if self.normalize == "peak":
+            raise ValueError(
+                'of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"'
+            )
+        images, scale = weights.reshape(-1, *self.grid.shape), np.asarray(self.scale).ravel()
+        found = question.gradient(self.method, self.pupil, self.grid, names, images, scale, self.normalize)
+        return {name: slope.reshape(self.pupil.shape) for name, slope in found.items()}
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""
-        from lommel.io import psf_files  # takes as long to import as all that computes
-
-        psf_files.save(self, path)
+        display.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
         """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or not such a file."""
-        from lommel.io import psf_files
+        found: PSF = display.named("load PSF", "file")(path, cls)
+        return found
 
-        return psf_files.load(path, cls)
-
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
         """Draw the PSF with matplotlib and return the axes, an array of them for a stack; sections for a z stack.
 
         See :func:`lommel.show.plot.plot`.
         """
         validation.axes("ax", ax)
-        return show.plot.plot(self, ax, stretch=stretch)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, stretch=stretch)
+        return axes
 
     def plot_mtf(self, ax: Axes | None = None) -> Axes:
         """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
 
         See :func:`lommel.show.curves.mtf`.
         """
-        return show.curves.mtf(self, ax)
+        axes: Axes = display.named("mtf", "plot")(self, ax)
+        return axes
 
     def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
         """Draw the encircled energy up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
-        return show.curves.encircled_energy(self, ax, radius=radius)
+        axes: Axes = display.named("encircled energy", "plot")(self, ax, radius=radius)
+        return axes
 
     def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
         """Draw the spot diagram over the PSF; see :func:`lommel.show.plot.spots`."""
-        return show.plot.spots(self, ax, rings=rings, stretch=stretch)
-
-    def _repr_html_(self) -> str:
-        return show.notebook.psf(self)
+        axes: Axes = display.named("spots", "plot")(self, ax, rings=rings, stretch=stretch)
+        return axes

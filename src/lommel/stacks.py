@@ -37,7 +37,7 @@ from lommel.io import zarr_folders
 from lommel.io.psf_files import NORMALIZE, FileError, as_file_error
 from lommel.io.registry import Arrays, Description
 from lommel.io.zarr_folders import Layout, ZarrArray
-from lommel.methods.choice import candidates, first_proven, settled
+from lommel.methods.choice import candidates, first_within_tolerance, fixed_order
 from lommel.methods.method import Method
 from lommel.methods.question import for_axes
 from lommel.methods.registry import method_from_dict
@@ -632,7 +632,7 @@ def requested(
     if not 1 <= len(stack) <= _MOST_AXES:
         raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
     ways = tuple(
-        settled(candidates(one, grid, plan.tol), one, grid) if plan.method is None else (plan.method,)
+        fixed_order(candidates(one, grid, plan.tol), one, grid) if plan.method is None else (plan.method,)
         for one in stacks
     )
     flat = [way for each in ways for way in each]
@@ -963,7 +963,7 @@ def _work(
     ways: tuple[Method, ...],
 ) -> None:
     """Compute a chunk, and write it."""
-    _, made = first_proven(ways, lambda way: prepare(method=way, center=center)(pupil))
+    _, made = first_within_tolerance(ways, lambda way: prepare(method=way, center=center)(pupil))
     bound = np.nan if made.error_bound is None else made.error_bound
     parts: Arrays = {
         "values": made.values,

@@ -43,6 +43,7 @@ def elt(*, vanes: bool = True) -> Segments:
     round stop at the secondary mirror.
     """
     radius = 0.5 * DIAMETERS["elt"]
+    # Sides of 0.725 m, 4 mm apart across their common edge.
     pitch, size = (0.725 * math.sqrt(3.0) + 0.004) / radius, 0.725 / radius
     # Rings 5 to 17, of which the corners are cut 15 rows from the axis.
     places = [(a * math.sqrt(0.75), b + 0.5 * a, max(abs(a), abs(b), abs(a + b)))
@@ -80,6 +81,7 @@ def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
     Proc. SPIE 8127, 81270J (2011), doi:10.1117/12.892762: radii, widths and positions of the file wfpcwf4.pup of
     Tiny Tim, July 2000. x and y are its V3 and V2. Cameras have obscurations of their own besides.
     """
+    # Radii, widths and places of the file wfpcwf4.pup of Tiny Tim, over the radius of the mirror.
     blocked: list[Shape] = [Disc(0.33)]
     if validation.truth("vanes", vanes):
         blocked += [Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)]
@@ -166,6 +168,7 @@ def keck(*, vanes: bool = True) -> Segments:
     HCIPy, E. Por et al., Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407.
     """
     radius = 0.5 * DIAMETERS["keck"]
+    # Sides of 0.9 m, and a secondary of 0.266 of 9.96 m, 2.65 m.
     segments = Segments.hexagonal(rings=3, gap=0.003 / radius) - Disc(0.5 * 2.65 / radius)
     return segments - _spokes(6, 0.0254 / radius) if validation.truth("vanes", vanes) else segments
 
@@ -238,6 +241,7 @@ def _vaned(
     blocked: list[Shape] = [Disc(hole / radius)]
     if validation.truth("vanes", vanes):
         for x, y in points:
+            # Vanes end beyond the rim, which cuts them.
             away = math.copysign(2.0 * radius, x)
             ends = ((x + away * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0))
             blocked += [_scaled(Polygon.strip((x, y), end, width), radius) for end in ends]
@@ -246,6 +250,7 @@ def _vaned(
 
 def _spokes(count: int, width: float, first: float = 0.0) -> Shape:
     """Return so many vanes of a width from the axis, the first at an angle."""
+    # From the axis to beyond the rim; each is one half of a bar across the aperture.
     turns = (first + 2.0 * math.pi * k / count for k in range(count))
     return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in turns))
 

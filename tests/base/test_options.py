@@ -156,6 +156,6 @@ def test_modules_that_register_are_imported_when_the_first_is_asked_for(monkeypa
     asked = []
     view = singledispatch(display.html.dispatch(object))
     monkeypatch.setattr(display, "html", view)
-    monkeypatch.setattr(display, "load", lambda: asked.append(view.register(int, str)))
+    monkeypatch.setattr(display, "load", lambda what: asked.append(view.register(int, str)))
     assert (display.html(3), display.html(4)) == ("3", "4")
     assert len(asked) == 1

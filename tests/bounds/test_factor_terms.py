@@ -14,7 +14,7 @@ import lommel as lm
 from core_tests import _core_tests
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
-from lommel.methods.pixels.averaging import _shared_by, averaged, averaged_images
+from lommel.methods.averaging import _shared_by, averaged, averaged_images
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24

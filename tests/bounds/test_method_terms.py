@@ -15,10 +15,10 @@ from core_tests import _core_tests
 from digits import same
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import least_average
-from lommel.methods import bounds
+from lommel.methods import hankel
+from lommel.methods.averaging import _shared_by, averaged, filtered_by
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
-from lommel.methods.pixels.averaging import _shared_by, averaged, filtered_by
 from lommel.optics.aperture.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
 
@@ -51,7 +51,7 @@ def log_amplitude(light: lm.Apodization, low: mp.mpf, cosh: mp.mpf) -> mp.mpf:
 @given(phases, st.floats(0, 5), lows, st.floats(0, 90), lights)
 def test_the_growth_of_the_integrand(phase, spread, low, v, light):
     stack = np.array([[c - spread for c in phase], [c + spread for c in phase]])
-    found = bounds.growth(stack, low, v, light)
+    found = hankel.growth(stack, low, v, light)
     low, half = mp.mpf(low), (1 - mp.mpf(low)) / 2
     # Of an annulus abs(Im sqrt t) is largest at this angle; of a disc at pi, the last of the points.
     root = mp.sqrt(low)
@@ -86,15 +86,15 @@ def test_the_error_and_the_nodes_of_the_reference(slope, start, low, n, error):
         for x, eta in zip(g, ETAS, strict=True)
     ]
     expected = min(mp.exp(one - 2 * n * eta) for one, eta in zip(logs, ETAS, strict=True))
-    assert same(bounds.quadrature_error(g, n, low), expected)
+    assert same(hankel.quadrature_error(g, n, low), expected)
     nodes = min((one - mp.log(mp.mpf(error))) / (2 * eta) for one, eta in zip(logs, ETAS, strict=True))
-    assert bounds.quadrature_nodes(g, error, low) == max(1, int(mp.ceil(nodes)))
+    assert hankel.quadrature_nodes(g, error, low) == max(1, int(mp.ceil(nodes)))
 
 
 @given(phases, lows, st.integers(1, 400))
 def test_the_estimate_of_rounding(phase, low, nodes):
     expected = (2 * sum(abs(mp.mpf(c)) for c in phase) + 4 * mp.sqrt(nodes) + 16) * UNIT * (1 - mp.mpf(low))
-    assert same(float(bounds.rounding_error(np.array([phase]), low, nodes)[0]), expected)
+    assert same(float(hankel.rounding_error(np.array([phase]), low, nodes)[0]), expected)
 
 
 @few
@@ -102,9 +102,9 @@ def test_the_estimate_of_rounding(phase, low, nodes):
 def test_the_reference_claims_quadrature_and_rounding(phase, obscuration, v):
     pupil = lm.Pupil(lm.Wavefront(phase[0] / 2, sum(phase[1:2]), tuple(phase[2:])), obscuration=obscuration)
     low, terms = obscuration**2, pupil.radial_terms()
-    g = bounds.growth(terms, low, v)
-    n = bounds.quadrature_nodes(g, 1e-8 * (1 - low), low)
-    expected = bounds.quadrature_error(g, n, low) + bounds.rounding_error(terms, low, n)[0]
+    g = hankel.growth(terms, low, v)
+    n = hankel.quadrature_nodes(g, 1e-8 * (1 - low), low)
+    expected = hankel.quadrature_error(g, n, low) + hankel.rounding_error(terms, low, n)[0]
     assert lm.Hankel(1e-8).evaluate(pupil, np.array([0.0, v])).error[0] == pytest.approx(expected, rel=1e-12, abs=0.0)
 
 

@@ -11,9 +11,9 @@ import lommel as lm
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import derivatives
+from lommel.methods.averaging import averaged, filtered_by, sloping
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
-from lommel.methods.pixels.averaging import averaged, filtered_by, sloping
 
 U = 2.0**-53
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}

@@ -22,7 +22,7 @@ from lommel.imaging.sensor_light import (
     sums_of_quarters,
 )
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.pixels.rule import octant, pixel_rule, sums_of_windows
+from lommel.methods.pixel_rule import octant, pixel_rule, sums_of_windows
 from lommel.optics.wavefront import wavefront as of_wavefront
 
 SCALE = {"wavelength": 550e-9, "f_number": 4.0}

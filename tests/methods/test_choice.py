@@ -131,7 +131,7 @@ def test_of_refusals_that_of_a_tolerance_is_told():
         raise lm.ToleranceError("not proven") if way.tol == 1e-4 else Declined("too large")
 
     with pytest.raises(lm.ToleranceError, match="not proven"):
-        choice.first_proven(tuple(lm.NijboerZernike(tol) for tol in (1e-3, 1e-4, 1e-5)), ask)
+        choice.first_within_tolerance(tuple(lm.NijboerZernike(tol) for tol in (1e-3, 1e-4, 1e-5)), ask)
 
 
 def test_what_one_of_the_methods_can_prove_is_answered():
@@ -154,11 +154,11 @@ def test_the_next_method_is_asked_where_one_proves_nothing_and_the_last_one_says
         return "proven"
 
     ways = tuple(lm.NijboerZernike(tol) for tol in (1e-3, 1e-4, 1e-5))
-    assert choice.first_proven(ways, ask) == (ways[2], "proven")
+    assert choice.first_within_tolerance(ways, ask) == (ways[2], "proven")
     assert asked == list(ways)
     asked.clear()
     with pytest.raises(lm.ToleranceError, match=r"0\.0001 is not proven"):
-        choice.first_proven(ways[:2], ask)
+        choice.first_within_tolerance(ways[:2], ask)
 
 
 def test_a_tolerance_below_that_of_the_only_method_is_refused():

@@ -296,7 +296,7 @@ def test_an_answer_has_one_axis_or_one_for_each_pupil():
 
 
 def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):
-    from lommel.methods.pixels import averaging
+    from lommel.methods import averaging
 
     expected = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
     monkeypatch.setattr(averaging, "_VALUES", 600)

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from lommel.traced import chordal, phases
+from lommel.traced import chordal
+from lommel.traced.chordal import waves
 from lommel.traced.namespaces import Namespace
-from lommel.traced.phases import waves
 
 jax = pytest.importorskip("jax")
 jnp = jax.numpy
@@ -58,12 +58,12 @@ def test_of_two_parts_the_first_loses_its_whole_turns(name):
 def test_turns_are_off_by_no_more_than_is_said(largest, precision, pupils_last):
     draw = np.random.default_rng(int(largest))
     basis = draw.uniform(-1.0, 1.0, (6, 500))
-    rule, tables = phases.make(basis, 16, largest, precision, pupils_last=pupils_last)
+    rule, tables = chordal.phase_tables(basis, 16, largest, precision, pupils_last=pupils_last)
     c = draw.normal(size=(60, 6))
     c *= (largest / (np.abs(c) @ np.abs(basis).max(axis=1)))[:, None]
     size = np.abs(c) @ np.abs(basis).max(axis=1)
     made = {name: np.asarray(table, dtype=precision) for name, table in tables.items()}
-    first, *rest = phases.turns(Namespace.of(None), rule, made, c)
+    first, *rest = chordal.phase_turns(Namespace.of(None), rule, made, c)
     total = (first - np.round(first)) + rest[0] if rest else first
     assert total.dtype == precision
     off = (total.T if pupils_last else total) - (c @ basis) / math.tau

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import singledispatch
-from typing import Any
+from typing import Any, TypeVar
+
+_Function = TypeVar("_Function", bound=Callable[..., object])
 
 
-def load() -> None:
-    """Import the modules that register functions; the package, which stands above them, replaces this."""
+def load(what: str) -> None:
+    """Import the modules that register every "plot", "table" or "file"; the package, above them, replaces this."""
 
 
 @singledispatch
 def plot(thing: object, *args: object, **options: object) -> Any:
-    """Draw a pupil or a wavefront on axes of matplotlib, and return these."""
+    """Draw a PSF, a pupil or a wavefront on axes of matplotlib, and return these."""
     return _registered(plot.dispatch, thing, "plot")(thing, *args, **options)
 
 
 @singledispatch
 def save(thing: object, *args: object, **options: object) -> None:
-    """Write a wavefront to a file."""
+    """Write a PSF or a wavefront to a file."""
     _registered(save.dispatch, thing, "file")(thing, *args, **options)
 
 
@@ -31,11 +33,31 @@ def html(thing: object) -> str:
 
 
 def _registered(dispatch: Callable[[type], Callable[..., Any]], thing: object, what: str) -> Callable[..., Any]:
-    load()
+    load(what)
     found = dispatch(type(thing))
     if found is dispatch(object):
         raise TypeError(f"there is no {what} of a {type(thing).__name__}")
     return found
+
+
+_named: dict[str, Callable[..., Any]] = {}
+
+
+def register(name: str) -> Callable[[_Function], _Function]:
+    """Return a decorator that makes a function known by a name, for :func:`named`."""
+
+    def known(function: _Function) -> _Function:
+        _named[name] = function
+        return function
+
+    return known
+
+
+def named(name: str, what: str) -> Callable[..., Any]:
+    """Return the function of a name that a module above registered, a "plot" or a "file"."""
+    if name not in _named:
+        load(what)
+    return _named[name]
 
 
 class Shown:

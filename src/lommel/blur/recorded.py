@@ -16,11 +16,11 @@ from lommel.blur.transfer_integral import FURTHER, Fading, TransferIntegral
 from lommel.blur.turbulence import Gate, Halo
 from lommel.core.answers import Declined, Images, ToleranceError, Wanted, not_met
 from lommel.core.engine import product
-from lommel.methods.choice import candidates, first_proven
-from lommel.methods.method import Method, normalized_error, stored, storing, widened
+from lommel.methods.choice import candidates, first_within_tolerance
+from lommel.methods.method import Method, normalized_error, stored, storing, with_model_error
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
-from lommel.methods.question import place, wanted_on
+from lommel.methods.question import output_spec, place
 from lommel.optics.aperture.shapes import Segments
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
@@ -30,7 +30,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 # The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
 # aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
-# methods/pixels/averaging.py). What samples err by counts as often as the moduli of all weights together.
+# methods/averaging.py). What samples err by counts as often as the moduli of all weights together.
 # Blur that ends at ``abs(w) = 2 s`` is computed in units of v / s, in which it ends at 2 too, on a lattice as coarse;
 # samples of the intensity are finer, for theirs must not be taken for frequencies of the blur (docs/certificate.md,
 # section 17).
@@ -350,9 +350,9 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
             values = np.empty((len(scales), *fine.shape))
             fine.paint(made.values, scales, values)
         peak = made.values.reshape(len(scales), -1).max(axis=1) if made.peak is None else made.peak
-        return widened(Images(values, scales, made.error, None, peak), pupil, way, normalized=False)
+        return with_model_error(Images(values, scales, made.error, None, peak), pupil, way, normalized=False)
 
-    way, made = first_proven(ways, ask)
+    way, made = first_within_tolerance(ways, ask)
     assert made.peak is not None
     return (
         way.reported,
@@ -560,7 +560,7 @@ def recorded(
             "square pixels, and sum blocks of them"
         )
     way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[-1]
-    wanted = wanted_on(grid, pupil, way, normalize, dtype, threads)
+    wanted = output_spec(grid, pupil, way, normalize, dtype, threads)
     shape = pupil.shape + grid.shape
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
     question = wanted._replace(out=values.reshape(-1, *grid.shape))

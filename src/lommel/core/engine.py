@@ -6,7 +6,9 @@ largest value" or "met", and a negative bound for "not met"; here these are None
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
+import sys
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -131,10 +133,19 @@ def radial_plan(
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     height, width = window.shape
-    place: dict[str, Any] = {"height": height, "width": width, "center_y": row, "center_x": column}
-    place |= {"step": window.step, "integrate": integrate, "threads": wanted.threads}
     plan = _core.RadialPlan(
-        obscuration=stack.obscuration, amplitude=stack.amplitude, tol=tol, scale=scale, kind=kind, **place
+        obscuration=stack.obscuration,
+        amplitude=stack.amplitude,
+        height=height,
+        width=width,
+        center_y=row,
+        center_x=column,
+        step=window.step,
+        integrate=integrate,
+        tol=tol,
+        threads=wanted.threads,
+        scale=scale,
+        kind=kind,
     )
     over, alike = _over(wanted), np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
@@ -662,3 +673,28 @@ def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads
     kind = images[0].dtype
     compute = _core.star_likelihood_single if kind == np.float32 else _core.star_likelihood_double
     return compute([np.ascontiguousarray(image, kind) for image in images], light, star, threads)
+
+
+_Kept = type(lru_cache(maxsize=1)(len))
+
+
+def clear_caches() -> None:
+    """Free the memory kept between calls: tables of the compiled core, plans of :func:`lommel.psf` and others.
+
+    The next call recomputes what it needs: it takes as long as the first call of a process, with identical results.
+    Calls that are running in other threads keep what they use until they return. Plans, PSFs and operators that you
+    hold stay valid. For the limits of the caches see :doc:`the guide </running>`.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> image = lm.psf(lm.Pupil(), 64, 0.25)
+    >>> lm.clear_caches()
+    """
+    for name, module in tuple(sys.modules.items()):
+        if name.startswith("lommel."):
+            # Those without a limit hold what is made once a process: classes, what is registered elsewhere.
+            for value in tuple(vars(module).values()):
+                if isinstance(value, _Kept) and value.cache_parameters()["maxsize"] is not None:
+                    value.cache_clear()
+    clear_tables()

@@ -23,9 +23,9 @@ from lommel.core.engine import star_likelihood
 from lommel.estimation.star_images import star_counts
 from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
-from lommel.methods.layers import light_by_rule
-from lommel.methods.layers.chordal_debye import Rule
-from lommel.methods.layers.light_by_rule import HALF, Planes, Samples
+from lommel.methods.layers import chordal_debye as light_by_rule
+from lommel.methods.layers.chordal_debye import HALF, Planes, Rule
+from lommel.methods.layers.chordal_debye import SampleLattice as Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective

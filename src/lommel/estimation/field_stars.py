@@ -23,7 +23,8 @@ from lommel.estimation.target_readout import Target, TargetReadout, start_of_cro
 from lommel.estimation.uneven_light import UnevenLight, changes_of
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
-from lommel.methods.question import asked_about, output_type
+from lommel.methods.question import output_type
+from lommel.methods.question import prepare as asked_about
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront

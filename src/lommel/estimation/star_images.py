@@ -22,7 +22,9 @@ from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, re
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
-from lommel.methods.question import Asked, asked_about, output_type
+from lommel.methods.question import Prepared as Asked
+from lommel.methods.question import output_type
+from lommel.methods.question import prepare as asked_about
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan

@@ -28,7 +28,7 @@ from lommel.imaging.sensor_light import (
     shares_used,
     sums_of_quarters,
 )
-from lommel.methods.pixels.rule import cells_alike, octant, quarters
+from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision

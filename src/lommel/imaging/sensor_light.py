@@ -12,9 +12,9 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.methods.bounds import growth, quadrature_nodes
 from lommel.methods.choice import of_large_phases, of_profiles
-from lommel.methods.pixels.rule import local_rule, pixel_rule, quarters, sums_of_windows
+from lommel.methods.hankel import growth, quadrature_nodes
+from lommel.methods.pixel_rule import local_rule, pixel_rule, quarters, sums_of_windows
 from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil

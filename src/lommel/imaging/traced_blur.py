@@ -19,7 +19,7 @@ from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BORDERS, Spectrum, spectra
 from lommel.imaging.traced_windows import AberratedWindows, Term, chebyshev, chebyshev_nodes, defocus_layers
-from lommel.methods.pixels.rule import cells_alike, octant
+from lommel.methods.pixel_rule import cells_alike, octant
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor

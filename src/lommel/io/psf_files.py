@@ -12,7 +12,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from lommel.base import atomic, reading, validation
+from lommel.base import atomic, display, reading, validation
 from lommel.base.arrays import Values
 from lommel.base.checksums import checksum, sealed
 from lommel.base.optional import version
@@ -60,6 +60,7 @@ class FileError(ValueError):
     """A file that cannot be read as a PSF of this package."""
 
 
+@display.save.register(PSFLike)
 @registry.documented("psf")
 def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
@@ -99,6 +100,7 @@ def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description:
             put(place, data)
 
 
+@display.register("load PSF")
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
     """Read a PSF of this kind; FileError if the file is damaged or was not written by this package."""
     return read(find(path, verb="read"), Path(path), "a PSF", partial(rebuild, kind=kind))
@@ -253,6 +255,7 @@ registry.register(
 find_colours = partial(registry.find, "colours")
 
 
+@display.save.register(ColourPSFLike)
 @registry.documented("colours")
 def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
     """Write PSFs in channels; the suffix chooses the format.
@@ -280,6 +283,7 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
     write(find_colours(path), Path(path), answer, describe_colours(answer))
 
 
+@display.register("load channels")
 def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
     """Read the channels and a PSF of this kind for each; FileError for a damaged file or another."""
     form = find_colours(path, verb="read")

@@ -6,7 +6,6 @@ from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.measures import energy as energy
-    from lommel.measures import pullback as pullback
     from lommel.measures import spot as spot
     from lommel.measures import transfer as transfer
 else:

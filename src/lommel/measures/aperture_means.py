@@ -66,6 +66,7 @@ def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]
     """
     at = _polynomial_rule(checked(pupil), 1.0)
     columns = np.stack([np.ones(at.rho.shape), *(term(at.rho, at.theta) for term in terms)], axis=-1)
+    # The constant is among the columns, as a piston changes no image.
     root, phase = np.sqrt(at.weight), at.phase(pupil)
     return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
@@ -116,6 +117,7 @@ def strehl(pupil: Pupil) -> Numbers:
         If the phase needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
+    # One by one, for each takes as many nodes as its own blur asks for.
     single = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
     return numbers([_strehl(one) for one in single], pupil.shape)
 
@@ -181,6 +183,7 @@ def _variance(pupil: Pupil) -> Array:
     """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
     at = _polynomial_rule(pupil, 1.0)
     phase = at.phase(pupil)
+    # About the mean: a piston changes no image.
     away = phase - (phase * at.weight).sum(axis=-1, keepdims=True)
     return np.asarray((away**2 * at.weight).sum(axis=-1))
 
@@ -212,6 +215,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
             "waves at its samples only; give that phase as Zernike terms (lommel.fit_opd), or take lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
+    # Squares of the phase have twice its degree in rho, which is its degree in t.
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
     # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
@@ -237,6 +241,7 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
     """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
     # The rule of a mask carries the amplitude of its cells, over equal areas.
+    # Weights are amplitude times area; a power p of the amplitude needs p - 1 more.
     carried = 1.0 if pupil.mask is None else weight ** (power - 1.0)
     # At the middle of a mask rho is 0, where slopes over rho have a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
@@ -253,6 +258,7 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
+    # dPhi/drho and (1/rho) dPhi/dtheta, turned to x and y.
     outward = ray_height(flat.edge[:, : flat.symmetric], rho)
     sideways = np.zeros_like(outward)
     for (n, m), c in flat.nonradial.items():
@@ -279,6 +285,7 @@ def _strehl(pupil: Pupil) -> float:
     if not pupil.circular:
         # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
+        # Tilts of segments act as a shift of the window does.
         steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         at = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
         mean = np.sum(at.weight * np.exp(1j * at.phase(pupil)))

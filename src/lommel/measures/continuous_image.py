@@ -14,17 +14,6 @@ turbulence, takes it from the pupil, at Gauss nodes along the radius. :class:`Ca
 discrete transform of samples, and cuts it off smoothly between the cutoff of the optics (where it ends) and twice
 that: this replaces the indicator of a circle by a function with the same transform below the cutoff, which differs
 from it within 12 lambda*N of the rim. Samples beyond that do not count, so a window that ends there loses nothing.
-
-Autocorrelation of pupils at the shifts that blur leaves, from the pupil function on square cells.
-Cells carry the mean of the pupil function over their area. The autocorrelation of these is that of the pupil,
-smoothed by two squares of the size of a cell, which their second moment corrects; at 0 it is known. Between cells
-it is interpolated by cubic splines. It is off by some 1e-6, more where a shift by less than a cell opens or closes a
-gap; images, which average it, by about 1e-6 of all light.
-
-Apertures on square cells: the area of each that is clear, in a second for any number of parts.
-Lines of constant y cross ellipses and convex polygons in one interval each. Two Gauss nodes between edges of cells,
-corners and, where they are flat, the places at which edges enter the next cell are exact for straight edges, but
-where these cross one another within a cell.
 """
 
 from __future__ import annotations
@@ -34,7 +23,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,24 +40,29 @@ from lommel.core.engine import product
 from lommel.measures.aperture_means import gradient
 from lommel.measures.overlap import autocorrelation, cells
 from lommel.measures.psf_like import PSFLike, checked
-from lommel.methods.choice import candidates, first_proven
+from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.layers.chordal_debye import ChordalDebye
-from lommel.methods.method import Method, RadialMethod, beyond_period, widened
+from lommel.methods.method import Method, RadialMethod, beyond_period, with_model_error
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.aperture.opening import Opening
-from lommel.optics.aperture.shapes import Listed, listed
+from lommel.optics.aperture.shapes import Listed, disk_overlap, listed
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import FieldPupil, Pupil
-from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
 _GAUSS = 0.5 / math.sqrt(3.0)
+
+
+# Apertures on square cells: the area of each that is clear, in a second for any number of parts. Lines of constant y
+# cross ellipses and convex polygons in one interval each. Two Gauss nodes between edges of cells, corners and, where
+# they are flat, the places at which edges enter the next cell are exact for straight edges, but where these cross one
+# another within a cell.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
@@ -101,6 +95,7 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     # Where light begins counts from there on, where it ends no more.
     place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
     place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
+    # The clear part of each cell along a line is a running sum of where light begins and ends.
     change = np.concatenate([weight[line], -weight[line]])
     first = np.floor(place).astype(np.int64)
     top, left = int(row[line].min()), int(first.min())
@@ -141,6 +136,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
+    # Two Gauss nodes integrate the cubic that a straight edge makes of the area.
     middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
@@ -165,8 +161,13 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
 
 
-_FINE = 32.0
-"""Cells that the shifts reach over, at least."""
+# Autocorrelation of pupils at the shifts that blur leaves, from the pupil function on square cells (certificate,
+# "Measures of an image", "From cells"). Cells carry the mean of the pupil function over their area. The
+# autocorrelation of these is that of the pupil, smoothed by two squares of the size of a cell, which their second
+# moment corrects; at 0 it is known. Between cells it is interpolated by cubic splines. It is off by some 1e-6, more
+# where a shift by less than a cell opens or closes a gap; images, which average it, by about 1e-6 of all light.
+
+_FINE = 32.0  # cells that the shifts reach over, at least
 
 
 class SmallShifts(NamedTuple):
@@ -213,6 +214,7 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
     spectrum = fft.fft2(field, (size, size))
     near = np.arange(-most - 1, most + 2)
     raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(near, near)].conj()
+    # Cells of the area (2 / side)^2 over all light.
     raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
     found = raw[1:-1, 1:-1]
     # Means over cells, of both pupils, are of the variance 1/6 along each axis.
@@ -234,10 +236,10 @@ def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.compl
     return cells(pupil).between(shifts).reshape(fx.shape)
 
 
-_SEAM = 12.0
-"""Times the band in cycles per lambda*N: where the cut-off's kernel has fallen below 1e-10."""
+# Of the cut-off c(f) of the certificate, "Measures of an image", "From samples":
+_SEAM = 12.0  # times the band in cycles per lambda*N: where its kernel has fallen below 1e-10
+# In units of the band: erfc(4) / 2 = 8e-9 is what it misses of 1 and of 0 at 1 and 2.
 _MIDDLE, _WIDTH = 1.5, 0.125
-"""Of the cut-off, in units of the band: erfc(4) / 2 = 8e-9 is what it misses of 1 and of 0 at 1 and 2."""
 SEAM_NORM = 3.94
 """Integral of the modulus of its kernel over the plane: by how much errors of samples can grow."""
 OWN_ERROR = 2e-8
@@ -247,8 +249,8 @@ MOST_SIDE = 6144
 """Samples a side, at most."""
 _AT_ONCE = 2**24
 _FAR = 64.0
+# Directions over half a turn, at least: of responses of pixels, and of apertures with vanes.
 _SMOOTH, _ROUGH = 48, 160
-"""Directions over half a turn, at least: of responses of pixels, and of apertures with vanes."""
 _CELLS = 512
 
 
@@ -311,6 +313,7 @@ class ImageModel(NamedTuple):
         """Frequency from which nothing passes, cycles per lambda*N: that of the optics, or where blur has faded."""
         far = self.finest
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
+        # The direction in which Gaussian blur is narrowest: nothing may be cut off there.
         least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         left = np.exp(-2.0 * math.pi**2 * least * f**2)
         longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
@@ -401,8 +404,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     # light extends without limit, up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.finest
+    # 1 / h >= b_0 + 2 b: no alias reaches what the cut-off leaves (certificate, "From samples").
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
+    # Light beyond does not count: the kernel of the cut-off has fallen to 1e-10 there.
     half = reach + _SEAM / band + short
     half += seeing_room(reach, seen)
     period = model.method.period(pupil)
@@ -500,9 +505,9 @@ def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Im
         ways = candidates(pupil, grid, min(method.tol, Method.tol))
 
     def ask(way: Method) -> Images:
-        return widened(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
+        return with_model_error(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
 
-    return first_proven(ways, ask)[1]
+    return first_within_tolerance(ways, ask)[1]
 
 
 @dataclass(frozen=True)
@@ -562,6 +567,7 @@ class PolarImage:
         reach = reach + self.model.spread[0]
         for f, weight, otf, wavelength in self.parts:
             least = _SMOOTH if otf is None else _ROUGH
+            # exp(2 pi i f.r) has orders up to about 2 pi f r around the axis.
             angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
             # Over half a turn: the rest is conjugate.
             theta = math.pi / angles * np.arange(angles)
@@ -640,14 +646,18 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
         yield RayImage(uniform_filter(light, round(pixel / side), mode="constant") if pixel else light, side)
 
 
-def images(model: ImageModel, reach: float) -> Iterator[Any]:
+Image = CartesianImage | PolarImage | RayImage
+"""What has the light within circles and rectangles."""
+
+
+def images(model: ImageModel, reach: float) -> Iterator[Image]:
     """Return the images of a flattened stack, good up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
     return (polar_images if polar(model) or in_seeing(model) else cartesian_images)(model, reach)
 
 
-def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Any]:
+def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
     """Return the same for sums of light over `what`; ValueError where these would count light of a repeated image."""
     # An integral over part of one period is at most all light.
     if (period := model.method.period(model.pupil)) < math.inf:
@@ -669,10 +679,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def in_seeing(model: ImageModel) -> bool:
-    """Return whether an image is that of a lens through seeing, which leaves of the transfer function what is near 0.
-
-    Samples would take a lattice as wide as the halo.
-    """
+    """Return whether an image is that of a lens through seeing, which leaves the transfer function near 0."""
+    # Samples would take a lattice as wide as the halo.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False
@@ -694,12 +702,13 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
             yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
         return
     band, (short, _) = model.band, model.spread
-    pupil: Any = model.pupil
+    pupil = cast("Pupil", model.pupil)
     blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
     parts = []
     for share, stretch, part in model.method.components(pupil):
         eps = part.obscuration
         # Where the overlap of the aperture with itself, shifted, changes its shape.
+        # The rims of both apertures and of both obscurations touch at these shifts.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
         at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, energy_images
+from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, CartesianImage, Image, ImageModel, energy_images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod, require_period
@@ -62,8 +62,8 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     if model.radial_method is not None:
         return radial_energy(model.radial_method, psf.pupil, at)
 
-    def within(image: Any, radii: Array, center: Array) -> Array:
-        return np.asarray(image.circles(radii, tuple(center)))
+    def within(image: Image, radii: Array, center: Array) -> Array:
+        return image.circles(radii, (float(center[0]), float(center[1])))
 
     return _measured(model, "radius", at, away, np.hypot(*away.T), within)
 
@@ -94,8 +94,9 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     if model.radial_method is not None:
         return radial_square_energy(model.radial_method, psf.pupil, at)
 
-    def within(image: Any, sides: Array, center: Array) -> list[float]:
-        return [image.rectangle(tuple(center - a), tuple(center + a)) for a in sides]
+    def within(image: Image, sides: Array, center: Array) -> list[float]:
+        x, y = center
+        return [image.rectangle((x - a, y - a), (x + a, y + a)) for a in sides]
 
     return _measured(model, "half_width", at, away, np.abs(away), within)
 
@@ -171,6 +172,7 @@ def window_centroid(psf: PSFLike) -> Array:
 def energy_centers(psf: PSFLike, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
+    # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
         return np.zeros((math.prod(psf.pupil.shape), 2))
     return image_centroid(psf).reshape(-1, 2)
@@ -209,8 +211,10 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
+    # v is that of the reference wavelength; light of shorter waves oscillates faster by this factor.
     stretch = method.stretch(pupil)
     edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
+    # A node on the axis without weight: errors of a profile relate to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
         # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
@@ -219,6 +223,7 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
+    # Panels end at the radii that were asked about, so that one running sum serves all.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
     return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
@@ -271,7 +276,7 @@ def window_energy(psf: PSFLike) -> Numbers:
         # An even window may reach half a pixel beyond half of a period to one side, and lacks that on the other.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
         each = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
-        return numbers([image.rectangle(tuple(low), tuple(far)) for image in each], pupil.shape)
+        return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in each], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.
     corners = [
@@ -303,6 +308,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
         # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
+        # The angle of the circle of radius v that lies in the rectangle.
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)
         weights.append(2.0 * (high - low) * s * w * v * np.maximum(arc, 0.0))
@@ -311,6 +317,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 def energy_per_pixel(psf: PSFLike) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
+    # Values are `scale` times I, and all light is 4 pi times the transmission in v^2.
     factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
     return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 
@@ -374,8 +381,10 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
+    # Errors of samples of one sign everywhere: certificate, "From samples".
     area = math.pi * float(reach.max(initial=0.0)) ** 2
-    error = None if math.isnan(image.error) else OWN_ERROR + SEAM_NORM * area * image.error
+    known = isinstance(image, CartesianImage) and not math.isnan(image.error)
+    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if known else None
     return Encircled(image.circles(reach), error)
 
 
@@ -429,6 +438,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
+    # A zone of the pupil is in focus where its slope and that of the defocus, 2 C_d, cancel.
     low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0
     scan = np.linspace(low, high, math.ceil(2.0 * (high - low)) + 1)
 

@@ -9,20 +9,7 @@ the lens-shaped overlap of two discs, ``u = +-(cos(theta) - f)``, entire functio
 in theta and u converge spectrally. An obscured aperture is cut where its arcs meet, with ``y = eps sin(theta)``
 beside the obscuration.
 
-All other apertures take the rules of :func:`lommel.core.engine.row_rule`, whose error is proven. The overlap lies in
-the ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
-difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
-polynomial that is proven to be close to the integrand (:func:`lommel.optics.aperture.opening.degree_needed`). The
-ellipse moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there.
-Each pair of segments that overlap has its own rule and phase. Pupils with a mask: mask_overlap.py.
-
-Autocorrelation of pupils with a mask: sums over cells.
-The pupil function is constant on the square cells of a mask, where the wavefront counts in the middles. The overlap
-of two cells is linear in either coordinate of their shift, and so the autocorrelation is, between shifts d by whole
-cells, the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``: exactly, whatever the mask.
-
-The image of samples is not that of square cells, but one period of ``sum_d A(d) exp(2 pi i d.r / side)``. At whole
-cells its transform is the same.
+All other apertures take rules with a proven error, those with a mask sums over cells: certificate, section 18.
 
 References
 ----------
@@ -53,14 +40,21 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_MAX_TABLE = 2048
-"""Cells along a side of which all shifts are kept, in 270 MB."""
+# The pupil function is constant on the square cells of a mask, where the wavefront counts in the middles. The overlap
+# of two cells is linear in either coordinate of their shift, and so the autocorrelation is, between shifts d by whole
+# cells, the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``: exactly, whatever the mask.
+#
+# The image of samples is not that of square cells, but one period of ``sum_d A(d) exp(2 pi i d.r / side)``. At whole
+# cells its transform is the same.
+
+_MAX_TABLE = 2048  # cells along a side of which all shifts are kept, in 270 MB
 
 
 class Cells:
     """The pupil function on the cells of a mask, of all light 1."""
 
     def __init__(self, field: NDArray[np.complex128]) -> None:
+        # So that the autocorrelation is 1 at no shift.
         self.field = field / np.linalg.norm(field)
 
     @cached_property
@@ -90,6 +84,7 @@ class Cells:
 
     def between(self, shift: Array) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts in cells, shape (points, 2)."""
+        # Overlaps of cells are linear in their shift along each axis: certificate, "Masks".
         first = np.floor(np.clip(shift, -len(self.field), len(self.field)))
         (x, y), (column, row) = (shift - first).T, first.T.astype(np.int64)
         x, y = (np.clip(part, 0.0, 1.0) for part in (x, y))
@@ -102,6 +97,7 @@ class Cells:
         # The derivative of the autocorrelation at 0, or the integral of x over the period of each wave.
         d = np.arange(1, 2 if squares else side)
         weight = (np.ones(1) if squares else -((-1.0) ** d) * 2.0 / d) * (-0.5 * side / math.pi)
+        # One axis at a time: the centroid along x is that of the light summed along y.
         zero = np.zeros_like(d)
         return np.array([weight @ self.at(d, zero).imag, weight @ self.at(zero, d).imag])
 
@@ -126,8 +122,7 @@ def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
     return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
 
 
-_CHUNK = 2**20
-"""Pupil values held at once."""
+_CHUNK = 2**20  # pupil values held at once
 _MAX_NODES = 4096
 
 
@@ -141,8 +136,10 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         mirrored = np.zeros(len(f), dtype=bool)
     else:
         # OTF(-f) is the conjugate of OTF(f).
+        # One half of the plane is enough for real images.
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
+    # Grids of frequencies have many alike.
     points, where = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
@@ -215,6 +212,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
     """Return the integrals along lines for defocus alone, shape (n, lines): the phase differs by ``8 slope u``."""
+    # The integral of cos(8 slope u) over a line is a sinc.
     half = 4.0 * slope * width + 1e-300  # never 0
     lines = np.cos(8.0 * slope * low + half)
     lines *= np.sin(half)
@@ -279,6 +277,13 @@ def _panel(
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
 
+# All other apertures take the rules of lommel.core.engine.row_rule, whose error is proven. The overlap lies in the
+# ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
+# difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
+# polynomial that is proven to be close to the integrand (lommel.optics.aperture.opening.degree_needed). The ellipse
+# moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there. Each pair
+# of segments that overlap has its own rule and phase.
+
 _LEAST = 2e-15  # error of a rule
 
 
@@ -305,10 +310,12 @@ def _clear_parts(opening: Opening) -> _ClearParts:
 def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of other apertures at a frequency, off by less than `tol` and the rounding of phases."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
+    # Coordinates along f and across it.
     cos, sin = f / shift
     back = np.array([[cos, -sin], [sin, cos]]) * axes
     frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
     share = float(axes[0] * axes[1]) / pupil.transmission
+    # Only segments whose discs meet can overlap.
     moved = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
     pairs = np.argwhere(moved < clear.radii[:, None] + clear.radii)
     first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
@@ -317,6 +324,7 @@ def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, to
     # Half for the polynomial close to the integrand, half for the rules.
     aim = min(max(0.45 * tol / share, _LEAST), 0.05)
     steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
+    # Section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
     sizes = _amplitudes(pupil, back, f)
     try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, TypeVar, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
@@ -72,11 +72,9 @@ class PSFLike(Recorded):
 
     @property
     def sum_is_light(self) -> bool:
-        """Whether values of all the plane sum to its light: averages over pixels, and samples at most lambda*N apart.
-
-        The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds its
-        values at multiples of 1 / pixel (Poisson's formula).
-        """
+        """Whether all values sum to the light: averages over pixels, and samples at most lambda*N apart."""
+        # The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds
+        # its values at multiples of 1 / pixel (Poisson's formula).
         return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
@@ -124,6 +122,7 @@ class PSFLike(Recorded):
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
+        # Places in the flattened stack, by which all arrays are indexed alike.
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,
@@ -175,11 +174,14 @@ class PSFGridLike:
         return self.psf.unit
 
 
+Found = TypeVar("Found")
+
+
 @runtime_checkable
 class Measurable(Protocol):
     """A PSF, or several, whose every PSF a function measures."""
 
-    def measured(self, measure: Callable[[Any], Any]) -> Any:
+    def measured(self, measure: Callable[[PSFLike], Found]) -> Found:
         """Return the `measure` of each PSF."""
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
 from lommel.measures.continuous_image import (
     CartesianImage,
+    Image,
     ImageModel,
     PolarImage,
     cartesian_images,
@@ -33,11 +33,10 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 PointImage = CartesianImage | PolarImage
 
-_STEP = 0.15
-"""Spacing of tables in v, over the stretch of the method."""
+_STEP = 0.15  # spacing of tables in v, over the stretch of the method
 _MAX_RADII = 2**16
+# Half of the largest full width at half of an image that is not radially symmetric, in lambda*N.
 _MAX_WIDTH = 250.0
-"""Half of the largest full width at half of an image that is not radially symmetric, in lambda*N."""
 _MAX_DIAMETER = 6000.0
 _MAX_SAMPLED = 1400.0
 
@@ -207,6 +206,7 @@ def brightest_place(model: ImageModel) -> tuple[float, float]:
 def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
     """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
     (image,) = point_images(model, reach)
+    # Eight samples to the period of the highest frequency.
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
     return image, image.on(places, places), places, step
@@ -214,6 +214,7 @@ def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array,
 
 def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
     """Return the largest light per area, and where: by Newton's method from the brightest of samples."""
+    # Local maxima, of which the highest few may be the largest between samples.
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
@@ -268,6 +269,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
+    # Twelve places for each interpolation: some beyond the last that counts.
     places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
@@ -318,12 +320,13 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         return radial_diameter(model.radial_method, pupil, wanted)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
+        # An image of samples repeats: circles must stay within one period.
         within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
         reach = min(one.extent, max(within, 0.0))
         while True:
             (image,) = energy_images(one, reach + math.hypot(x, y), "fraction")
 
-            def lacks(radius: float, image: Any = image, center: tuple[float, float] = (x, y)) -> float:
+            def lacks(radius: float, image: Image = image, center: tuple[float, float] = (x, y)) -> float:
                 return float(image.circles(np.array([radius]), center)[0]) - wanted
 
             if lacks(reach) >= 0.0:
@@ -397,7 +400,7 @@ def stage(psf: PSFLike) -> Array:
     ValueError
         If `psf` is of a lens, a single plane, of several depths along that axis, or not in order of z.
     """
-    pupil: Any = checked(psf).pupil
+    pupil = checked(psf).pupil
     if not isinstance(pupil, ObjectivePupil):
         raise ValueError("z is what an Objective's stage does; this is the PSF of a lens")
     if not pupil.shape or pupil.shape[-1] < 2:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,19 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 
 Complexes = np.complex128 | NDArray[np.complex128]
+
+
+Pitch = float | tuple[float, float]
+"""One number, or those of height and width."""
+
+
+class Sensor(TypedDict, total=False):
+    """Options of :func:`otf` that describe pixels, blur and light."""
+
+    pixel: Pitch | None
+    fill: Pitch
+    blur: tuple[Blur, ...]
+    spectrum: Polychromatic | None
 
 
 def otf(
@@ -90,8 +103,7 @@ def otf(
     """
     if isinstance(pupil, Measurable):
         _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
-        of_image: Complexes = pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
-        return of_image
+        return pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
     checked(pupil)
     across, down = frequencies(fx, fy)
     goal = validation.real("tol", tol, least=1e-13, most=0.1)
@@ -102,7 +114,9 @@ def otf(
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
     for share, _, part in parts:
+        # Over the cutoff of this wavelength, 1 / (lambda N).
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
+        # Blur multiplies the transfer function; seeing depends on the wavelength.
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
         total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
@@ -148,7 +162,7 @@ def image_otf(
     return result
 
 
-def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Any, fill: Any) -> Array:
+def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Pitch | None, fill: Pitch) -> Array:
     """Return the transfer function of pixels that average; 1 where there are none."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
@@ -267,12 +281,14 @@ def mtf_frequency(
         _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
 
         def of_image(one: PSFLike) -> Numbers:
-            sensor = {"pixel": one.grid.pixel, "fill": one.grid.fill} if one.grid.integrate else {}
-            light = {"spectrum": one.method} if isinstance(one.method, Polychromatic) else {}
-            return _frequency(checked(one.pupil), wanted, turn, sensor | light | {"blur": one.blur})
+            sensor: Sensor = {"blur": one.blur}
+            if one.grid.integrate:
+                sensor |= {"pixel": one.grid.pixel, "fill": one.grid.fill}
+            if isinstance(one.method, Polychromatic):
+                sensor["spectrum"] = one.method
+            return _frequency(checked(one.pupil), wanted, turn, sensor)
 
-        found: Numbers = pupil.measured(of_image)
-        return found
+        return pupil.measured(of_image)
     return _frequency(checked(pupil), wanted, turn, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
 
 
@@ -282,13 +298,13 @@ def _own(**given: bool) -> None:
         raise ValueError(f"{stray[0]} must be left out for a PSF, which has its own; give it with psf.pupil")
 
 
-def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any]) -> Numbers:
+def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numbers:
     from scipy.optimize import brentq
 
     cos, sin = math.cos(turn), math.sin(turn)
     cutoff = pupil.cutoff
-    if "spectrum" in sensor:
-        cutoff *= sensor["spectrum"].stretch(pupil)
+    if spectrum := sensor.get("spectrum"):
+        cutoff *= spectrum.stretch(pupil)
     # An image of radius r makes the OTF oscillate like J1(2 pi r f).
     oscillating = float(pupil.v(pupil.geometric_radius()).max())
     oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
@@ -316,6 +332,7 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any])
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             out[i] = low if ends[0] <= 0.0 else high
         else:
+            # Bracketed by the scan.
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
     return numbers(out, pupil.shape)
 

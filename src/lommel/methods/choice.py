@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
+# A stack that is computed in parts takes one method; some of its pupils stand for the cost of all.
 _LOOKS = 8  # pupils that stand for a stack
 _Answer = TypeVar("_Answer")
 
@@ -131,7 +132,7 @@ def of_derivatives(pupil: "ObjectivePupil", ways: tuple[Method, ...]) -> tuple[M
     return (*first, *ways, ChordalDebye(tol))
 
 
-def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
+def first_within_tolerance(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
     """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
     # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
     # misses is for the series. Other errors are faults, and are not hidden.
@@ -169,15 +170,15 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
     return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
 
-def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
+def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
     """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
     if len(ways) == 1:
         return ways
     if pupil.layered:
         return ways[-1:]
     from lommel.core.engine import disk_costs
+    from lommel.methods.averaging import samples_across
     from lommel.methods.nijboer_zernike import disk_stack, window_of
-    from lommel.methods.pixels.averaging import samples_across
     from lommel.optics.pupil import checked
 
     lens, count = checked(pupil), math.prod(pupil.shape)
@@ -187,6 +188,7 @@ def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Met
     samples = Grid((height, width), grid.side / across)
     _, series, chords = ways
     try:
+        # Estimates of the time that chords and the series take, by the compiled core.
         costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
     except Declined:
         return series, chords

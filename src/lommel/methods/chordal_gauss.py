@@ -71,6 +71,7 @@ class ChordalGauss(Method[Pupil]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further pupils around one axis; see :meth:`Method.plan`."""
+        # A plan samples around one axis, without what an apodization leaves out.
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
@@ -99,6 +100,7 @@ class ChordalGauss(Method[Pupil]):
 
         if grid.integrate:
             stack, window = disk_stack(pupil), window_of(pupil, grid)
+            # By nodes of the window that all pixels share, where that takes less time: certificate, section 10.
             made = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
             if made is not None:
                 return made
@@ -134,7 +136,7 @@ class ChordalGauss(Method[Pupil]):
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
             return sampled(pupil, grid, self.tol, weights)
-        from lommel.methods.pixels.averaging import averaged_gradient
+        from lommel.methods.averaging import averaged_gradient
 
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
@@ -150,8 +152,9 @@ class ChordalIfCheaper(ChordalGauss):
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.integrate and not wanted.terms:
-            from lommel.methods.pixels.averaging import nearest
+            from lommel.methods.averaging import nearest
 
+            # Far from the axis averages have a closed form, so that the series needs samples near it only.
             if nearest(pupil, grid, self.tol) > _CHORDS:
                 raise Declined("so many samples near the axis take less time by the series")
         return super().images(pupil, grid, wanted)

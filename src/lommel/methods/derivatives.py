@@ -18,13 +18,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Pixels, Wanted
 from lommel.core.engine import least_average
-from lommel.methods.choice import first_proven
-from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
-from lommel.methods.method import Method, storing, widened
-from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.nonuniform_fft import NonuniformFFT
-from lommel.methods.pixels.averaging import (
+from lommel.methods.averaging import (
     Taps,
     as_long,
     blocks,
@@ -33,6 +27,12 @@ from lommel.methods.pixels.averaging import (
     sloping,
     weighed,
 )
+from lommel.methods.choice import first_within_tolerance
+from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
+from lommel.methods.method import Method, storing, with_model_error
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.base_pupil import BasePupil
@@ -83,6 +83,7 @@ def scaling_derivative(
 def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
+    # Filters may add a thousandth of the tolerance, and no filter is better than rounding.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = as_long(filtered_by(step, response), filtered_by(step, response, growing=True))
     # Neither response is larger than 2.
@@ -127,7 +128,7 @@ def _sampled(
     for part, one, pixels in blocks(pupil, grid, taps):
         question = one, finer(pixels, taps), Wanted(threads=threads)
         # Double precision may hold what is asked for, and no less.
-        _, made = first_proven((fine, engine), lambda way: ask(way, *question))  # noqa: B023
+        _, made = first_within_tolerance((fine, engine), lambda way: ask(way, *question))  # noqa: B023
         yield part, made.values, made.brightest * (made.bound + rounded)
 
 
@@ -173,11 +174,13 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
     across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
+    # A tenth of the error for each of the two fields of the product.
     aim = max(0.1 * error / (amplitude + light), 1e-15)
     terms = pupil.wavefront.amplitudes()
     x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, reach, aim / light)
+    # The trapezoidal rule, by midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
     # A phase or an amplitude off by e changes both fields by e of what they are at most; so do roundings.
@@ -192,11 +195,9 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
 
 
 def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error: float) -> int:
-    """Return how many equal angles integrate the field of the rim, over its largest, to this error.
-
-    At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes err
-    by twice that over ``e^(k b) - 1``, for every b > 0.
-    """
+    """Return how many equal angles integrate the field of the rim, over its largest, to this error."""
+    # At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes
+    # err by twice that over ``e^(k b) - 1``, for every b > 0.
     size = eps * reach * np.sinh(_B)
     for (n, m), w in terms.items():
         size = size + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
@@ -252,7 +253,7 @@ def differentiated(
     """Return images, their derivatives by checked names, and the method that made them."""
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
-        made = widened(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
+        made = with_model_error(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
         assert made.slopes is not None
         return rule, made, list(map(Slope, *made.slopes))
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
@@ -269,7 +270,7 @@ def differentiated(
     # What is simple is stored by what makes the images, all else summed in double precision.
     stored, others = [each for each in sums if simple(each)], [each for each in sums if not simple(each)]
     keys = _keys(stored)
-    made = widened(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
+    made = with_model_error(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
     taken = iter(_taken(made, stored, keys))
     pieces = _pieces(way, engine, pupil, grid, made, wanted, others) if others else {}
     slopes = [next(taken) if simple(each) else _combined(each, made, pieces, wanted.dtype) for each in sums]
@@ -419,6 +420,7 @@ def _pieces(
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
     )
+    # Certificate, section 12, "Powers of rho^2": 3, 12, 63 and 321 for the terms up to degree 8.
     closer = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
     scales, obscures = (any(np.any(getattr(each, part)) for each in sums) for part in ("scaling", "obscuration"))
     keys = _keys(sums)
@@ -442,7 +444,7 @@ def _pieces(
                 slopes[term] = Piece(values, error + 4.0 * left)
         if rest := tuple(key for key in asked if key not in slopes):
             ask = partial(_asked, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
-            _, here = first_proven((closer, engine), ask)
+            _, here = first_within_tolerance((closer, engine), ask)
             assert here.slopes is not None
             for key, values, error in zip(rest, *here.slopes, strict=True):
                 slopes[key] = Piece(values, error * here.brightest + 4.0 * left)
@@ -472,5 +474,49 @@ def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: 
             error = error + np.abs(by) * pieces[key].error
             size = size + np.abs(by) * _most(pieces[key].values)
     values = total.astype(dtype)
+    # Certificate, section 12: k + 8 roundings of the sum of the largest magnitudes.
     error = error + (len(factors) + 8) * 2.0**-53 * size + storing(dtype) * _most(total)
     return Slope(values, error / bright)
+
+
+def gradient(
+    method: Method, pupil: Pupil, grid: Grid, names: Sequence[Name], weights: Array, scale: float, *, energy: bool
+) -> dict[Name, Array]:
+    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+
+    Values are `scale` times the intensity. Those by phases are computed in reverse mode where the chordal rule serves
+    (certificate, section 8, "Derivatives"), all others as sums over images of derivatives.
+    """
+    tol, free = method.tol, _with_derivatives(method)
+    sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
+    way, engine = engines(free, pupil, names, list(sums.values()), tol)
+    found: dict[Name, Array] = {}
+    if isinstance(engine, ChordalGauss):
+        factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _by_phase(each)}
+        terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
+        each = np.zeros((len(weights), len(terms)))
+        for part in way.components(pupil) if terms else ():
+            rate = scale * part.weight * part.stretch  # phases grow as the wavelength falls
+            each += rate * engine.gradient(part.pupil, grid, weights, terms)
+        for name, phases in factors.items():
+            found[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
+    if others := [name for name in names if name not in found]:
+        _, _, slopes = differentiated(free, pupil, grid, others, Wanted(scale), tol, energy=energy)
+        for name, slope in zip(others, slopes, strict=True):
+            found[name] = np.einsum("nij,nij->n", weights, slope.values)
+    return found
+
+
+def _by_phase(each: Parts) -> bool:
+    """Return whether a derivative is by coefficients of the phase alone."""
+    return not (np.any(each.own) or np.any(each.scaling) or each.obscuration)
+
+
+def _with_derivatives(method: Method) -> Method | None:
+    """Return the method, None or a sum of none for the default choice, where others have more derivatives."""
+    # The images are equal within the tolerance.
+    if not isinstance(single_light(method), NijboerZernike | ChordalGauss):
+        return method
+    if isinstance(method, Polychromatic):
+        return Polychromatic(method.wavelengths, method.weights, tol=method.tol)
+    return None

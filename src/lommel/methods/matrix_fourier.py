@@ -86,6 +86,8 @@ class MatrixFourier(Method[Pupil]):
                 f"{grid.width} of them more than the limit of {_MAX_FIELD}"
             )
         x = cell_centers(self.samples)
+        # Two matrices: exp(-i v y) for all rows of pixels (and nodes in them), exp(-i v x) for all columns (Soummer
+        # et al.).
         to_rows, to_columns = (
             np.exp(-1j * np.multiply.outer((step / grid.side * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)
@@ -93,6 +95,7 @@ class MatrixFourier(Method[Pupil]):
         out = np.empty((math.prod(pupil.shape), *grid.shape))
         for image, given in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
             field = to_rows @ given @ to_columns.T
+            # Cells have the area (2 / n)^2, and the aperture pi.
             fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
             shaped: Array = fine.reshape(grid.height, offset.size, grid.width, offset.size)
             image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)
@@ -100,12 +103,11 @@ class MatrixFourier(Method[Pupil]):
 
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
-    """Return the fewest samples across the aperture for which no light wraps around into the window, and why so many.
-
-    Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
-    """
+    """Return the fewest samples across the aperture with which no light wraps into the window, and why."""
+    # Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
+    # To the edges of pixels, which averages reach.
     window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.side + 0.5 * step
     why = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
     return math.ceil((blur + window) / math.pi), why

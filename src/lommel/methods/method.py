@@ -35,8 +35,11 @@ Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
 """From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
 
 _AN = {"lens": "a lens", "objective": "an objective"}
+# Levels l of tables of the compiled core, whose errors are about 10^-l: certificate, section 9, "Requested accuracy".
 _LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
 _USUAL = 10
+# Steps of the line that is searched for the peak, from the axis to where the last rays arrive: certificate, section
+# 9, "Relative to what".
 _SCAN = 512
 
 
@@ -147,14 +150,16 @@ class Method(ABC, Generic[P]):
             )
         way = self
         made = way.intensity(pupil, grid, wanted.threads)
-        while self.keeps_tol and (error := once_stored(made, wanted)) is not None and error.max() > self.tol:
+        while (
+            self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
+        ):
             # Values divided by their own largest one are off by twice as much.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
             way = finer
             made = way.intensity(pupil, grid, wanted.threads)
-        return painted(made, grid, wanted)
+        return to_images(made, grid, wanted)
 
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
@@ -243,7 +248,11 @@ class RadialMethod(Method[P]):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
             return self.on_pixels(pupil, grid, threads)
-        return self.profile(pupil, grid.v(pupil))
+        return self._threaded_profile(pupil, grid.v(pupil), threads)
+
+    def _threaded_profile(self, pupil: P, v: Array, threads: int) -> Intensities:
+        """Return :meth:`profile` with at most `threads` threads; few methods have more than one."""
+        return self.profile(pupil, v)
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -251,7 +260,7 @@ class RadialMethod(Method[P]):
             return super().images(pupil, grid, wanted)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
-        return painted(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
+        return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
 
     def on_pixels(
         self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
@@ -268,6 +277,7 @@ class RadialMethod(Method[P]):
         # The largest value may be the peak of I or, of pixels that hold all light, its average.
         side = grid.step(pupil) if grid.integrate else 0.0
         likely = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
+        # Interpolation may take a fifth of the tolerance; its errors are in units of half the range of I.
         needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
         if self.profile(pupil, np.zeros(1)).error is None:
@@ -307,6 +317,7 @@ def _pixel_sums(
 ) -> tuple[Array, Array | None, Array]:
     """Return values of pixels, and what the profile and the sums add to the bound on their error."""
     # What varies faster than I is I of a larger window.
+    # Exponential type and range of I, which all bounds of section 9 are in units of.
     faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
@@ -327,6 +338,7 @@ def _pixel_sums(
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
     """Return what the largest value over the plane is at least, from the axis to where the last rays arrive."""
+    # Rays end at the largest slope of the phase, and diffraction spreads the peak by no more than a few units of v.
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
     pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
     count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
@@ -358,15 +370,20 @@ class FieldMethod(RadialMethod[P]):
 
     def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
-        values, error = self.evaluate(pupil, v)
-        intensity = values.real**2 + values.imag**2
-        relative = None if error is None else relative_error(intensity, error)
-        return Intensities(intensity, relative, intensity.max(axis=1))
+        return squared(self.evaluate(pupil, v))
+
+
+def squared(field: FieldValues) -> Intensities:
+    """Return I = abs(U)^2 with the bound on its error relative to the largest value."""
+    intensity = field.values.real**2 + field.values.imag**2
+    relative = None if field.error is None else relative_error(intensity, field.error)
+    return Intensities(intensity, relative, intensity.max(axis=1))
 
 
 def relative_error(intensity: Array, field_error: Array) -> Array:
     """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``."""
     # M is the largest abs(U) computed; the exact one may be smaller by e.
+    # Certificate, section 6.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -375,6 +392,7 @@ def relative_error(intensity: Array, field_error: Array) -> Array:
 
 def storing(dtype: DTypeLike) -> float:
     """Bound what it adds to errors over the peak that values are scaled and stored, as the compiled core does."""
+    # Six roundings: two squares and their sum, the scale and the product with it (certificate, section 6, "Storing").
     return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
 
 
@@ -383,14 +401,14 @@ def stored(relative: Array, dtype: DTypeLike) -> Array:
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def once_stored(made: Intensities, wanted: Wanted) -> Array | None:
+def with_storage_rounding(made: Intensities, wanted: Wanted) -> Array | None:
     """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
     if made.error is None:
         return None
     return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
 
 
-def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
+def to_images(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`lommel.Method.images`."""
     largest = made.values.reshape(len(made.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
@@ -398,20 +416,22 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(made.values, scales, values, wanted.threads)
-    return Images(values, scales, once_stored(made, wanted), None, made.peak)
+    return Images(values, scales, with_storage_rounding(made, wanted), None, made.peak)
 
 
 def normalized_error(relative: Array) -> Array:
     """Bound the error of values divided by their own largest one, itself in error by `relative`."""
+    # 2 r / (1 - r): the value and the largest one that it is divided by are both off by r.
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
-def widened(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
+def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
     """Return images whose bounds count what the terms of wavefront and apodization leave out."""
     # A phase in error by e changes U by at most e int A dx dy / pi, and a derivative of U by as much. At another
     # wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
     # counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
+    # Certificate, "Model error of a wavefront".
     of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
@@ -447,6 +467,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
 def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
     """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
     # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
+    # Certificate, section 5.
     coefficients = pupil.coefficients()
     outer = disk(coefficients, v)
     if pupil.obscuration == 0.0:

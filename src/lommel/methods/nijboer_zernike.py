@@ -97,6 +97,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
+        # A plan holds the tables of one window. What an apodization leaves out widens bounds, which a plan does not.
         if not pupil.radial or grid.stack or pupil.illumination.error:
             return None
         window = window_of(pupil, grid)
@@ -130,6 +131,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
             return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
 
         averaged = grid.integrate and not grid.stack
+        # Certificate, sections 9 and 10: weights shared by all pupils of a window, or a filter of finer samples.
         sampled = averaged and filters_pay(stack, window, self.tol)
         if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
             values = images(wanted._replace(powers=()), sampled=sampled)
@@ -151,6 +153,7 @@ def radial_stack(pupil: Pupil) -> RadialStack:
         raise Declined(
             "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
         )
+    # An amplitude multiplies E(t): certificate, section 5.
     return RadialStack(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent)
 
 
@@ -176,7 +179,7 @@ def disk_images(
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
-    from lommel.methods.pixels.averaging import averaged_images
+    from lommel.methods.averaging import averaged_images
 
     def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
         return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)

@@ -1,17 +1,6 @@
 """Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
 
-Quadrature over the whole disc with the moments of an aperture: few nodes, whatever its edges.
-A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
-times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
-same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or complex;
-their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area.
-
-g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
-polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
-
-Averages over pixels of apertures of any shape: nodes of the window, and a rule with the moments of the aperture.
-The nodes of the rule are those of the chordal rule of the disk, its weights complex numbers of either sign, see
-:mod:`lommel.methods.nonuniform_fft`: pupils stand side by side in vector lanes, as those of round apertures do.
+Small windows of many fields take another rule, with the moments of the aperture: certificate, section 18.
 
 References
 ----------
@@ -33,10 +22,10 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, Pixels, Slopes, Wanted, not_met
 from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
+from lommel.methods.averaging import averaged_images
 from lommel.methods.matrix_fourier import samples_needed
-from lommel.methods.method import Method, once_stored, painted, relative_error, storing
+from lommel.methods.method import Method, relative_error, storing, to_images, with_storage_rounding
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -52,6 +41,16 @@ _LEAST_FIELDS = 4  # from which on it is worth while to make the rule
 _LEAST_ERROR = 3e-12  # of the field over its amplitude, below which roundings are in the way
 _MOST_WAVES = 2**22  # values of waves that are kept
 _STEP = 32  # of degrees
+
+
+# A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
+# times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
+# same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or
+# complex; their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted
+# area: certificate, section 18, "Moments".
+#
+# g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
+# polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
 
 
 def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float) -> bool:
@@ -325,6 +324,11 @@ _SINGLE = 0.5  # of an error, what sums in single precision may lose
 _LEAST_NODES = 1e-12  # error of the field, below which roundings are in the way
 
 
+# Averages over pixels: nodes of the window, and a rule with the moments of the aperture. The nodes of the rule are
+# those of the chordal rule of the disk, its weights complex numbers of either sign: pupils stand side by side in
+# vector lanes, as those of round apertures do.
+
+
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
     """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
     highest = max((n for n, _ in wanted.terms), default=0)
@@ -503,7 +507,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
         bright = min(0.9 * math.sqrt(max(float(made.peak.min()), 1e-300)), 0.5 * bright)
     if not error <= tol:
         raise not_met(tol, error, "the peak")
-    answer = painted(made, grid, wanted)
+    answer = to_images(made, grid, wanted)
     if not wanted.terms:
         return answer
     peak = np.asarray(made.peak)
@@ -517,7 +521,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
 def _judged(values: Array, peak: Array, off: Array, wanted: Wanted) -> tuple[Intensities, float]:
     """Return intensities with bounds over a peak, from those of U, and the largest of these once they are stored."""
     made = Intensities(values, relative_error(peak[:, None], off), peak)
-    return made, float(np.max(once_stored(made, wanted)))  # type: ignore[arg-type]
+    return made, float(np.max(with_storage_rounding(made, wanted)))  # type: ignore[arg-type]
 
 
 def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:

@@ -10,8 +10,8 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, ToleranceError, Wanted, not_met
-from lommel.methods.choice import candidates, first_proven, of_profiles
-from lommel.methods.method import Method, RadialMethod, painted, storing
+from lommel.methods.choice import candidates, first_within_tolerance, of_profiles
+from lommel.methods.method import Method, RadialMethod, storing, to_images
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component, Spectrum
 from lommel.optics.grid import Grid
@@ -29,6 +29,8 @@ def mixed(
 
     Or, with `window`, over its largest value in the window: a contract where `way` keeps one.
     """
+    # At a shorter wavelength the same light is concentrated on a smaller area: I over that of the reference grows as
+    # 1/lambda^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
     asked, least = tol, (way.method or Method).least_tol
     while True:
@@ -45,6 +47,7 @@ def mixed(
         # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
         if asked <= least:
             raise not_met(way.tol, worst, "the largest value in the window" if window else "the peak")
+        # The next tolerance from the error that was found, with a factor of two to spare.
         asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
@@ -77,6 +80,7 @@ def _sums(
             found.append(Intensities(values, None, highest))
             continue
         used = np.flatnonzero(row)
+        # Certificate, section 9, last paragraph.
         off = (len(used) + 8) * 2.0**-53 * highest  # what weights, products and the sum are rounded by
         off = off + sum(row[k] * errors[k] * tops[k] for k in used)
         # Nothing is negative, so the sum is at least as bright as any part of it.
@@ -213,7 +217,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = aim if wanted.scale is not None else 0.48 * aim
         made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
-        return painted(made[0], grid, wanted)
+        return to_images(made[0], grid, wanted)
 
 
 def together(
@@ -231,7 +235,7 @@ def together(
 
     def ask(part: Component, tol: float) -> Intensities:
         ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
-        made = first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        made = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
         if alike or made.values.ndim == 3:
             return made
         values = np.empty((len(made.values), *grid.shape))

@@ -13,8 +13,8 @@ from numpy.typing import DTypeLike
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, DType, Images, Pixels, Wanted
-from lommel.methods.choice import candidates, first_proven, instead, of_derivatives
-from lommel.methods.method import Method, Shortcut, require_period, widened
+from lommel.methods.choice import candidates, first_within_tolerance, instead, of_derivatives
+from lommel.methods.method import Method, Shortcut, require_period, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -22,9 +22,10 @@ if TYPE_CHECKING:
     from lommel.methods.derivative_names import Name
     from lommel.methods.derivatives import Slope
     from lommel.optics.layers.objective_pupil import ObjectivePupil
+    from lommel.optics.wavefront.wavefront import Wavefront
 
 
-class Asked(NamedTuple):
+class Prepared(NamedTuple):
     """A window, methods and settings for all pupils that differ in their phase alone."""
 
     light: tuple[object, ...]  # all of a pupil but its phase, and whether that is radially symmetric
@@ -47,7 +48,7 @@ class Asked(NamedTuple):
             from lommel.methods.layers.slopes import layered_slopes
 
             layers = cast("ObjectivePupil", pupil)
-            return first_proven(
+            return first_within_tolerance(
                 self.ways if self.named else of_derivatives(layers, self.ways),
                 lambda way: layered_slopes(way, layers, self.grid, names, question, energy=self.energy),
             )[1]
@@ -61,10 +62,10 @@ class Asked(NamedTuple):
 
         def ask(way: Method) -> Images:
             made = way.images(pupil, self.grid, question)
-            return widened(made, pupil, way, normalized=question.scale is None)
+            return with_model_error(made, pupil, way, normalized=question.scale is None)
 
         try:
-            way, made = first_proven(self.ways, ask)
+            way, made = first_within_tolerance(self.ways, ask)
         except Declined as refused:
             if self.named:
                 raise
@@ -72,7 +73,7 @@ class Asked(NamedTuple):
         return way.reported, made, []
 
 
-def asked_about(
+def prepare(
     pupil: BasePupil,
     light: tuple[object, ...],
     grid: Grid,
@@ -81,23 +82,24 @@ def asked_about(
     normalize: str,
     dtype: DType,
     threads: int,
-) -> Asked:
+) -> Prepared:
     """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     ways = candidates(pupil, grid, tol) if method is None else (method,)
-    wanted = wanted_on(grid, pupil, ways[0], normalize, dtype, threads)
+    wanted = output_spec(grid, pupil, ways[0], normalize, dtype, threads)
     stack = pupil.shape
     shortcut = ways[0].plan(pupil, grid, wanted)
     named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
-    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+    return Prepared(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
 
 
-def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
+def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
     """Return how images are wanted, once pupil and window are checked."""
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
+    # Rays have no largest v: Geometric is the one method without samples.
     if method.sampling == "center":
         grid.require_reach(pupil)
     if pupil.period < math.inf:
@@ -112,22 +114,60 @@ def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtyp
     if normalize == "emitted":
         scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
+        # All light is the integral of I over the plane, 4 pi times the transmission in v^2 (Parseval).
         scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
         scale = 1.0 / method.unaberrated_peak(pupil)
     return Wanted(scale, dtype, threads=threads)
 
 
+def gradient(
+    method: Method,
+    pupil: BasePupil,
+    grid: Grid,
+    names: tuple[Name, ...] | None,
+    weights: Array,
+    scale: Array,
+    normalize: str,
+) -> dict[Name, Array]:
+    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+
+    Values are `scale`, (n,), times the intensity of the flattened stack. None names all terms of the wavefront.
+    """
+    energy = normalize == "energy"
+    if pupil.layered:
+        from lommel.methods.layers.slopes import layered_gradient
+
+        layers = cast("ObjectivePupil", pupil)
+        by, far = _terms(layers.aberrations) if names is None else names, normalize == "emitted"
+        found = layered_gradient(method, layers, grid, by, weights, scale, energy=energy, far=far)
+        return {name: found[name] for name in by}
+    from lommel.methods import derivatives
+    from lommel.optics.pupil import checked
+
+    lens = checked(pupil)
+    by = _terms(lens.wavefront) if names is None else names
+    found = derivatives.gradient(method, lens, grid, by, weights, float(scale[0]), energy=energy)
+    return {name: found[name] for name in by}
+
+
+def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
+    """Return the terms of a wavefront but the constant, on which no intensity depends."""
+    return tuple(term for term in wavefront.terms if term != (0, 0)) if wavefront else ()
+
+
 AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
 
 
-def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
-    """Return what `derivatives` are by; TypeError or ValueError if there are none such."""
+def names(
+    derivatives: Sequence[str | tuple[int, int]], argument: str = "derivatives"
+) -> tuple[str | tuple[int, int], ...]:
+    """Return what `derivatives` are by; TypeError or ValueError, naming the `argument`, if there are none such."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
     from lommel.methods.derivative_names import checked  # most answers have none
 
-    return checked(derivatives)
+    return checked(derivatives, argument)
 
 
 def array(name: str, value: object) -> Pixels:
@@ -153,6 +193,7 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
 def output_type(dtype: DTypeLike | None, tol: float) -> DType:
     """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
     if dtype is None:
+        # float32 rounds values by 2^-24 of the peak, 6e-8, which a tolerance of 1e-6 has room for.
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
     kind = validation.kind("dtype", dtype, np.float32, np.float64)
     if kind == np.float32 and tol < 2.0**-22:
@@ -170,7 +211,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
         ) from None
 
 
-def way(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
+def checked_method(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
     """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(

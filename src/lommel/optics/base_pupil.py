@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+OfEach = Callable[[Any], Any]
+"""From an array of the shape of a stack, or a stack of wavefronts, to a part of it or to another shape."""
+
+
 @dataclass(frozen=True)
 class Geometry:
     """Distances of a lens, an object and a sensor, metres, which Huygens' superposition needs beside C_d.
@@ -158,15 +162,14 @@ class BasePupil(display.Shown):
             return self
         wanted = validation.stack_shape(shape, self.shape)
 
-        def wide(part: Any) -> Any:
-            return (
+        return self._each(
+            lambda part: (
                 np.broadcast_to(part, wanted) if isinstance(part, np.ndarray | np.generic) else part.broadcast(wanted)
             )
-
-        return self._each(wide)
+        )
 
     @abstractmethod
-    def _each(self, of: Callable[[Any], Any]) -> Self:
+    def _each(self, of: OfEach) -> Self:
         """Return the stack with `of` applied to every array and stack of wavefronts that varies in it."""
 
     @abstractmethod
@@ -177,12 +180,13 @@ class BasePupil(display.Shown):
     def to_dict(self) -> Json:
         """Return everything in plain types."""
 
-    def plot(self, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
+    def plot(self, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Axes | NDArray[np.object_]:
         """Draw the phase across the pupil, or the amplitude, on axes of matplotlib; a stack on one scale.
 
         See :func:`lommel.show.pupils.pupil`.
         """
-        return display.plot(self, ax, what=what, unit=unit)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, what=what, unit=unit)
+        return axes
 
     @property
     def aberrated(self) -> bool:
@@ -219,6 +223,7 @@ class BasePupil(display.Shown):
     @property
     def airy_radius(self) -> float:
         """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
+        # The first zero of J1.
         return 3.8317059702075123 / math.pi * self.scale
 
     @property
@@ -238,6 +243,7 @@ class BasePupil(display.Shown):
 
 def not_a_pupil(thing: object) -> TypeError:
     """Return the error for an argument that is not a pupil, with the hint of a class that makes or has one."""
+    # Lens, Objective and PSF say how to get from them to a pupil.
     hint = getattr(type(thing), "pupil_hint", None) or validation.shown(thing)
     if isinstance(thing, list | tuple) and thing and isinstance(thing[0], BasePupil):
         hint += ": a stack is one Pupil of a Wavefront whose coefficients are arrays"

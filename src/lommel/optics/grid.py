@@ -71,16 +71,19 @@ class Grid(EqualByContent):
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
         pitch = validation.pitch("pixel", pixel)
+        # The default needs no check: a grid is made for every PSF without a plan.
         fill = (1.0, 1.0) if isinstance(fill, float) and fill == 1.0 else validation.fill("fill", fill)
         center = middle if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
         if fill != (1.0, 1.0) and not integrate:
             raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; average over them")
         stack = () if isinstance(center[0], float) else center[0].shape
+        # As object.__setattr__ of a frozen dataclass would, but all at once.
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
         vars(self)["fill"] = fill
 
     def _content(self) -> tuple[object, ...]:
+        # Arrays have no hash; their bytes have.
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
         return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
@@ -117,6 +120,7 @@ class Grid(EqualByContent):
     @property
     def sampled(self) -> Grid:
         """The same pixels, with a fill factor of 1, as samples of their centres."""
+        # The fields are checked already.
         grid = object.__new__(Grid)
         vars(grid).update(self._fields() | {"integrate": False})
         return grid
@@ -238,6 +242,7 @@ class Grid(EqualByContent):
     @cached_property
     def _farthest(self) -> float:
         """Distance of the farthest point of a pixel from the axis, in pixels."""
+        # Averages reach to the corners of pixels.
         half = 0.5 if self.integrate else 0.0
         sides = zip(self._far_center, self.shape, strict=True)
         return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
@@ -248,6 +253,7 @@ class Grid(EqualByContent):
         if not self.stack:
             return self.axis
         (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
+        # The farthest corner of a window from each axis.
         away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
         return self[np.unravel_index(int(away.argmax()), self.stack)].axis
 
@@ -271,6 +277,7 @@ class Grid(EqualByContent):
 
 @lru_cache(maxsize=8)
 def _quadrant(height: int, width: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    # Squares of distances are whole numbers, so that equal distances are equal exactly.
     squares, index = engine.distinct_radii(height // 2, width // 2)
     squares.flags.writeable = index.flags.writeable = False
     return squares, index

@@ -180,28 +180,27 @@ class Lens(display.Shown):
             raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
         if not isinstance(apodization, str | Apodization):
             apodization = illumination(apodization).slope
-        values: dict[str, Any] = {
-            "focal_length": f,
-            "aperture_diameter": diameter,
-            "sensor_distance": d,
-            "wavelength": validation.wavelength(wavelength),
-            "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
-            "aberrations": validation.instance("aberrations", aberrations, Wavefront),
-            "spider": spider,
-            "vignetting": vignetting,
-            "mask": mask,
-            "stop": stop,
-            "model": validation.choice("model", model, MODELS),
-            "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
-            "apodization": apodization,
-            "colour": colour,
-        }
+        vars(self).update(
+            focal_length=f,
+            aperture_diameter=diameter,
+            sensor_distance=d,
+            wavelength=validation.wavelength(wavelength),
+            obscuration=validation.real("obscuration", obscuration, least=0.0, below=1.0),
+            aberrations=validation.instance("aberrations", aberrations, Wavefront),
+            spider=spider,
+            vignetting=vignetting,
+            mask=mask,
+            stop=stop,
+            model=validation.choice("model", model, MODELS),
+            corrected_for=validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
+            apodization=apodization,
+            colour=colour,
+        )
         validation.optional("colour", colour, Colour)
         # Refuse shapes that leave nothing clear now, not at the first pupil.
-        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask, stop=stop)
-        vars(self).update(values)
-        visible = _VISIBLE[0] <= values["wavelength"] <= _VISIBLE[1]
-        if f > _LONG and f_number is not None and visible and not values["obscuration"]:
+        Pupil(obscuration=self.obscuration, spider=spider, vignetting=vignetting, mask=mask, stop=stop)
+        visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
+        if f > _LONG and f_number is not None and visible and not self.obscuration:
             warnings.warn(
                 f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. Of a telescope give "
                 "aperture_diameter instead of f_number",
@@ -289,6 +288,7 @@ class Lens(display.Shown):
             self,
             aperture_diameter=aperture(self.focal_length, stop, None),
             apodization=light,
+            # The same metres over a smaller radius.
             obscuration=self.obscuration * ratio,
             aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
             spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
@@ -305,6 +305,7 @@ class Lens(display.Shown):
         return replace(
             self,
             wavelength=wave,
+            # Phases of segments are path differences.
             stop=stop.scaled(self.wavelength / wave) if isinstance(stop, Segments) else stop,
             focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
             aberrations=same_path(self.aberrations, self.wavelength, wave),
@@ -343,6 +344,7 @@ class Lens(display.Shown):
     @cached_property
     def _of_defocus(self) -> tuple[float, float, float]:
         """The terms of C_d without 1/s."""
+        # The paper, Eq. 3, without the distance of the object.
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
         return vergence, math.pi / (2.0 * self.wavelength), (0.5 * self.aperture_diameter) ** 2
 
@@ -360,6 +362,7 @@ class Lens(display.Shown):
             return Wavefront.of_defocus(c)
         c = np.asarray(c)
         radius = 0.5 * self.aperture_diameter
+        # C_d = pi R_max^2 delta / (2 lambda), solved for the vergence delta.
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c
         return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
@@ -379,6 +382,7 @@ class Lens(display.Shown):
         """Amplitude across the pupil."""
         if not isinstance(self.apodization, str):
             return illumination(self.apodization)
+        # (cos theta)^(-1/2), with sin theta = rho R_max / d on the reference sphere.
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
 
     @cached_property
@@ -409,6 +413,7 @@ class Lens(display.Shown):
                 raise ValueError(
                     f"object_distance must broadcast with the aberrations, got shapes {shapes}"
                 ) from None
+        # A single pupil, which most are, needs no arrays.
         one = isinstance(s, float) and not wavefront.shape
         distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))

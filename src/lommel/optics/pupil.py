@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.base_pupil import BasePupil, Geometry, not_a_pupil
+from lommel.optics.base_pupil import BasePupil, Geometry, OfEach, not_a_pupil
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
@@ -201,6 +201,7 @@ class Pupil(BasePupil):
     @property
     def likely_strehl(self) -> float:
         """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
+        # Terms are orthogonal: variances add. Larger ones would overflow.
         edge = np.minimum(np.abs(self.wavefront.edge), 1e6)
         return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
@@ -291,6 +292,7 @@ class Pupil(BasePupil):
             blur = np.zeros(1)
         else:
             blur = self._longest_gradient(*self._raster())
+        # From v to the sensor: r = v lambda N / pi.
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> NDArray[np.float64]:
@@ -309,6 +311,7 @@ class Pupil(BasePupil):
         self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
     ) -> NDArray[np.float64]:
         """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase, with slopes of segments."""
+        # Central differences: an estimate is enough, for it only says how far rays go.
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -340,7 +343,7 @@ class Pupil(BasePupil):
             found = replace(found, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
         return found
 
-    def _each(self, of: Callable[[Any], Any]) -> Pupil:
+    def _each(self, of: OfEach) -> Pupil:
         wavefront, geometry, colour = of(self.wavefront), self.geometry, self.colour
         if geometry is not None:
             distances = of(np.reshape(geometry.distances, self.shape))
@@ -387,6 +390,7 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    # Amplitude times covered area: certificate, section 18, "The light of a mask".
     weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # less is rounding
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
@@ -397,6 +401,7 @@ def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
     from lommel.core.engine import row_samples
 
     x, y, weight = _samples(opening, mask)
+    # Segments and a complex mask have phases of their own at each sample.
     phase = opening.phase(x, y) + np.angle(mask.at(x, y))
     return row_samples(x, y, weight, phase if np.any(phase) else None)
 
@@ -407,6 +412,7 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
     if mask is None:
         from lommel.optics.aperture.opening import degree_needed
 
+        # A polynomial close to the amplitude is integrated as exactly as its degree asks for.
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
@@ -470,7 +476,7 @@ class FieldPupil(BasePupil):
         raise ValueError("each position has an aperture of its own: index the stack, and measure each PSF")
 
     @property
-    def transmission(self) -> Any:
+    def transmission(self) -> Array:  # type: ignore[override]
         """Transmitted light, of the shape of the stack."""
         return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
 
@@ -488,7 +494,8 @@ class FieldPupil(BasePupil):
         """Return the largest distance of rays from the axis on the sensor, of the shape of the stack."""
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
-    def _each(self, of: Callable[[Any], Any]) -> Any:
+    def _each(self, of: OfEach) -> Any:
+        # Index places, and take the pupils there.
         which = of(np.arange(len(self.pupils)).reshape(self.shape))
         if which.ndim == 0:
             return self.pupils[int(which)]

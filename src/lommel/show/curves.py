@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
 from lommel.measures.energy import encircled_energy as within
 from lommel.measures.psf_like import PSFLike, checked, is_psf
-from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.choice import candidates, first_within_tolerance, of_profiles
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -131,7 +131,7 @@ def section(through: Moved, x: Array) -> Array:
             def ask(way: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
                 return way.images(pupil, grid, Wanted())
 
-            method, made = first_proven(candidates(pupil, grid), ask)
+            method, made = first_within_tolerance(candidates(pupil, grid), ask)
             values = made.values[:, 0]
         rows.append(values * (spread / method.unaberrated_peak(pupil)))
     return np.concatenate(rows).astype(np.float64)
@@ -321,6 +321,7 @@ _POINTS = 129
 _MOST = 8  # pupils of a stack
 
 
+@display.register("mtf")
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
     """Draw the MTF along x and along y, with that of the unaberrated aperture and of the pixel.
 
@@ -419,6 +420,7 @@ _RADII = 129
 _SHARES = (0.5, 0.8)
 
 
+@display.register("encircled energy")
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
     """Draw the encircled energy about the axis, with that of the unaberrated aperture.
 

@@ -42,6 +42,7 @@ _SUMS = 100 * _RASTER**2  # values of terms that are added up
 Row = tuple[str, str | Callable[[], str] | None]
 
 
+@display.html.register(PSFLike)
 def psf(psf: PSFLike) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
     stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.measures.aperture_means import slopes, spot_radius
@@ -146,6 +146,7 @@ def _edges(at: Array) -> Array:
     return np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
 
 
+@display.plot.register(PSFLike)
 def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
     """Draw a PSF, a stack of PSFs side by side on one scale, or three sections of a z stack.
 
@@ -216,6 +217,7 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     return axes
 
 
+@display.plot.register(ColourPSFLike)
 def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
     """Draw PSFs of three channels in colour, each scaled to its maximum, or those of other channels side by side.
 
@@ -558,6 +560,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     return np.asarray(slopes(pupil, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 
+@display.register("spots")
 def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
     """Draw a spot diagram over a PSF, with the Airy circle of the aperture about the axis.
 

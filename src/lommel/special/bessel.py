@@ -56,6 +56,7 @@ def j0_series(a: ArrayLike, terms: int = 3) -> Array:
     -------
     ndarray
     """
+    # J0(a) = sum (-a^2 / 4)^m / m!^2.
     q = -0.25 * np.asarray(a, dtype=np.float64) ** 2
     return np.asarray(np.polynomial.polynomial.polyval(q, [1.0 / math.factorial(m) ** 2 for m in range(terms)]))
 
@@ -96,6 +97,7 @@ def _radii(v: ArrayLike) -> Array:
     if radii.ndim != 1 or bad.any():
         found = f"shape {radii.shape}" if radii.ndim != 1 else radii[bad][0]
         raise ValueError(f"v must be a one-dimensional array of finite numbers >= 0, got {found}")
+    # Beyond there is less than 1e-17 of the light: certificate, section 3.
     if radii.size and radii.max() > MAX_REACH:
         raise ValueError(f"v must be at most {MAX_REACH:.0e}, got {radii.max():g}")
     return radii

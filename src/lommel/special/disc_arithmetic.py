@@ -58,6 +58,7 @@ class Disc:
         with np.errstate(invalid="ignore", over="ignore"):  # 0 times what is not known is not known
             if others.ndim == 0 and not other.radius:
                 return Disc(self.centre * other.centre, others * (self.radius + _ROUNDING * mine))
+            # abs(z w - c d) <= abs(c) r_w + (abs(d) + r_w) r_z.
             radius = mine * (other.radius + _ROUNDING * others) + (others + other.radius) * self.radius
             return Disc(self.centre * other.centre, radius)
 
@@ -83,11 +84,13 @@ class Disc:
         size = self.size
         with np.errstate(divide="ignore", invalid="ignore"):
             clear = self.least > 0.0
+            # abs(1/z - 1/c) = abs(z - c) / (abs(c) abs(z)).
             radius = np.where(clear, self.radius / (size * self.least) + _ROUNDING / self.least, np.inf)
             return Disc(np.where(clear, 1.0 / self.centre, 0.0), radius)
 
     def sqrt(self) -> Disc:
         """Return discs of the root with a positive real part; infinite where a disc reaches the left half plane."""
+        # In the right half plane the principal root is analytic: certificate, section 14, "Discs".
         right = self.centre.real * (1.0 - _ROUNDING) > self.radius
         root = np.sqrt(np.where(right, self.centre, 1.0))
         # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)), and both roots are within 45 degrees of the real axis:

@@ -62,6 +62,7 @@ class Erf(ABC):
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
         at = _arguments(s)
+        # erf is odd; G is needed for s >= 0 only.
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
 
@@ -119,6 +120,7 @@ class TableErf(Erf):
 
 @lru_cache(maxsize=4)
 def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
+    # s from 0 to infinity on [0, 1]; (s + 2) G(s) tends to i / 2.
     y = np.linspace(0.0, 1.0, samples)
     s = 2.0 * y[:-1] / (1.0 - y[:-1])
     return y, np.append((s + 2.0) * fresnel_auxiliary(s), 0.5j)
@@ -246,6 +248,7 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
     -------
     ndarray of complex, shape ``(count,) + T.shape``
     """
+    # R = T x turns the limit into 1.
     square = np.asarray(limit, dtype=np.float64) ** 2
     powers = square ** np.arange(1, count + 1).reshape(-1, *(1,) * square.ndim)
     return np.asarray(powers * unit_moments(alpha * square, count))
@@ -269,6 +272,7 @@ def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     """
     turns = np.abs(phase)
     out = np.empty((count, *phase.shape), dtype=np.complex128)
+    # The recurrence multiplies errors by m / phase at each step.
     slow = turns <= max(32.0, 2.0 * count)
     if np.any(slow):
         u, w = gauss_legendre(24 + count // 2 + int(turns[slow].max()))

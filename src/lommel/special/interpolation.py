@@ -82,11 +82,10 @@ def steps(band: float, error: float, width: int = 0) -> Steps:
     """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
 
     Of averages over `width` steps instead of values, of which the filter takes care.
-
-    The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in t
-    and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are, for
-    given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
     """
+    # The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in
+    # t and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are,
+    # for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
             for neighbours in range(2, NEIGHBOURS_MOST + 1, 4):
@@ -118,6 +117,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
         return np.sinc(w * (width / _TURN))
 
     fit = _chebyshev(4 * reach, band)[: 2 * reach]
+    # Even filters have real responses: cosines of the distance of neighbours.
     factors = np.cos(np.outer(fit, each)) * twice
     weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], response(fit), rcond=1e-15)
     # Where the error is judged.
@@ -130,6 +130,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
         rounding = 2.0**-53 * (2 * neighbours + 8) * _ROOT * np.abs(of).sum(axis=1).max() * np.abs(whole).sum()
         return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _BETWEEN * float(sums)
 
+    # Errors are judged, not derived: certificate, section 16, "Between circles".
     error, gain = judged(taps.at(places), response(w))
     return Steps(taps, weights, error, gain, *judged(taps.slopes(places), np.asarray(1j * w * response(w))))
 
@@ -139,7 +140,9 @@ def _kernel(count: int, band: float) -> Taps:
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
+    # The Kaiser-Bessel window.
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
+    # Between two taps each weight is a polynomial: a product with a few powers, without Bessel functions.
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
     powers[:, :count] = (chebyshev_powers(_DEGREE + 1) @ series)[::-1]
@@ -166,6 +169,7 @@ def _off(taps: Taps, w: Array, gains: Array, weights: Array, wanted: Array | NDA
     """Return the error bound of each frequency, shape ``(len(w), positions)``, for a `wanted` response."""
     turned = np.exp(1j * np.outer(w, _places()))
     off = np.abs(wanted[:, None] * turned - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
+    # Weights are polynomials of degree 16, whose sums round once a term.
     rounding = 2.0**-53 * (taps.size + _DEGREE) * _ROOT * np.abs(weights).sum(axis=1).max() * np.abs(gains)
     return np.asarray(_ROOT * (off + rounding[:, None]))
 

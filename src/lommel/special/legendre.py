@@ -44,6 +44,7 @@ def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, 
 
 def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:
     """Return the n-point Gauss rule, or for many nodes a rule of panels of 256 nodes in place of 200."""
+    # Nodes of large rules take time in proportion to the square of their number.
     panels = math.ceil(n / _PANEL)
     if n <= _PANEL_NODES:
         return gauss_legendre(n, low, high)

@@ -52,6 +52,7 @@ class PiecewiseQuadratic:
 
         The phase has the `coefficients` of :func:`lommel.special.piecewise.fit_quadratics`.
         """
+        # The paper averages over the radius, not the area.
         rho = (np.arange(20_000) + 0.5) / 20_000
         return float(np.mean(2.0 - 2.0 * np.cos(self.phase(rho) - _derivative(coefficients, rho, 0))))
 
@@ -158,6 +159,7 @@ def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
     """Return a derivative of each of a stack of phases, shape ``(..., terms)``, at all of `rho`."""
     c, at = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
     powers = [2 * k for k in range(1, c.shape[-1] + 1)]
+    # (d/drho)^k of rho^p has the factor p! / (p - k)!.
     factors = np.array([math.perm(p, order) for p in powers], dtype=np.float64)
     return np.asarray(np.tensordot(c * factors, np.stack([at ** (p - order) for p in powers]), axes=1))
 
@@ -175,6 +177,7 @@ def _interpolation_error(c: Array, edges: Array) -> Array:
 def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array]:
     """Return the edges, and alpha, beta and gamma of each segment through each term at its Chebyshev points."""
     edges = split_edges(segments, split)
+    # Chebyshev points of each segment: the smallest error of a parabola through three points.
     middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
     x = middle + half * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
     value = np.moveaxis(_derivative(np.eye(terms), x, 0), -2, 0)
@@ -206,6 +209,7 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
     powers = np.vander(rho - m, 3)[:, :free]
 
     def residual(p: Array) -> Array:
+        # abs(exp(i fit) - exp(i phase))^2, of which whole turns are no part.
         off = powers @ p - phase
         return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -31,11 +32,9 @@ def check_term(n: object, m: object) -> tuple[int, int]:
 
 
 def term(index: object, order: str) -> tuple[int, int]:
-    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term.
-
-    R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
-    "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
-    """
+    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term."""
+    # R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
+    # "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
@@ -131,21 +130,32 @@ def name(n: int, m: int) -> str:
 
 def radial(n: int, m: int, rho: Array) -> Array:
     """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
-    a = float(abs(m))
-    x = 2.0 * rho * rho - 1.0
+    (highest,) = deque(_jacobi(abs(m), n, rho), maxlen=1)
+    return np.asarray(rho ** abs(m) * highest)
+
+
+def radials(m: int, highest: int, rho: Array) -> list[Array]:
+    """Return ``R_n^|m|(rho)`` for n = |m|, |m| + 2, ... up to `highest`, which is at least |m|."""
+    outer = rho ** abs(m)
+    return [np.asarray(outer * factor) for factor in _jacobi(abs(m), highest, rho)]
+
+
+def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
+    """Yield ``P_k^(0,m)(2 rho^2 - 1)`` for k = 0, 1, ..., (highest - m) / 2, by their recurrence (DLMF 18.9.1-2)."""
+    a, x = float(m), 2.0 * rho * rho - 1.0
     before, here = np.zeros_like(x), np.ones_like(x)
-    # Jacobi's recurrence for alpha = 0, beta = a (DLMF 18.9.1-2).
-    for k in range((n - abs(m)) // 2):
+    yield here
+    for k in range((highest - m) // 2):
         s = 2 * k + a
-        if k == 0:
+        if k == 0:  # where the general factors are 0 over 0 for m = 0
             before, here = here, 0.5 * ((a + 2.0) * x - a)
-            continue
-        scale = 2.0 * (k + 1) * (k + 1 + a) * s
-        slope = (s + 1) * (s + 2) * s
-        shift = -(s + 1) * a * a
-        back = 2.0 * k * (k + a) * (s + 2)
-        before, here = here, ((slope * x + shift) * here - back * before) / scale
-    return np.asarray(rho ** abs(m) * here)
+        else:
+            scale = 2.0 * (k + 1) * (k + 1 + a) * s
+            slope = (s + 1) * (s + 2) * s
+            shift = -(s + 1) * a * a
+            back = 2.0 * k * (k + a) * (s + 2)
+            before, here = here, ((slope * x + shift) * here - back * before) / scale
+        yield here
 
 
 def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
@@ -162,19 +172,19 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
     -------
     ndarray
     """
+    # Cosines for m >= 0, sines for m < 0: docs/conventions.md.
     azimuth = np.cos(m * theta) if m >= 0 else np.sin(-m * theta)
     return np.asarray(radial(n, m, rho) * azimuth)
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients over a concentric disk of another `radius`, constant included.
-
-    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006):
-    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
-    """
+    """Return the coefficients over a concentric disk of another `radius`, constant included."""
+    # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
+    # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     at = np.asarray(radius, dtype=np.float64)
     found: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():
+        # Certificate, section 5: s_jk = R_n^k(eps) - R_n^(k+2)(eps).
         values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
             found[k, m] = found.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
@@ -186,6 +196,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
     zero = np.zeros(())
     turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
+        # a cos m(theta - angle) + b sin m(theta - angle), expanded.
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
         turned[n, m] = np.asarray(a * cosine - b * sine)
@@ -284,6 +295,7 @@ def annular(m: int, highest: int, obscuration: float) -> Array:
     # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
     weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
     basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)
+    # R of the QR factors is Gram and Schmidt's triangular matrix.
     factor = np.linalg.qr(basis, mode="r")
     factor *= np.sign(np.diag(factor))[:, None]
     if not float(np.linalg.cond(factor)) < 1e7:

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
-from lommel.traced.phases import PhaseRule
 
 _MOST = 60.0  # of a logarithm that is exponentiated: more counts as infinite
 _ROOM = 1.001  # for what is computed in float32
@@ -35,39 +34,7 @@ def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
     xp = ns.xp
     big = logarithm > _MOST
     least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
-    return xp.where(big, _infinite(ns, least), least)
-
-
-class FieldError(NamedTuple):
-    """Errors of a field but for quadrature.
-
-    Attributes
-    ----------
-    unit : float
-        Unit roundoff of the sums.
-    sums : float
-        Largest sum over nodes of the factors of the waves.
-    added : float
-        Rounding of sums, waves and tables; phase and amplitude that the terms leave out.
-    products : float
-        Factor of `sums` for matrix products that round their operands.
-    """
-
-    unit: float
-    sums: float
-    added: float
-    products: float
-
-    def total(
-        self, ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor, quadrature_error: Tensor | float
-    ) -> Tensor:
-        """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
-        xp = ns.xp
-        coarse = ns.coarseness(self.unit)
-        size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
-        each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
-        error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
-        return xp.where(size <= rule.limit, error + self.added, _infinite(ns, error))
+    return xp.where(big, infinite(ns, least), least)
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
@@ -82,20 +49,22 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
     peak = xp.max(values, axis=-1)
     room = peak - error
     ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
-    ratio = xp.where(room > 0.0, ratio, _infinite(ns, ratio))
+    ratio = xp.where(room > 0.0, ratio, infinite(ns, ratio))
     if divided:
         small = ratio < 0.5
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
-        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), _infinite(ns, ratio))
+        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROOM
     # NaN compares as False.
-    return xp.where(bound >= 0.0, bound, _infinite(ns, bound))
+    return xp.where(bound >= 0.0, bound, infinite(ns, bound))
 
 
-def _infinite(ns: Namespace, like: Tensor) -> Tensor:
+def infinite(ns: Namespace, like: Tensor) -> Tensor:
+    """Return infinities of the shape and type of an array: no bound is known."""
     return ns.xp.full_like(like, float("inf"))
 
 
+# Certificate, "Differentiable PSFs", "Any terms": steps of pi / 5 d, and the widening that they take (M. Riesz).
 _STEPS = 5  # of half a turn, for each degree
 _WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
@@ -103,7 +72,6 @@ _MOST_OF_MEAN = 40.0  # of logarithms of means on usable curves
 _ROUNDED = 0.05  # for the rounding of exponentials and logarithms
 _LEAST, _FAR = 0.5, 60.0  # the least H - m that is used, and where its exponential would overflow
 _NUMPY = Namespace.of(None)
-Reals = NDArray[np.floating[Any]]
 
 
 class Mean(NamedTuple):
@@ -127,7 +95,9 @@ class Mean(NamedTuple):
         mean = forms[: self.corners, :] + lost
         square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
         spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        # Bennett's inequality, x = H - mu (certificate, "Any terms").
         x, variance = top - mean + 2.0 * lost, spread * spread
+        # (e^x - 1 - x) / x^2 rises with x: a larger x is safe, and a small one would cancel.
         near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
         near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
         tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
@@ -136,7 +106,7 @@ class Mean(NamedTuple):
 
 
 def fewest(
-    where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
+    where: tuple[tuple[tuple[int, int], ...], float, tuple[Array, Array]],
     c: Array,
     disks: list[tuple[float, Array]],
     error: float,
@@ -150,6 +120,7 @@ def fewest(
     for kind, name in enumerate(("chords", "nodes")):
         found = None
         for j, b in enumerate(CURVES.tolist()):
+            # The exponential of the kernel would overflow on this curve and all farther ones.
             if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
                 break
             tables = Tables()
@@ -193,19 +164,20 @@ def mean_on_curve(
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
     steps = _STEPS * max(2, int(degrees.max()))
-    angle = np.arange(steps + 1) * (math.pi / steps)
+    angle = np.arange(steps + 1.0) * (math.pi / steps)
     at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
     samples = stretch * polynomials(terms, *at).imag
     # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
+    # The kernel on the curve is at most exp(R sinh b).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
-    half = (np.arange(count) + 0.5) * (math.pi / count)
+    half = (np.arange(float(count)) + 0.5) * (math.pi / count)
     if name == "chords":
         eta, gauss = gauss_legendre(count, -1.0, 1.0)
         curve = _curve(name, b, half, eta, half)
         share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
-        phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
+        phi = np.arange(1.0, chords + 1.0) * (math.pi / (chords + 1))
         curve = _curve(name, b, phi, half, half)
         share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
     at = [radius * places for places in curve]
@@ -219,6 +191,7 @@ def mean_on_curve(
         total = float(weight.sum())
         mean = values @ (weight / total)
         off = values - mean[:, None]
+        # The variance as a sum of squares: one product with the coefficients on the device.
         size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
         constants.append(math.log(total))
         means.append(mean)
@@ -232,7 +205,7 @@ def mean_on_curve(
     return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
 
 
-def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tuple[Values, Values]:
+def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
     """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
@@ -245,6 +218,7 @@ def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDA
     """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 
+    # rho^m exp(+-i m theta) = (x +- i y)^m at complex x and y.
     square, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
     found = []
     for n, m in terms:

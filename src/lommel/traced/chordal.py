@@ -4,18 +4,13 @@ Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; along a chord the kernel i
 chords that of its columns. The bounds of the two sums are in docs/certificate.md, section 8: with W_p the amplitude
 of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
 that the bound is a product too. An inner disk is more chords, of negative weights.
-
-The field of radially symmetric pupils as a matrix product.
-``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
-K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``
-in double precision. The number of nodes and the error of each pupil follow from the integrand on Bernstein ellipses:
-:mod:`lommel.methods.bounds`.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, cast
 
@@ -25,21 +20,214 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
 from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
-from lommel.methods import bounds
+from lommel.methods import hankel
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.traced import phases
-from lommel.traced.certificate import CURVES, FieldError, Mean, even, exponential, fewest
+from lommel.traced.certificate import CURVES, Mean, even, exponential, fewest, infinite
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
-from lommel.traced.phases import UNIT, PhaseRule, waves
+
+# Phases at quadrature nodes and their cosines and sines, in float64, or in float32 at full accuracy (certificate,
+# "Differentiable PSFs", "Rounding"). In float32 a phase of 100 rad would be off by 6e-6. So coefficients are split,
+# ``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of
+# ``2^-q``: as ``n B_1`` are multiples of it too, and their sum is less than ``2^(23 - q)``, products, sums and what
+# is left without whole turns are exact. ``n B_2 + r B / 2 pi`` is a small part of a turn, and only it is rounded.
+# With u the unit roundoff, d terms, and the small part at most ``delta``, the phase is off by at most ``u (2 pi (2 d
+# + 4) delta + 6 pi (1/2 + delta))``.
+#
+# Rounding n to whole numbers has the derivative 0, and that of r by c is 1: derivatives are those of the phase.
+
+UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
+_ADDED = 4  # terms up to which products of columns and rows are added, which compilers make one pass of
+
+
+class PhaseRule(NamedTuple):
+    """Scale s of split coefficients (0 in float64), and the error bound of phases.
+
+    Phases are off by at most `each` times ``S = sum abs(c_j) max abs(B_j)``, plus `fixed`, for S up to `limit`; they
+    have the shape ``(nodes, n)`` where `pupils_last`, else ``(n, nodes)``.
+    """
+
+    scale: float
+    each: float
+    fixed: float
+    limit: float
+    pupils_last: bool
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables with a value for each term and node."""
+        if not self.scale:
+            return ("basis",)
+        return ("coarse", "rest") if self.pupils_last else ("coarse", "fine", "basis")
+
+    def multiplied(self, terms: int) -> bool:
+        """Return whether phases of so many terms are matrix products."""
+        return self.pupils_last or terms > _ADDED
+
+
+def phase_tables(
+    basis: Array, degree: int, largest: float, precision: str, *, pupils_last: bool = False
+) -> tuple[PhaseRule, dict[str, Array]]:
+    """Return the rule and the tables for terms at the nodes, `basis` (terms, nodes), of at most this degree.
+
+    `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
+    """
+    count, size = len(basis), np.abs(basis).max(axis=1)
+    each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
+    if precision == "float64":
+        table = basis / math.tau
+        tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
+        return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
+    # Some room beyond the valid range, in which the rule still holds.
+    limit = 1.25 * largest + 1.0
+    # float32 has 24 bits: sums below 2^(23 - q) of multiples of 2^-q are exact.
+    q = 23 - math.ceil(math.log2(limit / math.tau))
+    least = float(size[size > 0.0].min()) if size.any() else 1.0
+    scale = 2.0 ** max(0, round(0.5 * (q - math.log2(limit / least))))
+    turns = basis / (math.tau * scale)
+    coarse = np.round(turns * 2.0**q) * 2.0**-q
+    small = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
+    unit = UNIT["float32"]
+    fixed = unit * (math.tau * (2.0 * count + 4.0) * small + 3.0 * math.tau * (0.5 + small))
+    rule = PhaseRule(scale, each, fixed, limit, pupils_last)
+    if pupils_last:
+        rest = np.concatenate([turns - coarse, basis / math.tau]).T
+        return rule, {"size": size, "coarse": np.ascontiguousarray(coarse.T), "rest": np.ascontiguousarray(rest)}
+    return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
+
+
+def phase_turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tuple[Tensor, ...]:
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact one and a small rest."""
+    xp, dtype = ns.xp, tables[rule.tables[0]].dtype
+    if not rule.scale:
+        return (_phase_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
+    whole = xp.round(ns.stop(c) * rule.scale)
+    rest = xp.astype(c - whole * (1.0 / rule.scale), dtype)
+    whole = xp.astype(whole, dtype)
+    exact = _phase_sum(ns, rule, whole, tables["coarse"])
+    if rule.pupils_last:
+        return exact, _phase_sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
+    return exact, _phase_sum(ns, rule, whole, tables["fine"]) + _phase_sum(ns, rule, rest, tables["basis"])
+
+
+def _phase_sum(ns: Namespace, rule: PhaseRule, c: Tensor, table: Tensor) -> Tensor:
+    if rule.pupils_last:
+        return ns.matmul(table, ns.xp.permute_dims(c, (1, 0)))
+    if rule.multiplied(table.shape[0]):
+        return ns.matmul(c, table)
+    total = c[..., 0:1] * table[0, ...]
+    for j in range(1, table.shape[0]):
+        total = total + c[..., j : j + 1] * table[j, ...]
+    return total
+
+
+# On a processor JAX reduces the argument of its cosine one value after another, whatever its size. Phases are known
+# in turns here, so that the remainder of a turn is exact, ``cos 2 pi t = sin 2 pi z``, ``z = 1/4 - |t|``,
+# and the sine of so little is a polynomial: n terms of its series are off by less than the next one, ``(pi /
+# 2)^(2n+1) / (2n+1)!``. Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine
+# is the cosine: no more than that of ``2 pi t`` elsewhere.
+
+_SINE_TERMS = {"float32": 7, "float64": 11}
+_TURN = Fraction("6.28318530717958647692528676655900576839433879875")
+
+
+def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
+    """Return cosine and sine of phases in :func:`phase_turns`."""
+    if ns.name == "jax":
+        return ns.apart(_waves_of_jax(), *turns)
+    total = turns[0]
+    if len(turns) > 1:
+        total = (total - ns.xp.round(total)) + turns[1]
+    angle = total * math.tau
+    return ns.xp.cos(angle), ns.xp.sin(angle)
+
+
+@cache
+def sine_coefficients(kind: str) -> tuple[float, ...]:
+    """Return the coefficients of ``sin(2 pi z) / z`` in powers of ``z^2`` for a type."""
+    return tuple(
+        float((-1) ** k * _TURN ** (2 * k + 1) / math.factorial(2 * k + 1)) for k in range(_SINE_TERMS[kind])
+    )
+
+
+@cache
+def _waves_of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
+    import jax
+    from jax import lax
+
+    def without_whole(turns: Operand) -> Operand:
+        return turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN)
+
+    def cosine(turns: Operand) -> Operand:
+        z = 0.25 - lax.abs(without_whole(turns))
+        square = z * z
+        total: Operand
+        *rest, total = sine_coefficients(str(turns.dtype))
+        for coefficient in reversed(rest):
+            total = total * square + coefficient
+        return z * total
+
+    @jax.custom_jvp
+    def both(turns: Operand) -> tuple[Tensor, Tensor]:
+        return cosine(turns), cosine(turns - 0.25)
+
+    @both.defjvp
+    def slopes(given: Operand, tangents: Operand) -> tuple[tuple[Tensor, Tensor], tuple[Tensor, Tensor]]:
+        cos, sin = both(*given)
+        turned = tangents[0] * math.tau
+        return (cos, sin), (-sin * turned, cos * turned)
+
+    def of_parts(exact: Operand, *rest: Operand) -> tuple[Tensor, Tensor]:
+        return both(without_whole(exact) + rest[0] if rest else exact)
+
+    return of_parts
+
+
+class FieldError(NamedTuple):
+    """Errors of a field but for quadrature.
+
+    Attributes
+    ----------
+    unit : float
+        Unit roundoff of the sums.
+    sums : float
+        Largest sum over nodes of the factors of the waves.
+    added : float
+        Rounding of sums, waves and tables; phase and amplitude that the terms leave out.
+    products : float
+        Factor of `sums` for matrix products that round their operands.
+    """
+
+    unit: float
+    sums: float
+    added: float
+    products: float
+
+    def total(
+        self, ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor, quadrature_error: Tensor | float
+    ) -> Tensor:
+        """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
+        xp = ns.xp
+        coarse = ns.coarseness(self.unit)
+        size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
+        each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
+        error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
+        return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
+
 
 _ETA = np.geomspace(2e-3, 4.0, 80)
 _CHOSEN = 4  # ellipses on the device, around the best one for the stack
 _MOST_NODES = 4096
+
+
+# The field of radially symmetric pupils as a matrix product. ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over
+# ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at K nodes from a few coefficients, its cosine
+# and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)`` in double precision. The number of nodes and
+# the error of each pupil follow from the integrand on Bernstein ellipses lommel.methods.hankel.
 
 
 class Radial(NamedTuple):
@@ -59,7 +247,7 @@ class Radial(NamedTuple):
 
     def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
         """Return I at the radii of the table, shape ``(n, radii)``, and a bound on the error of the field."""
-        cos, sin = waves(ns, phases.turns(ns, self.phase, tables, c))
+        cos, sin = waves(ns, phase_turns(ns, self.phase, tables, c))
         real, imaginary = ns.matmul(cos, tables["table"]), ns.matmul(sin, tables["table"])
         still = ns.stop(ns.xp.astype(c, tables["table"].dtype))
         error = self.error.total(ns, self.phase, tables, still, self._quadrature_error(ns, tables, still))
@@ -115,24 +303,27 @@ def make_radial(
     middle, spread = 0.5 * (c.max(axis=0) + c.min(axis=0)), 0.5 * (c.max(axis=0) - c.min(axis=0))
     powers, degree, far = isinstance(terms[0], str), c.shape[1], float(v.max(initial=0.0))
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
-    imaginary = stretch * _basis(powers, degree, bounds.ellipses(_ETA, low, steps)).imag
-    kernel = far * bounds.rise(_ETA, low, steps)
+    imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
+    kernel = far * hankel.rise(_ETA, low, steps)
     size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
-    needed = (bounds.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
+    needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
     if nodes > _MOST_NODES:
         raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")
+    # Pupils of the valid range may have their best ellipse on either side of that of the stack.
     chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
+    # Ehlich and Zeller, as in lommel.methods.hankel.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
     t, weights = gauss_legendre(nodes, low, 1.0)
     table = (weights * light.at(t))[:, None] * j0(np.sqrt(t)[:, None] * v)
     basis = stretch * _basis(powers, degree, t)
     largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
-    phase, tables = phases.make(basis, degree, largest, precision)
+    phase, tables = phase_tables(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
     # Sums, waves and products; weights and amplitude; J0, whose argument is off by 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
+    # Certificate, "Differentiable PSFs", "Rounding": (K + 16) u.
     added = sums * (nodes + 16.0) * unit
     added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
@@ -183,6 +374,7 @@ class Axis(NamedTuple):
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
     """Return the axis of increasing places, and the places that are kept."""
+    # Windows that are symmetric about the axis need one half of their places.
     half = np.unique(np.abs(v))
     first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
     positive = len(v) - negative
@@ -222,7 +414,7 @@ def folded_intensity(
 
 
 @cache
-def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
+def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
     """Return the function that sums the part of values at four images that is even or odd in y and x."""
 
     def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
@@ -363,7 +555,7 @@ class Chordal(NamedTuple):
 
         def followed(c: Tensor) -> Tensor:
             of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
-            both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
+            both = [waves(ns, phase_turns(ns, self.phase, one, c)) for one in of_image]
             return folded_intensity(ns, tables, both, self.axes)
 
         error = self._field_error(ns, tables, c)  # first: its memory is free again before the images
@@ -423,8 +615,9 @@ def make_chordal(
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
-    phase, arrays = phases.make(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
+    phase, arrays = phase_tables(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
+    # (K + N + 32) u, K / 2 and N / 2 being the sizes of the tables.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
@@ -473,6 +666,7 @@ def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
     py = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
+    # U = U_1 - eps^2 U_2: certificate, section 5.
     signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
     w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

@@ -103,6 +103,7 @@ class Namespace:
             return self.xp.asarray(values, dtype=dtype, device=device)
         import jax
 
+        # Tables that are made while JAX traces are constants, not part of the program.
         with jax.ensure_compile_time_eval():
             return self.xp.asarray(values, dtype=dtype, device=device)
 
@@ -116,6 +117,7 @@ class Namespace:
     def matmul(self, a: Tensor, b: Tensor) -> Tensor:
         """Return a matrix product in the full precision of its type."""
         if self.name == "jax":
+            # By default JAX multiplies matrices in bfloat16 or TF32 on accelerators.
             return self.xp.matmul(a, b, precision="highest")
         return self.xp.matmul(a, b)
 

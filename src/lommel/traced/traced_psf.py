@@ -16,20 +16,20 @@ from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.method import Method
-from lommel.methods.pixels.rule import octant, pixel_rule
+from lommel.methods.pixel_rule import octant, pixel_rule
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 from lommel.traced import certificate, chordal
-from lommel.traced.chordal import Chordal, Radial
+from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
-from lommel.traced.phases import UNIT
 
 _OF_NUMPY = (np.ndarray, np.generic)
 _FINER = 0.1  # factor of the error of quadrature from one trial to the next
 _LEAST = 2.0**-52
+# Bounds are checked again for every pupil that is evaluated: trials only find numbers of nodes that are enough.
 _MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between these, that a tolerance is tried with
 _BLOCK = 2**21  # values that trials hold at once
 _RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
@@ -349,6 +349,7 @@ class TracedPSF:
         unit, parts = UNIT[static.precision], []
         for (weight, light), tables in zip(static.lights, self.tables, strict=True):
             intensity, of_field = light.intensity(ns, tables, c)
+            # Errors of white light add.
             slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
             parts.append((intensity if weight == 1.0 else weight * intensity, slack))
         values, error = parts[0]
@@ -356,6 +357,7 @@ class TracedPSF:
             values, error = values + intensity, error + slack
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
+        # Scaling, squares and sums, and a rounding to float32 of what was float64.
         stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
         if static.scale is None:
@@ -389,7 +391,7 @@ class TracedPSF:
             f"{', '.join(map(str, static.terms))}; {static.precision} inside, {static.dtype}, tol={static.tol:g}>"
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         ns = self._static.namespace
         return placed, (self._static, tuple({k: ns.to_numpy(v) for k, v in one.items()} for one in self.tables))
 
@@ -430,19 +432,7 @@ def traced(
     """Return a traced plan for `values` tolerance, normalisation, type and `where` framework, device, precision."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
-    double, precision = ns.has_double(device), where[2]
-    if precision == "float64" and not double:
-        raise ValueError(
-            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
-            + (_X64 if ns.name == "jax" else "")
-        )
-    if precision == "auto":
-        precision = "float64" if double else "float32"
-    if precision == "float32" and dtype == "float64":
-        raise ValueError(
-            'dtype must be float32 where precision is "float32", got float64'
-            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
-        )
+    precision = _precision(ns, device, where[2], dtype)
     if not pupil.circular:
         raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask and stop")
     if normalize == "emitted":
@@ -460,13 +450,11 @@ def traced(
     # The peak of a defocused pupil falls about as its phase rises; that of small aberrations of all kinds does not.
     size = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * size + 1.0) if pupil.radial else 0.15)
-    there, distances = pupil.geometry, None
-    if there is not None and there.model == "paraxial" and pupil.wavelength is not None:
-        waves = math.pi / (2.0 * pupil.wavelength) * there.aperture_radius**2
-        distances = Distances(-there.in_focus, waves)
+    distances = _distances(pupil)
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
+        # Nodes are added until the bounds of the stack, and of pupils between, leave some room.
         worst, most = _tried(static, tables, c)
         if most <= 0.6 * tol or error <= _LEAST:
             break
@@ -477,6 +465,32 @@ def traced(
             f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
         )
     return placed(static, tables, device)
+
+
+def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str:
+    """Return the type of the computation on a device, "float64" or "float32"; ValueError where there is none."""
+    double = ns.has_double(device)
+    if precision == "float64" and not double:
+        raise ValueError(
+            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
+            + (_X64 if ns.name == "jax" else "")
+        )
+    if precision == "auto":
+        precision = "float64" if double else "float32"
+    if precision == "float32" and dtype == "float64":
+        raise ValueError(
+            'dtype must be float32 where precision is "float32", got float64'
+            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
+        )
+    return precision
+
+
+def _distances(pupil: Pupil) -> Distances | None:
+    """Return the numbers of the defocus of objects of a paraxial lens, the paper's Eq. 3; None for other pupils."""
+    lens = pupil.geometry
+    if lens is None or lens.model != "paraxial" or pupil.wavelength is None:
+        return None
+    return Distances(-lens.in_focus, math.pi / (2.0 * pupil.wavelength) * lens.aperture_radius**2)
 
 
 def _components(pupil: Pupil, method: Method | None) -> list[Component]:
@@ -530,6 +544,7 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
     # Of many pupils those with the largest phases and a few others.
+    # Bounds rise with the phase.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
     some = np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])
     worst = largest(c[some])
@@ -538,6 +553,7 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
 
 def _between(c: Array, *, boxed: bool) -> Array:
     """Return coefficients within the box of a stack, some of its corners among them, or between two members."""
+    # The same pupils each time, so that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
         one, other = c[draw.integers(len(c), size=(2, _BETWEEN // 2))]
@@ -565,6 +581,7 @@ def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
         column, row = octant(half)
         cell = np.empty((half + 1, half + 1), dtype=np.int64)
         cell[row, column] = cell[column, row] = np.arange(row.size)
+        # Each cell of the octant once, for windows that are not square.
         used, index = np.unique(cell[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True)
         matrix = np.ascontiguousarray(rule.matrix[:, used])
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
@@ -593,6 +610,7 @@ def of_lattice(
     if not grid.integrate:
         return Pixels(grid.height, grid.width, False, 0.0, 0.0, 1), (rows, cols), {}
     b = np.linspace(0.05, 5.0, 200)
+    # The bound above, for the best b of some.
     for count in range(2, _MOST_SAMPLES + 1):
         exponent = stretch * step * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))
         error = 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0))

@@ -14,7 +14,7 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Wanted
 from lommel.core.engine import DiskStack, Window, chordal_gradient, chordal_images
-from lommel.methods.pixels.averaging import filtered_by, spread_out
+from lommel.methods.averaging import filtered_by, spread_out
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 

@@ -10,8 +10,8 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.answers import Images, Wanted
+from lommel.methods.averaging import filtered_by, sloping
 from lommel.methods.derivatives import TILTS, scaling_derivative, tilted
-from lommel.methods.pixels.averaging import filtered_by, sloping
 
 PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
 

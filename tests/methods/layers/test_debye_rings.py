@@ -9,7 +9,7 @@ import lommel as lm
 from lommel import _core
 from lommel.methods.layers import debye_rings
 from lommel.methods.layers.debye_rings import DebyeRings
-from lommel.optics.layers import debye, projection, quadrature_bounds
+from lommel.optics.layers import debye, projection
 from objectives import EMITTERS, FIVE, OIL
 from objectives import WATER_40X as WATER
 from plane_waves import PIXEL, intensity, worst
@@ -165,7 +165,7 @@ def test_as_few_orders_as_a_rule_needs_are_kept(terms):
     waves = [lm.Wavefront.zernike({t: share * c for t, c in terms.items()}) for share in (1.0, 0.5)]
     pupil = OIL.pupil(depth=0.1e-6, wavelength=WAVE)
     at = pupil.depth.ravel(), pupil.focus.ravel()
-    rule = debye.rule(pupil.layers, quadrature_bounds.Model(), *at, 20.0, 1e-9)
+    rule = debye.rule(pupil.layers, debye.Model(), *at, 20.0, 1e-9)
     wave = lm.Wavefront.zernike({t: [c, 0.5 * c] for t, c in terms.items()})
     sizes = tuple(wave.amplitudes().items())
     for error in (1e-2, 1e-5, 1e-9):
@@ -193,7 +193,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     wave = lm.Wavefront.zernike(terms)
     terms = tuple(wave.amplitudes().items())
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
-    for piece in quadrature_bounds.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, quadrature_bounds.Model()):
+    for piece in debye.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, debye.Model()):
         bound = projection.growth(piece, terms)
         discs = piece.covered.x
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):

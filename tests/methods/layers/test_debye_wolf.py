@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.layers import debye, quadrature_bounds
+from lommel.optics.layers import debye
 from objectives import OIL
 
 WAVE, PIXEL = 520e-9, 6.5e-6
@@ -18,7 +18,7 @@ def fields(pupil, side):
     y, x = np.mgrid[-(side // 2) : side - side // 2, -(side // 2) : side - side // 2] * PIXEL
     v = pupil.v(np.hypot(y, x).ravel())
     planes = pupil.depth.ravel(), pupil.focus.ravel()
-    model = quadrature_bounds.Model()
+    model = debye.Model()
     found = debye.fields(debye.rule(pupil.layers, model, *planes, float(v.max()), 1e-13), model, *planes, v)
     return [part.reshape(-1, side, side) for part in found], np.arctan2(y, x)
 

@@ -12,7 +12,8 @@ from scipy.special import j1
 
 import lommel as lm
 from lommel.methods import Bead, Confocal, Sted, TwoPhoton
-from lommel.methods.layers.samples import Samples, chord_error, chords_for, disc_filter
+from lommel.methods.layers.chordal_debye import chord_error, chords_for
+from lommel.methods.layers.samples import SampledLight, disc_filter
 from lommel.optics.layers.emitter import Absorbed
 from lommel.special.legendre import gauss_legendre
 from objectives import FIVE, OIL
@@ -58,8 +59,8 @@ def test_sums_over_chords_of_a_disc_err_by_less_than_their_bound(radius):
 
 
 def test_errors_of_light_are_those_of_products_and_means():
-    one = Samples(np.linspace(0.2, 0.7, 9).reshape(1, 3, 3), np.array([1e-2]))
-    other = Samples(np.linspace(0.9, 0.1, 9).reshape(1, 3, 3), np.array([3e-3]))
+    one = SampledLight(np.linspace(0.2, 0.7, 9).reshape(1, 3, 3), np.array([1e-2]))
+    other = SampledLight(np.linspace(0.9, 0.1, 9).reshape(1, 3, 3), np.array([3e-3]))
     both = one.times(other)
     worst = np.abs((one.values + 1e-2) * (other.values + 3e-3) - both.values).max()
     assert 0.5 * both.error[0] <= worst <= both.error[0]
@@ -67,13 +68,13 @@ def test_errors_of_light_are_those_of_products_and_means():
     means = disc_filter(0.9, 3.83, 1e-6)
     grid = means.samples(lm.Grid(3, 0.9))
     k = np.arange(grid.height) - grid.height // 2
-    # Samples that are off by as much as they may be, each by the sign of its weight in the middle pixel.
+    # SampledLight that are off by as much as they may be, each by the sign of its weight in the middle pixel.
     weight = 0.0
     for rows, columns in means.parts:
         half = rows.weights.size // 2
         along, across = (np.interp(k, np.arange(-half, half + 1), t.weights, 0.0, 0.0) for t in (rows, columns))
         weight = weight + np.outer(along, across)
-    found = means.of(Samples(1e-3 * np.sign(weight)[None], np.array([1e-3])))
+    found = means.of(SampledLight(1e-3 * np.sign(weight)[None], np.array([1e-3])))
     assert 1e-3 * np.abs(weight).sum() == pytest.approx(found.values[0, 1, 1])
     assert found.values.max() <= found.error[0] == pytest.approx(means.error + 1e-3 * means.gain)
 

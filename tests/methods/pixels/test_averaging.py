@@ -15,9 +15,8 @@ from disk_quadrature import exact_lattice
 from lommel._core import average_samples, limit_instructions
 from lommel.core.answers import Wanted
 from lommel.core.engine import least_average
-from lommel.methods import chordal_gauss
-from lommel.methods.pixels import averaging
-from lommel.methods.pixels.averaging import filtered_by, paired
+from lommel.methods import averaging, chordal_gauss
+from lommel.methods.averaging import filtered_by, paired
 
 
 @given(st.floats(-2.0, 2.3), st.floats(-12.0, -2.0))

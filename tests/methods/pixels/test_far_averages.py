@@ -10,9 +10,8 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.engine import FarPixels, far_averages
-from lommel.methods import nijboer_zernike
+from lommel.methods import averaging, nijboer_zernike
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels import averaging
 
 
 def random_pupil(rng: np.random.Generator, size: float, *, tilt: float = 0.0) -> lm.Pupil:

@@ -13,7 +13,7 @@ from scipy.special import j0, j1
 import lommel as lm
 from lommel.measures.energy import ensquared_energy
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.pixels.rule import octant, pixel_rule, quarters, sums_of_windows
+from lommel.methods.pixel_rule import octant, pixel_rule, quarters, sums_of_windows
 from lommel.special.legendre import gauss_legendre
 
 

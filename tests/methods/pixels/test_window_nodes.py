@@ -14,8 +14,8 @@ import lommel as lm
 from core_tests import _core_tests
 from lommel.core.answers import Wanted
 from lommel.core.engine import disk_averages
+from lommel.methods import averaging
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.pixels import averaging
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 

@@ -11,11 +11,11 @@ from scipy.integrate import quad
 from scipy.special import j1, jv
 
 import lommel as lm
-from lommel.optics.layers import debye, quadrature_bounds
+from lommel.optics.layers import debye
 from lommel.optics.layers.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 
-VECTOR = quadrature_bounds.Model()
+VECTOR = debye.Model()
 OIL = Layers(1.4, 1.515, 1.5255, 1.33, (), (), 610e-9)
 TIRF = Layers(1.49, 1.518, 1.5255, 1.33, (), (), 670e-9)
 WATER = Layers(1.2, 1.333, 1.5255, 1.36, (), (), 525e-9)
@@ -88,7 +88,7 @@ def test_integrals_are_those_of_the_formulas_at_thirty_digits(of, part, depth, f
         "along z": ("radial", 0),
         "around": ("azimuthal", 1),
     }.get(part, ("vectorial", int(part[-1]) if part[0] == "K" else 0))
-    model = quadrature_bounds.Model(kind)
+    model = debye.Model(kind)
     rule = debye.rule(of, model, *planes, v, 1e-13)
     found = debye.fields(rule, model, *planes, np.array([v]))[place][0, 0]
     assert abs(found - exact(of, part, depth, focus, v)) <= min(rule.error, 1e-12)
@@ -113,7 +113,7 @@ def test_no_integral_of_a_random_microscope_errs_by_more_than_its_bound(seed):
     v = rng.uniform(0.0, 60.0, 7)
     tol = 10.0 ** rng.uniform(-10, -3)
     kind = ("scalar", "vectorial", "radial", "vectorial", "azimuthal")[seed % 5]
-    model = quadrature_bounds.Model(kind, bool(seed % 2), bool(seed % 7))
+    model = debye.Model(kind, bool(seed % 2), bool(seed % 7))
     rule = debye.rule(of, model, depth, focus, float(v.max()), tol)
     found = debye.fields(rule, model, depth, focus, v)
     nearly = by_halves(of, model, depth, focus, v)
@@ -126,13 +126,13 @@ def by_halves(of, model, depth, focus, v):
     before = None
     for n in (256, 512, 1024, 2048):
         total = [np.zeros((depth.size, v.size), complex) for _ in model.orders]
-        for piece in quadrature_bounds.pieces(of, model):
+        for piece in debye.pieces(of, model):
             for low, high in (
                 (piece.low, 0.5 * (piece.low + piece.high)),
                 (0.5 * (piece.low + piece.high), piece.high),
             ):
                 x, w = gauss_legendre(n, low, high)
-                at = quadrature_bounds.At(piece, x)
+                at = debye.At(piece, x)
                 fixed, by_depth, by_focus = at.rates
                 wave = np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))) * w
                 rho = np.sqrt(at.square) / of.NA
@@ -149,9 +149,9 @@ def by_halves(of, model, depth, focus, v):
     ("of", "model"),
     [
         *((of, VECTOR) for of in (OIL, TIRF, WATER, COATED, DRY)),
-        (DRY, quadrature_bounds.Model("scalar")),
-        (TIRF, quadrature_bounds.Model("radial")),
-        (DRY, quadrature_bounds.Model("azimuthal")),
+        (DRY, debye.Model("scalar")),
+        (TIRF, debye.Model("radial")),
+        (DRY, debye.Model("azimuthal")),
     ],
 )
 def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, model, v):
@@ -159,14 +159,14 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
     # A Bessel function is far below its bound.
     above = {"scalar": 0.3, "azimuthal": math.inf}.get(model.kind, 0.8) if v == 0.0 else 4.0
     theta = np.linspace(0.0, 2 * np.pi, 3001)
-    for piece in quadrature_bounds.pieces(of, model):
+    for piece in debye.pieces(of, model):
         growth = piece.growth(model, depth, focus, v)
         fit = np.flatnonzero(np.isfinite(growth))
         assert fit.size >= 5
         for row in fit[:: max(1, fit.size // 5)]:
             half = 0.5 * (piece.high - piece.low)
-            x = piece.low + half * (1 + np.cos(theta + 1j * quadrature_bounds.ETA[row]))
-            at = quadrature_bounds.At(piece, x)
+            x = piece.low + half * (1 + np.cos(theta + 1j * debye.ETA[row]))
+            at = debye.At(piece, x)
             fixed, by_depth, by_focus = at.rates
             rho = np.sqrt(at.square) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))
@@ -176,17 +176,15 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
             assert largest <= growth[row] <= largest + above
 
 
-@pytest.mark.parametrize(
-    ("of", "model"), [(OIL, VECTOR), (DRY, VECTOR), (TIRF, quadrature_bounds.Model("azimuthal"))]
-)
+@pytest.mark.parametrize(("of", "model"), [(OIL, VECTOR), (DRY, VECTOR), (TIRF, debye.Model("azimuthal"))])
 def test_the_discs_cover_each_ellipse(of, model):
-    for piece in quadrature_bounds.pieces(of, model):
+    for piece in debye.pieces(of, model):
         discs = piece.covered.x
         half = 0.5 * (piece.high - piece.low)
         # The ends and the middles of the arcs, and near them.
         arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024
         for offset in np.array([-1.0, -0.999, -0.5, 0.0, 0.7, 1.0]) * np.pi / 1024:
-            x = piece.low + half * (1 + np.cos(arc + offset + 1j * quadrature_bounds.ETA[:, None]))
+            x = piece.low + half * (1 + np.cos(arc + offset + 1j * debye.ETA[:, None]))
             assert (np.abs(x - discs.centre) <= discs.radius).all()
             height = np.abs(np.sqrt(piece.square(x)).imag) / of.NA
             assert (height <= piece.covered.height * (1 + 1e-12) + 1e-15).all()
@@ -194,21 +192,21 @@ def test_the_discs_cover_each_ellipse(of, model):
 
 def test_an_ellipse_round_the_branch_point_of_another_cosine_is_none():
     of = Layers(1.2, 1.5, 1.5, 1.3, (), (), 500e-9)
-    (piece,) = quadrature_bounds.pieces(of, VECTOR)
+    (piece,) = debye.pieces(of, VECTOR)
     # c of the immersion vanishes at (NA rho)^2 = 1.5^2, hence at the c_s^2 = 1 - (1.5 / 1.3)^2 of the sample.
     branch = 1 - 1j * math.sqrt((1.5 / 1.3) ** 2 - 1)
     scaled = (branch - piece.low) / (0.5 * (piece.high - piece.low)) - 1
     largest = math.log(max(abs(scaled + s * np.sqrt(scaled**2 - 1)) for s in (1, -1)))
     growth = piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0)
-    assert np.isinf(growth[largest < quadrature_bounds.ETA]).all()
-    assert np.isfinite(growth[0.5 * largest > quadrature_bounds.ETA]).all()
+    assert np.isinf(growth[largest < debye.ETA]).all()
+    assert np.isfinite(growth[0.5 * largest > debye.ETA]).all()
 
 
 @pytest.mark.parametrize("of", [TIRF, DRY, *(Layers(NA, 1.518, 1.518, 1.0, (), (), 500e-9) for NA in (0.5, 1.3))])
 def test_ellipses_of_what_is_odd_do_not_hold_the_centre_but_round_the_centre(of):
-    model = quadrature_bounds.Model("azimuthal")
-    centre, *others = quadrature_bounds.pieces(of, model)
-    assert isinstance(centre, quadrature_bounds.Centre)
+    model = debye.Model("azimuthal")
+    centre, *others = debye.pieces(of, model)
+    assert isinstance(centre, debye.Centre)
     assert centre.low == 0.0
     ends = [centre.high] + [math.sqrt(piece.square(piece.high)) / of.NA for piece in others]
     starts = [math.sqrt(piece.square(piece.low)) / of.NA for piece in others]
@@ -218,16 +216,16 @@ def test_ellipses_of_what_is_odd_do_not_hold_the_centre_but_round_the_centre(of)
         scaled = ((1j if piece.above else 0.0) - piece.low) / (0.5 * (piece.high - piece.low)) - 1.0 + 0.0j
         largest = math.log(max(abs(scaled + s * np.sqrt(scaled**2 - 1.0)) for s in (1, -1)))
         growth = piece.growth(model, np.zeros(1), np.zeros(1), 0.0)
-        assert np.isinf(growth[largest < quadrature_bounds.ETA]).all()
-        assert np.isfinite(growth[0.8 * largest > quadrature_bounds.ETA]).any()
+        assert np.isinf(growth[largest < debye.ETA]).all()
+        assert np.isfinite(growth[0.8 * largest > debye.ETA]).any()
 
 
 def test_an_ellipse_round_a_zero_of_a_denominator_is_none(monkeypatch):
     # Of 400 random films none has one: those of guided waves lie beyond the branch points.
-    piece = quadrature_bounds.Piece(COATED, 0.0, 0.1)
+    piece = debye.Piece(COATED, 0.0, 0.1)
     assert np.isfinite(piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0)).any()
-    monkeypatch.setattr(quadrature_bounds, "windings", lambda values: np.ones(values.centre.shape[:-1], int))
-    piece = quadrature_bounds.Piece(COATED, 0.0, 0.11)
+    monkeypatch.setattr(debye, "windings", lambda values: np.ones(values.centre.shape[:-1], int))
+    piece = debye.Piece(COATED, 0.0, 0.11)
     assert np.isinf(piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0)).all()
     with pytest.raises(ValueError, match=r"films must be thinner, or NA must be farther below"):
         piece.nodes(piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0), 1e-6)
@@ -317,24 +315,24 @@ def test_a_small_aperture_has_airys_pattern_and_no_other_polarisation():
     assert K0[0, 0] == pytest.approx(1.0, abs=1e-4)
     assert np.abs(K1).max() < 1e-2
     assert np.abs(K2).max() < 1e-4
-    scalar = quadrature_bounds.Model(kind="scalar", aplanatic=False)
+    scalar = debye.Model(kind="scalar", aplanatic=False)
     (U,) = debye.fields(debye.rule(of, scalar, *planes, 8.0, 1e-13), scalar, *planes, v)
     assert U[0] == pytest.approx(2 * j1(v) / v, abs=1e-12)
 
 
 def test_the_extremes_of_planes_hold_all_of_them():
     depth, focus = np.array([1.0, 1.0, 1.0, 2.0]), np.array([0.0, 5.0, 3.0, 7.0])
-    assert sorted(quadrature_bounds.extremes(depth, focus)) == [(1.0, 0.0), (1.0, 5.0), (2.0, 7.0)]
+    assert sorted(debye.extremes(depth, focus)) == [(1.0, 0.0), (1.0, 5.0), (2.0, 7.0)]
 
 
 def test_nodes_are_the_fewest_that_the_bound_allows():
-    piece = quadrature_bounds.Piece(OIL, 0.0, 0.8)
-    growth = 3.0 + 50.0 * quadrature_bounds.ETA**2
+    piece = debye.Piece(OIL, 0.0, 0.8)
+    growth = 3.0 + 50.0 * debye.ETA**2
     for error in (1e-3, 1e-9):
         n = piece.nodes(growth, error)
 
         def bound(nodes):
-            eta = quadrature_bounds.ETA
+            eta = debye.ETA
             return (64 / 15 * 0.4 * np.exp(growth - 2 * nodes * eta) / (1 - np.exp(-2 * eta))).min()
 
         assert bound(n) <= error < bound(n - 1)

@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.optics.layers import debye
-from lommel.optics.layers.quadrature_bounds import At, Model, pieces
+from lommel.optics.layers.debye import At, Model, pieces
 from lommel.special.disc_arithmetic import Disc
 from objectives import oil
 

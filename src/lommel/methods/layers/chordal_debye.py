@@ -1,4 +1,7 @@
-"""Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes."""
+"""Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes.
+
+With proven numbers of chords and nodes for images, and with stated ones, without a bound, for searches.
+"""
 
 from __future__ import annotations
 
@@ -24,15 +27,15 @@ from lommel.core.engine import (
     chordal_series_sizes,
     folded_waves,
 )
+from lommel.methods.averaging import averaged_gradient
 from lommel.methods.layers.debye_rings import squares
 from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.methods.pixels.averaging import averaged_gradient
 from lommel.optics.grid import Grid
-from lommel.optics.layers import projection
+from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import Complex, Model
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex
 from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -40,11 +43,14 @@ from lommel.special.legendre import gauss_legendre
 
 _B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, each of which proves a bound
 _SINH = np.sinh(_B)
+# Both numbers are solved for halves: the bounds fall like exp(-2 n b), and the core returns n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
+# cosh^2 b over half of cosh 2b: certificate, section 16, "Chords and nodes".
 _TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # the weight of chords on curves over its mean
 _ETA = np.linspace(0.0, 1.0, 17)
+# 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0  # exp(-s) I_0(s) is at most the root of this over s
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
 _MOST_NODES, _MOST_DEGREE = 256, 250  # of which sums of exp(n b) are finite
@@ -159,6 +165,8 @@ class ChordalDebye(AberratedMethod):
         """
         # What is divided by its own largest value is off by twice as much, and stored twice.
         twice = 2.0 if wanted.scale is None else 1.0
+        # Errors of fields begin at what serves a peak of a quarter of the likely one, and follow the peak that was
+        # found.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
@@ -172,6 +180,7 @@ class ChordalDebye(AberratedMethod):
                 return found, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
+            # The peak was lower than expected, or the bound looser: ask for fields that are more exact.
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
 
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
@@ -235,6 +244,7 @@ def gathered(
         middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
         if len(these) > 1:
             # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
+            # exp(-i (v - d).r) = exp(-i v.r) exp(i d.r), d the shift of the axis in v.
             row, column = (here - middle).T * grid.step(pupil)
             tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
             planes = replace(planes, aberrations=tilts + planes.aberrations if planes.aberrations else tilts)
@@ -348,9 +358,11 @@ def _case(
 ) -> _Case:
     wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
+    # Derivatives by ln k have i W as a factor of the waves: section 16, "Their derivatives".
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
     plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
     highest = max((n for n, _ in phases), default=0)
+    # The degree is chosen with the factor of the highest term that is differentiated by.
     size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(layers, model)
     degree = degree_for(size.across, norm, _SHARES[0] * field)
@@ -363,7 +375,9 @@ def _case(
     left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
+    # Section 16, "Rounding": 2 N + 2 K are added where the rule is known.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    # What a factor of degree n loses besides: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
@@ -501,12 +515,14 @@ def growth(
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
     """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three curves, for v up to `y` and `x`."""
+    # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
     # The mean over a chord of a convex function, by trapezoids above it.
     each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
     held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
     around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
+    # m_K <= I_0(abs(v_y) sinh b) <= exp(s) sqrt(pi / (8 s)).
     along = np.maximum(y * _SINH, 1e-12)
     return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
 
@@ -523,6 +539,7 @@ def _beyond(degree: int) -> Array:
 
 def _tail(first: Array | float) -> Array:
     """Return the logarithm of what terms from a degree on add, but for the exponential of that degree."""
+    # The sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b), less its first exponential.
     terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
@@ -533,6 +550,7 @@ _FIRST_TAIL = _tail(40.0)
 def degree_for(size: Array, norm: float, error: float) -> int:
     """Return a degree of amplitudes of such a norm beyond which terms add at most about `error`."""
     needed = size + math.log(norm / error)
+    # The tail depends on the degree weakly: two steps of a fixed-point iteration are enough.
     first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
     first = np.maximum((needed + _tail(first)) / _B, 1.0)
     degree = math.ceil(float(first.min())) - 1
@@ -558,6 +576,7 @@ def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
 @lru_cache(maxsize=64)
 def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
     """Return the logarithms of what so many chords, and nodes, make of what an integrand is at most."""
+    # Certificate, section 8: e_N and e_K over the means.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
 
@@ -573,6 +592,7 @@ class Quadrant(NamedTuple):
 @lru_cache(maxsize=16)
 def quadrant(chords: int, nodes: int) -> Quadrant:
     """Return the nodes of a quadrant of a rule, and their weights."""
+    # The other three quadrants are mirror images, whose waves the core folds onto these nodes.
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
     eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
@@ -583,7 +603,7 @@ def quadrant(chords: int, nodes: int) -> Quadrant:
 def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
     """Return what fields of an emitter are made of at the nodes."""
     at, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
-    radial = [[zernike.radial(int(n), q, at.rho) for n in projection.degrees(q, rule.degree)] for q in orders]
+    radial = [zernike.radials(q, max(rule.degree, q), at.rho) for q in orders]
     shares, factors = [], []
     for c, row in enumerate(_rows(emitter)):
         for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
@@ -599,6 +619,7 @@ def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTa
     )
 
 
+# Numbers of parities: 2 for odd in x plus 1 for odd in y.
 _PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
 
 
@@ -610,3 +631,217 @@ def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> N
     odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
     values = [zernike.polynomial(n, m, at.rho, at.theta) for n, m in terms]
     return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
+
+
+# Means over discs are sums over the chords of the same rule: certificate, "Scanning microscopes and beads".
+_DISC_B = np.geomspace(0.02, 6.0, 96)
+_MOST_DISC_CHORDS = 200
+
+
+def chords_for(radius: float, error: float) -> int:
+    """Return an even number of chords of a disc that sums over these need to err by `error` at most."""
+    for chords in range(2, _MOST_DISC_CHORDS + 1, 2):
+        if chord_error(radius, chords) <= error:
+            return chords
+    raise Declined(
+        "with aberrations means are over discs of 15 Airy units at most; ask for a smaller pinhole or bead"
+    )
+
+
+def chord_error(radius: float, chords: int) -> float:
+    """Bound the error of the response of a sum over chords of a disc."""
+    # Section 8 with exp(i s w.r), abs(w) <= 2, for the integrand.
+    grown = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
+    return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
+
+
+# Searches evaluate many images within a small part of the noise, and compare their answer with a certified image. So
+# they take rules of stated size instead: half as many chords and nodes as the proof asks for are enough. Pixels, a
+# bead and a blur are filters of such samples: with ``OTF(w)`` zero beyond ``|w| = 2``, weights are fitted to the
+# response at spatial frequencies w by least squares, weighed by the transfer function of a circular aperture.
+
+Term = tuple[int, int]
+HALF = 7  # samples on either side that a filter takes at the least
+_FARTHEST = 1.535  # v between samples, of pi/2
+_BAND = 2.0 * np.cos((np.arange(160) + 0.5) * (0.5 * math.pi / 160))  # Chebyshev points of [0, 2]
+_CUT = 0.5 * _BAND
+_WEIGHT = 2.0 / math.pi * (np.arccos(_CUT) - _CUT * np.sqrt(1.0 - _CUT * _CUT)) + 1e-3
+_DISC = 1e-4  # error of the response of a disc
+
+
+class Planes(NamedTuple):
+    """Depths and stage positions of some planes, metres, and the phase of each, radians at the edge."""
+
+    depth: Array  # (n,)
+    focus: Array  # (n,)
+    edge: Array  # (n, terms), or (1, terms) where all share one
+
+
+class SampleLattice(NamedTuple):
+    """SampleLattice of pixels around an axis, with a margin of `half` samples for filters."""
+
+    shape: tuple[int, int]
+    center: tuple[float, float]  # of the axis, pixels
+    step: float  # v from pixel to pixel
+    half: int
+
+    @property
+    def stride(self) -> int:
+        """SampleLattice a pixel."""
+        return max(1, math.ceil(self.step / _FARTHEST))
+
+    @property
+    def window(self) -> Window:
+        """The samples, with those beyond the edges that filters take."""
+        s, half = self.stride, self.half
+        height, width = (s * (side - 1) + 2 * half + 1 for side in self.shape)
+        row, column = (s * at + half for at in self.center)
+        return Window((height, width), (row, column), self.step / s)
+
+
+def enough(reach: float, waves: float) -> Rule:
+    """Return a rule for samples up to `reach` in v along an axis, of phases up to so many `waves` (radians)."""
+    # Fitted to images of stacks over 2 um at NA 1.2 to 1.49: errors of 1e-4 of the peak.
+    count = 2 * math.ceil(0.5 * (0.54 * reach + 17.0 + 0.9 * waves))
+    return Rule(count + 2, count, count - 4)
+
+
+def light(
+    layers: Layers,
+    emitter: Emitter,
+    planes: Planes,
+    samples: SampleLattice,
+    rule: Rule,
+    terms: tuple[Term, ...],
+    *,
+    by: tuple[Term, ...] = (),
+    by_focus: bool = False,
+    by_amplitude: tuple[int, ...] = (),
+    threads: int = 0,
+) -> Array:
+    """Return I, not yet over the light collected, and its derivatives, (1 + k, n, height, width).
+
+    `terms` are those of the phases of planes. Derivatives are by the focus, 1/metres, if wanted, then by radial terms
+    of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), then by the terms `by`, radians at the
+    edge.
+    """
+    model = emitter.light.model
+    coefficients = _amplitudes(layers, model, planes, rule.degree, by_amplitude, by_focus=by_focus)
+    tables = node_tables(rule, model.orders, emitter)
+    nodes = node_terms(rule.chords, rule.nodes, terms)
+    weight = quadrant(rule.chords, rule.nodes).weight
+    edge = np.ascontiguousarray(planes.edge, np.float64)
+    waves = folded_waves(nodes, edge, weight, 0.0)
+    count = planes.depth.size
+    which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
+    own = node_terms(rule.chords, rule.nodes, by)
+    sets = [*((k, -1, 0) for k in range(len(coefficients))), *((0, k, 0) for k in range(len(by)))]
+    no_error = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
+    given = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
+    return chordal_series_light(*given, own, no_error, np.ones(count), threads)[0]
+
+
+def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
+    """Return the light collected at each depth, as :attr:`lommel.ObjectivePupil.power`."""
+    each, place = np.unique(depth, return_inverse=True)
+    # Each depth once.
+    near, _ = debye.power(layers, each, emitter.light.model)
+    return np.asarray((near @ emitter.light.shares)[place.ravel()])
+
+
+def _amplitudes(
+    layers: Layers, model: Model, planes: Planes, degree: int, by_amplitude: tuple[int, ...], *, by_focus: bool
+) -> Complex:
+    """Return the series of the amplitudes of planes, (1 + rates, n, terms), by a rule of stated size."""
+    rates, weights, rho = _integrals(layers, model, degree, _nodes(layers, planes, degree))
+    fixed, by_depth, by_stage = rates
+    waves = np.exp(1j * (fixed + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
+    each = [waves]
+    if by_focus:
+        each.append(waves * (1j * (by_stage - layers.middle_rates()[2])))
+    each += [waves * (math.sqrt(n + 1.0) * zernike.radial(n, 0, rho)) for n in by_amplitude]
+    return np.stack([np.einsum("pq,qt->pt", one, weights) for one in each])
+
+
+def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
+    """Return how many angles of each section suffice: those that the degree and the swing of phases need."""
+    of = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
+    # What the phase changes by from the axis to the rim, or to the critical angle.
+    swing = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in of]
+    turns = swing[0] + swing[1] * float(planes.depth.max()) + swing[2] * float(np.abs(planes.focus).max())
+    return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * turns) / 8.0)
+
+
+@lru_cache(maxsize=64)
+def _integrals(
+    layers: Layers, model: Model, degree: int, nodes: int
+) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
+    """Return rates of the phase at the angles of a rule, weights of these in the terms of all parts, and rho."""
+    cut = debye.pieces(layers, model)
+    rho, parts, rates = debye.tabulated(cut, model, (nodes,) * len(cut))
+    columns: list[Complex] = []
+    for order, part in zip(model.orders, parts, strict=True):
+        radial = zernike.radials(order, max(degree, order), rho)
+        n = projection.degrees(order, degree)
+        columns += [part * ((k + 1.0) * one) for k, one in zip(n, radial, strict=True)]
+    return rates, np.stack(columns, axis=1), rho
+
+
+class Filter(NamedTuple):
+    """Products of a filter of rows and one of columns, which add up: matrices from samples to pixels."""
+
+    parts: tuple[tuple[Array, Array], ...]
+
+    def of(self, samples: Array) -> Array:
+        """Return pixels (..., height, width) of samples."""
+        # One small product for each image: a threaded BLAS spends more time on waking up than on large ones.
+        total: Array = np.zeros(())
+        for rows, columns in self.parts:
+            down, across = (each.astype(samples.dtype, copy=False) for each in (rows, columns))
+            total = total + np.matmul(np.matmul(down, samples), across.T)
+        return np.asarray(total)
+
+
+def pixel_filter(
+    samples: SampleLattice, disc: float = 0.0, variance: float = 0.0, *, integrate: bool = True
+) -> Filter:
+    """Return the filter of pixels, means over discs of a radius in v, and a Gaussian blur of a variance in v^2."""
+    s, half, side = samples.stride, samples.half, samples.step if integrate else 0.0
+    h = samples.step / s
+
+    def along(w: Array, mean: float, cosine: float) -> Array:
+        plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
+        return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
+
+    chords = 0 if disc == 0.0 else chords_for(disc, _DISC)
+    angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1) if chords else np.array([0.5 * np.pi])
+    parts = []
+    for angle in angles:
+        share = 4.0 / (chords + 1) * math.sin(angle) ** 2 if chords else 1.0
+        rows = _fitted(along(_BAND, disc * math.sin(angle), 0.0), h, half)
+        columns = share * _fitted(along(_BAND, 0.0, disc * math.cos(angle)), h, half)
+        height, width = samples.shape
+        parts.append((_banded(rows, s, height), _banded(columns, s, width)))
+    return Filter(tuple(parts))
+
+
+def _fitted(response: Array, h: float, half: int) -> Array:
+    """Return weights of samples h apart whose response is nearly the wanted one."""
+    return np.asarray(_inverse(h, half) @ (_WEIGHT * response))
+
+
+@lru_cache(maxsize=64)
+def _inverse(h: float, half: int) -> Array:
+    """Return the matrix from responses to weights, both halves of these."""
+    x = h * np.arange(half + 1)
+    basis = np.where(x > 0.0, 2.0, 1.0) * np.cos(np.outer(_BAND, x))
+    found = np.linalg.pinv(_WEIGHT[:, None] * basis, rcond=1e-10)
+    return np.concatenate([found[:0:-1], found])
+
+
+def _banded(weights: Array, stride: int, side: int) -> Array:
+    """Return the matrix of a filter: pixels (side) from samples."""
+    made = np.zeros((side, stride * (side - 1) + weights.size))
+    for i in range(side):
+        made[i, stride * i : stride * i + weights.size] = weights
+    return made

@@ -18,9 +18,9 @@ from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import Complex, Piece
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Piece
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence
@@ -33,6 +33,7 @@ class _Band(NamedTuple):
     least: float
 
 
+# Circles are 0.8 apart in v or, where little may be lost, 0.55: certificate, section 16, "Between circles".
 _BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
 _AROUND = 1e-12  # the least that interpolation around circles is asked for
 _PARTS = 2**22  # of pupils with a wavefront each, at once
@@ -106,6 +107,7 @@ class DebyeRings(AberratedMethod):
                 return made, accuracy
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
+            # The peak was lower than expected, or the bound looser.
             peak, aim = peak * 0.25, aim * max(1e-6, min(0.5, 0.5 * tol / worst))
 
 
@@ -133,6 +135,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     """
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, along = _along(accuracy.between)
+    # To the farthest pixel, and as many more as taps and filter take beyond it.
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
     rows = squares(light.waves.form)
@@ -147,6 +150,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         across, left = projection.components(
             wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
         )
+        # Orders of a field are those of the wavefront and of the wave of the emitter together.
         shift = max(map(abs, light.waves.orders))
         most = across.shape[1] // 2 + shift
         # The orders of the intensity are twice those of a field, and so many angles tell each from all others.
@@ -168,6 +172,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         window = Window(grid.shape, centers[part] if len(centers) > 1 else centers, step / (0.5 * band))
         found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
+        # Quadrature, orders that are left out, and roundings of the transform over angles (section 16, "Rounding").
         off = rule.error + left + 64.0 * math.sqrt(angles) * _ROUNDING * size
         wrong = _circle_error(found, off * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), most, angles)
         errors[part] = _pixel_error(found, wrong, along, around, angles)
@@ -211,6 +216,7 @@ def _pixel_error(
 ) -> Array:
     """Bound the error of pixels: of interpolation between circles and around them, of intensities, of roundings."""
     sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
+    # Section 16, "Rounding".
     units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
     interpolated = found.aliases + units * _ROUNDING * around.taps.gain * sizes
     return np.asarray(along.error + along.gain * wrong + along.taps.gain * interpolated)
@@ -227,6 +233,7 @@ def squares(form: Complex) -> Complex:
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
     else:
+        # A Hermitian form is the sum of its eigenvectors' squares; eigenvalues below 0 are roundings.
         shares, vectors = np.linalg.eigh(form)
         rows = np.sqrt(np.maximum(shares, 0.0))[:, None] * vectors.T
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
@@ -241,6 +248,7 @@ def _fields(
         for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
             if share:
                 made[:, shift + q : shift + q + across.shape[1], c] += share * parts[j] * across
+    # (-i)^abs(m + q) of each order: certificate, section 16, first equation.
     turns = (-1j) ** np.abs(np.arange(made.shape[1]) - made.shape[1] // 2)
     made *= turns[:, None, None]
     return made

@@ -12,8 +12,8 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
-from lommel.methods.method import Method, RadialMethod, painted
-from lommel.methods.pixels.averaging import averaged_images
+from lommel.methods.averaging import averaged_images
+from lommel.methods.method import Method, RadialMethod, to_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
@@ -29,6 +29,7 @@ def likely_peak(pupil: ObjectivePupil) -> float:
     layers = pupil.layers
     off = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
     away = abs(off.item()) if off.size == 1 else float(np.abs(off).max())
+    # The paraxial defocus in radians at the edge: focus less the place of the image of the emitter.
     blur = layers.wavenumber * away * layers.NA**2 / layers.immersion
     return min(0.25, 2.0 / (1.0 + blur**2))
 
@@ -133,7 +134,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        return painted(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
+        return to_images(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels, around one axis or one for each plane."""
@@ -144,6 +145,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        # Pixels at one distance share their integrals.
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
         radius, place = np.unique(np.hypot(x, y), return_inverse=True)
         azimuth = np.arctan2(y, x)
@@ -175,6 +177,7 @@ def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array
     light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, light.model, depth, focus, float(v.max(initial=0.0)), tol)
     parts = np.stack(debye.fields(rule, light.model, depth, focus, v))
+    # h = sum H_jl F_j conj(F_l): certificate, section 15.
     forms = [np.einsum("jl,jnr,lnr->nr", h.form, parts, parts.conj()).real for h in light.harmonics]
     brightest = np.abs(parts).max(axis=2)
     error = sum((_form_error(h, brightest, rule.error) for h in light.harmonics), np.zeros(depth.size))
@@ -183,6 +186,7 @@ def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array
 
 def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:
     """Bound the error of a harmonic whose parts, at most so bright, are each off by `error`."""
+    # g of section 15: e (abs(F_j) + abs(F_l) + e) for each entry of H.
     sizes = np.abs(harmonic.form) * np.hypot(harmonic.cosine, harmonic.sine)
     one, other = brightest[:, None], brightest[None]
     return np.asarray(np.einsum("jl,jln->n", sizes, error * (one + other + error)))

@@ -10,22 +10,6 @@ multiplies the transfer function by
 the sum over chords of :class:`lommel.ChordalGauss`, within ``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b)`` over ``1 -
 exp(-2 (N + 1) b)`` for ``abs(w) <= 2`` and every b > 0. Each factor is the response of a filter of samples.
 
-Means of radial intensities over discs, from few samples, with a proven error bound.
-An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
-continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds:
-
-- the mean over a circle by m points, ``exp(2 s sinh eta) / (exp(m eta) - 1)`` for every eta > 0;
-- the mean over radii by n Gauss points in their squares, ``2 exp(2 a sinh(eta / 2)) rho^(1 - 2 n) / (rho - 1)`` with
-  ``rho = exp(eta)``, since on Bernstein's ellipse around [0, 1] no imaginary part of ``sqrt(t)`` is above
-  ``sinh(eta / 2)``;
-- values between those of an even table of step h, by polynomials of degree 11:
-  ``(2 h)^12 max(abs(omega)) / (2 * 12!)`` (Bernstein's inequality).
-
-Of light ``sum_m F_m(r) exp(i m phi)`` all three can be done to each order apart: a disc is its own mirror image at
-the line from the axis to its middle, so the mean of an order has that order, and along a line through the axis F_m at
-negative r is ``(-1)^m`` times that at positive r. What is done to the orders sums to the same rule done to the light
-itself, which the bounds are of.
-
 References
 ----------
 L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), theorem 8.2.
@@ -41,16 +25,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Wanted
-from lommel.methods.choice import candidates, first_proven
+from lommel.core.answers import Images, Wanted
+from lommel.methods.averaging import Taps, finer, fitted, samples_across, weighed
+from lommel.methods.choice import candidates, first_within_tolerance
+from lommel.methods.layers.chordal_debye import chords_for
 from lommel.methods.method import Method
-from lommel.methods.pixels.averaging import Taps, finer, fitted, samples_across, weighed
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.special.legendre import gauss_legendre
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
+
+# Means of radial intensities over discs, from few samples, with a proven error bound (certificate, "Means over a
+# disc"). An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
+# continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds
+# the mean over a circle by m points, ``exp(2 s sinh eta) / (exp(m eta) - 1)`` for every eta > 0; the mean over radii
+# by n Gauss points in their squares, ``2 exp(2 a sinh(eta / 2)) rho^(1 - 2 n) / (rho - 1)`` with ``rho = exp(eta)``,
+# since on Bernstein's ellipse around [0, 1] no imaginary part of ``sqrt(t)`` is above ``sinh(eta / 2)``; and values
+# between those of an even table of step h, by polynomials of degree 11, ``(2 h)^12 max(abs(omega)) / (2 * 12!)``
+# (Bernstein's inequality).
+#
+# Of light ``sum_m F_m(r) exp(i m phi)`` all three can be done to each order apart: a disc is its own mirror image at
+# the line from the axis to its middle, so the mean of an order has that order, and along a line through the axis F_m
+# at negative r is ``(-1)^m`` times that at positive r. What is done to the orders sums to the same rule done to the
+# light itself, which the bounds are of.
 
 HALF = 6  # half of the points that an interpolation takes
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
@@ -82,6 +81,7 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
     """Return how to average an intensity over discs around points at radii `v`."""
     from scipy.sparse import coo_array
 
+    # A third for the table, and a third each for circles and radii: certificate, "Means over a disc".
     step = table_step(error / 3.0)
     (x, y), w = _points(radius, error / 1.5)
     along = v[:, None] + x
@@ -127,6 +127,7 @@ def _points(radius: float, error: float) -> tuple[Array, Array]:
         around += 2
     while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), across) > 0.5 * error:
         across += 1
+    # In the squares of radii, which weighs by area.
     t, w = gauss_legendre(across)
     theta = math.pi * (2 * np.arange(around // 2) + 1) / around
     r = radius * np.sqrt(t)[:, None]
@@ -145,13 +146,11 @@ def gauss_error(growth: Array, nodes: int) -> float:
         return float((4.0 * np.exp(growth - (2 * nodes - 1) * ETA) / np.expm1(ETA)).min())
 
 
-_B = np.geomspace(0.02, 6.0, 96)
-_CHORDS_MOST = 200
 _LEAST = 1e-12  # of methods
 _ROUNDING = 2.0**-50
 
 
-class Samples(NamedTuple):
+class SampledLight(NamedTuple):
     """Light of some planes at the centres of pixels."""
 
     values: Array  # (n, height, width)
@@ -162,26 +161,27 @@ class Samples(NamedTuple):
         """The largest value of each plane."""
         return np.asarray(np.abs(self.values).max(axis=(1, 2)))
 
-    def times(self, other: Samples | Array) -> Samples:
+    def times(self, other: SampledLight | Array) -> SampledLight:
         """Return the product with other light, or with a factor of each plane."""
         if isinstance(other, np.ndarray):
-            return Samples(self.values * other[:, None, None], self.error * np.abs(other))
+            return SampledLight(self.values * other[:, None, None], self.error * np.abs(other))
         sizes = self.most, other.most
         error = self.error * sizes[1] + other.error * (sizes[0] + self.error) + _ROUNDING * sizes[0] * sizes[1]
-        return Samples(self.values * other.values, error)
+        return SampledLight(self.values * other.values, error)
 
 
-def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int = 0) -> Samples:
+def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int = 0) -> SampledLight:
     """Return the intensity of a pupil, relative to the light collected in each plane; off by `asked` of its peak."""
     tol = max(asked, _LEAST)
 
     def ask(way: Method) -> Images:
         return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
-    made = first_proven(candidates(pupil, grid, tol), ask)[1]
+    made = first_within_tolerance(candidates(pupil, grid, tol), ask)[1]
+    # An error of the phase changes a field by as much, and I as in section 6.
     left = pupil.left_out[0]
     off = made.bound * made.brightest + left * (2.0 * np.sqrt(made.brightest) + left)
-    return Samples(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
+    return SampledLight(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
 
 
 class DiscFilter(NamedTuple):
@@ -200,11 +200,11 @@ class DiscFilter(NamedTuple):
         """Return the samples that means around the centres of pixels take."""
         return finer(grid, self.taps)
 
-    def of(self, given: Samples, threads: int = 0) -> Samples:
+    def of(self, given: SampledLight, threads: int = 0) -> SampledLight:
         """Return means of samples of light, whose transfer function has a modulus of integral 1 at most."""
         total = sum((weighed(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
         rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * given.most
-        return Samples(np.asarray(total), self.error + self.gain * (given.error + rounded))
+        return SampledLight(np.asarray(total), self.error + self.gain * (given.error + rounded))
 
 
 @lru_cache(maxsize=64)
@@ -214,6 +214,7 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
     With `least` weights on either side at the least. Declined where it would take too many chords.
     """
     chords = chords_for(radius, 0.5 * error)
+    # As dense as averages over pixels take them: section 10.
     stride = samples_across(step)
     h, each = step / stride, error / 8.0
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)
@@ -247,19 +248,3 @@ def _response(half: int, h: float, error: float, length: float, *, mean: bool) -
         if off <= error or half >= most:
             return weights, off, gain
         half += max(2, half // 16)
-
-
-def chords_for(radius: float, error: float) -> int:
-    """Return an even number of chords of a disc that sums over these need to err by `error` at most."""
-    for chords in range(2, _CHORDS_MOST + 1, 2):
-        if chord_error(radius, chords) <= error:
-            return chords
-    raise Declined(
-        "with aberrations means are over discs of 15 Airy units at most; ask for a smaller pinhole or bead"
-    )
-
-
-def chord_error(radius: float, chords: int) -> float:
-    """Bound the error of the response of a sum over chords of a disc."""
-    grown = np.exp(np.minimum(2.0 * radius * np.sinh(_B) - 2.0 * chords * _B, 600.0))
-    return float(((1.0 + np.exp(-4.0 * _B)) * grown / -np.expm1(-2.0 * (chords + 1) * _B)).min())

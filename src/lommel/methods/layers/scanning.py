@@ -1,6 +1,5 @@
 """Scanning microscopes and beads: intensities as azimuthal Fourier orders at given radii, interpolated between these.
 
-Intensities as azimuthal Fourier orders at given radii, and the base class of methods that interpolate these.
 The intensity of any emitter is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; products of
 several have a few more orders. Radially symmetric intensities have the order 0 alone.
 """
@@ -18,11 +17,12 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
+from lommel.methods.averaging import averaged_images
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
 from lommel.methods.layers.samples import (
     ETA,
     HALF,
-    Samples,
+    SampledLight,
     Values,
     between,
     disc_filter,
@@ -33,8 +33,7 @@ from lommel.methods.layers.samples import (
     table_step,
 )
 from lommel.methods.layers.stratified import Stratified, profiles
-from lommel.methods.method import RadialMethod, painted, storing
-from lommel.methods.pixels.averaging import averaged_images
+from lommel.methods.method import RadialMethod, storing, to_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
@@ -106,6 +105,7 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
     orders = np.zeros((len(values), 2 * most + 1, v.size), np.complex128)
     for h, each in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
         if h.order:
+            # a cos m phi + b sin m phi = Re (a - i b) exp(i m phi).
             orders[:, most + h.order] += 0.5 * (h.cosine - 1j * h.sine) * each
         else:
             orders[:, most] = each
@@ -119,6 +119,7 @@ def product(one: Orders, other: Orders) -> Orders:
     kind = np.result_type(one.values, other.values)
     values = np.zeros((len(one.values), first + second - 1, one.values.shape[2]), kind)
     for j in range(first):
+        # Orders of a product are the convolution of those of its factors.
         values[:, j : j + second] += one.values[:, j, None] * other.values
     sizes = one.most, other.most
     error = one.error * sizes[1] + other.error * (sizes[0] + one.error) + _ROUNDING * sizes[0] * sizes[1]
@@ -185,7 +186,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         """Return the light at rising v, to about an accuracy."""
 
     @abstractmethod
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the light of pupils with aberrations at the centres of pixels, to about an accuracy."""
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
@@ -253,7 +254,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         table, known = latest[0]
         pixels = made.values if alone else table.painted(known, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
-        return painted(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
+        return to_images(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
 
     def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         """Return the same where light has aberrations, relative to the largest value in the window."""
@@ -263,7 +264,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             found = self._pixels(pupil, grid, asked, wanted.threads)
             return np.maximum(found.values, 0.0), found.error
 
-        return painted(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
+        return to_images(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
 
 
 _NODES_MOST = 200
@@ -334,7 +335,7 @@ class Bead(ProvenMethod):
             error += share[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the light at the centres of pixels."""
         size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
         heights, stack, share, off = self._planes(pupil, asked)
@@ -348,10 +349,11 @@ class Bead(ProvenMethod):
                 one = means.of(light_samples(plane, means.samples(grid), asked / means.gain, threads), threads)
                 values += one.times(share[j]).values
                 error += share[j] * one.error
-        return Samples(values, error)
+        return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
         """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
+        # Gauss's rule for the weight 1 - u^2 over heights in units of the radius.
         heights, weights, off = _rule(self._growth(pupil), asked)
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
         focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
@@ -366,6 +368,7 @@ class Bead(ProvenMethod):
         within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
         fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
         # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
+        # Certificate, "Beads".
         across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
         return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
 
@@ -490,13 +493,14 @@ class Confocal(ProvenMethod):
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the product at rising v, of the emission."""
+        # At the same radius in metres.
         excited = light(self._lit(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
         means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._share), highest(pupil))
         seen = light(pupil, means.places, asked, self.tol)
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
         return product(excited.times(self._absorbed(pupil)), passed.times(np.full(len(seen.error), self._share)))
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the product at the centres of pixels."""
         accuracy = asked / max(1.0, self._share)
         means = disc_filter(grid.step(pupil), AIRY * self.pinhole, accuracy)
@@ -556,7 +560,7 @@ class TwoPhoton(ProvenMethod):
         once = light(pupil, v, asked, self.tol)
         return product(once, once)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return the square of the intensity at the centres of pixels."""
         once = light_samples(pupil, grid, asked, threads)
         return once.times(once)
@@ -638,13 +642,13 @@ class Sted(Confocal):
         beam = self.depletion
         return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
         """Return what is left of the product at the centres of pixels."""
         rate = math.log(2.0) * self.saturation
         excited = super()._pixels(pupil, grid, asked, threads)
         depleting = light_samples(self._depleting(pupil), grid, asked / max(1.0, rate), threads)
         left = np.exp(-rate * np.maximum(depleting.values, 0.0))
-        return excited.times(Samples(left, rate * depleting.error))
+        return excited.times(SampledLight(left, rate * depleting.error))
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return what is left of the product at rising v, of the emission."""
@@ -653,6 +657,7 @@ class Sted(Confocal):
         rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
         # Both are band-limited, and what is left of them is wanted at many more radii.
+        # Discs of radius 0 interpolate, from a table as fine as the band of the product needs.
         means = disc_means(slower * v, 0.0, 0.1 * asked / ceiling, highest(self._lit(pupil)))
         known = super()._orders(pupil, means.places / slower, asked)
         excited = Orders(means.of(known.values), known.error * means.gain + ceiling * means.error)
@@ -669,6 +674,7 @@ class Sted(Confocal):
         """That of the polynomial."""
         from scipy.special import ive
 
+        # exp(-2 a D), D from 0 to 1, has the coefficients 2 exp(-a) I_k(a) in Chebyshev polynomials of 2 D - 1.
         a = 0.5 * math.log(2.0) * self.saturation
         # Beyond 40 terms more than the root of 80 a what is left is below 1e-17.
         k = np.arange(1, math.ceil(math.sqrt(80.0 * a)) + 41)
@@ -677,11 +683,9 @@ class Sted(Confocal):
 
 
 def crest(pupil: ObjectivePupil) -> float:
-    """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers.
-
-    Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase psi
-    of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
-    """
+    """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers."""
+    # Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase
+    # psi of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()

@@ -8,7 +8,9 @@ each pixel. The light lost by an emitter near the cover glass depends on its dep
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
+from types import MappingProxyType
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -16,14 +18,14 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Declined, Images, Slopes, Wanted
-from lommel.methods.derivative_names import term_of
+from lommel.methods.averaging import averaged, averaged_images, finished
+from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
-from lommel.methods.method import Method, storing, widened
-from lommel.methods.pixels.averaging import averaged, averaged_images, finished
+from lommel.methods.method import Method, storing, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
@@ -61,6 +63,8 @@ def sampled_slopes(
     if isinstance(method, Stratified):
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     else:
+        # Derivatives over their largest factor have transfer functions at most twice that of I: section 15, last
+        # paragraph.
         most = (*projection.steepest(layers, model), 0.0)
         if any(one.which == engine.BY_WAVENUMBER for one in by):
             most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
@@ -84,7 +88,7 @@ def sampled_slopes(
         sizes += [-grid.step(pupil)] * 2
     else:
         made = averaged_images(sample, pupil, grid, method.tol, question)
-    made = widened(made, pupil, method, normalized=False)
+    made = with_model_error(made, pupil, method, normalized=False)
     assert made.slopes is not None
     values, error = made.slopes
     for each, size in zip(values, sizes, strict=True):
@@ -105,11 +109,9 @@ def engine_slopes(
     wanted: Wanted,
     otherwise: Callable[[], Images] | None,
 ) -> Images | None:
-    """Return images and derivatives by the engine, or None where it has no such windows.
-
-    Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come with
-    a looser one, and images are those that `otherwise` returns, or of a looser one too.
-    """
+    """Return images and derivatives by the engine, or None where it has no such windows."""
+    # Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come
+    # with a looser one, and images are those that `otherwise` returns, or of a looser one too.
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)
@@ -150,6 +152,7 @@ def _by_circles(
             ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
             for turn in (1j, -1j)
         )
+        # Twice the difference, over s = 1 / steep: certificate, section 16, "Derivatives".
         share = 2.0 * one.factor * steep / size
         own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
         slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
@@ -183,6 +186,7 @@ def _by_chords(
             raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
             error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
             largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
+    # Storing, and products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= made.brightest
     return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
@@ -201,19 +205,48 @@ def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
 ) -> tuple[Method, Images, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
+    named = {name: term for name in names if (term := term_of(name)) is not None}
+    _require_available(method, pupil, names, named)
+    terms = tuple(dict.fromkeys(named.values()))
+    kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
+    axis = any(name in _AXIS for name in names)
+    far, by_engine = isinstance(wanted.scale, np.ndarray), pupil.radial and isinstance(method, Stratified)
+
+    def rates(planes: ObjectivePupil) -> list[By]:
+        return [by_name(name, planes, far=far, energy=energy) for name in kinds]
+
+    if by_engine:
+        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
+    elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
+        # Growth by the wavelength takes tilts of finer samples anyway, which move the axis too.
+        moved = axis and grid.integrate and "wavelength" not in kinds
+        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
+    else:
+        made = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
+    each: dict[Name, Slope] = {}
+    if made.slopes is not None:  # by the axis or without
+        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
+    grows = "wavelength" in kinds and not by_engine
+    if grows or (axis and "row" not in each):
+        each |= _moved(method, pupil, grid, made, wanted, each["wavelength"] if grows else None)
+    return method.reported, made, [each[named.get(name, name)] for name in names]
+
+
+def _require_available(
+    method: Method, pupil: ObjectivePupil, names: Sequence[Name], named: Mapping[Name, Term]
+) -> None:
+    """Raise ValueError, or Declined where another method may have them, for derivatives that a method lacks."""
     if not isinstance(method, LAYERED):
         raise ValueError(
             f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, "
             "ChordalDebye or, with aberrations, DebyeRings"
         )
-    named = {name: term for name in names if (term := term_of(name)) is not None}
-    terms = tuple(dict.fromkeys(named.values()))
     if unknown := [name for name in names if name not in (*_OWN, *_AXIS, *named)]:
         raise ValueError(
             "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' and "
             f"Zernike terms, got {unknown[0]!r}"
         )
-    if terms and not isinstance(method, ChordalDebye):
+    if named and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
     if isinstance(method, Stratified) and not known(pupil.light):
         raise ValueError(
@@ -225,36 +258,27 @@ def layered_slopes(
             "derivatives by 'wavelength' are not available from DebyeRings; ask for a window small enough for "
             "ChordalDebye, or take differences of the PSFs of pupil.in_light(w)"
         )
-    kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
-    axis = any(name in _AXIS for name in names)
 
-    def rates(planes: ObjectivePupil) -> list[By]:
-        return [by_name(name, planes, far=isinstance(wanted.scale, np.ndarray), energy=energy) for name in kinds]
 
-    if pupil.radial and isinstance(method, Stratified):
-        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
-    elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        moved = axis and grid.integrate and "wavelength" not in kinds
-        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
-    else:
-        made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
-    each: dict[Name, Slope] = {}
-    if made.slopes is not None:  # by the axis or without
-        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
-    grows = "wavelength" in kinds and not (pupil.radial and isinstance(method, Stratified))
-    if (axis and "row" not in each) or grows:
-        # What is left out of the phase moves fields and their gradients by as much.
-        left = 4.0 * pupil.left_out[0]
-        tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
-        for name, (values, off) in zip(("column", "row"), tilts, strict=True):
-            each[name] = _stored(grid.step(pupil) * values, grid.step(pupil) * off, made, wanted)
-        if grows:
-            values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
-            # So does the phase that is left out, as the wavelength falls.
-            off = off + 2.0 * pupil.left_out[0]
-            of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
-            each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
-    return method.reported, made, [each[named.get(name, name)] for name in names]
+def _moved(
+    method: Method, pupil: ObjectivePupil, grid: Grid, made: Images, wanted: Wanted, at_fixed_v: Slope | None
+) -> dict[Name, Slope]:
+    """Return the derivatives by the axis and, from that `at_fixed_v`, by the wavelength: certificate, section 12."""
+    step = grid.step(pupil)
+    # What is left out of the phase moves fields and their gradients by as much.
+    left = 4.0 * pupil.left_out[0]
+    tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
+    found: dict[Name, Slope] = {
+        name: _stored(step * values, step * off, made, wanted)
+        for name, (values, off) in zip(("column", "row"), tilts, strict=True)
+    }
+    if at_fixed_v is not None:
+        values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
+        # So does the phase that is left out, as the wavelength falls.
+        off = off + 2.0 * pupil.left_out[0]
+        of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
+        found["wavelength"] = _sum(at_fixed_v, of_place, made, wanted)
+    return found
 
 
 def _radial(
@@ -292,6 +316,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         return By(engine.BY_FOCUS)
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
+    # The light that values are divided by depends on depth and wavenumber too.
     near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
         _, whole = debye.power(pupil.layers, np.zeros(0), model)
@@ -309,6 +334,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
     """Return a derivative of images from that of I, as they are stored."""
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
+    # Times the scale of the images.
     kept = np.empty(values.shape, wanted.dtype)
     np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
@@ -320,3 +346,79 @@ def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
     values = one.values.astype(np.float64) + other.values
     largest = np.abs(values).reshape(len(values), -1).max(axis=1) / made.scale / made.brightest
     return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)
+
+
+_BY_SERIES = ("z", "depth")  # what the transpose of ChordalDebye has beside terms and shifts
+
+
+def layered_gradient(
+    method: Method,
+    pupil: ObjectivePupil,
+    grid: Grid,
+    names: Sequence[Name],
+    weights: Array,
+    scale: Array,
+    *,
+    energy: bool,
+    far: bool,
+) -> dict[Name, Array]:
+    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+
+    Values are `scale`, (n,), times the intensity, of all light (`energy`) or of that `far` from the glass. ValueError
+    where there are no such derivatives.
+    """
+    found: dict[Name, Array] = {}
+    by_term = any(name not in SHIFTS for name in _terms_of(tuple(names)))
+    if isinstance(method, LAYERED) and (by_term or not isinstance(method, Stratified)):
+        found = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
+    if others := [name for name in names if name not in found]:
+        wanted = Wanted(scale if far else float(scale[0]))
+        each = layered_slopes(method, pupil, grid, others, wanted, energy=energy)[2]
+        found |= {
+            name: np.einsum("nij,nij->n", weights, slope.values) for name, slope in zip(others, each, strict=True)
+        }
+    return found
+
+
+def _gradient_by_chords(
+    method: Method,
+    pupil: ObjectivePupil,
+    grid: Grid,
+    names: Sequence[Name],
+    weights: Array,
+    scale: Array,
+    *,
+    energy: bool,
+    far: bool,
+) -> dict[Name, Array]:
+    """Return those that the transpose of ChordalDebye has; none where it declines and circles have them all."""
+    terms = _terms_of(tuple(names))
+    kinds: dict[Name, By] = {
+        name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
+    }
+    places = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
+    by = chordal_debye.By(tuple(one.which for one in kinds.values()), tuple(places))
+    if not (terms or kinds):
+        return {}
+    try:
+        sums = ChordalDebye(method.tol).gradient(pupil, grid, weights, by).T
+    except Declined:
+        if isinstance(method, ChordalDebye) or any(name not in SHIFTS for name in terms):
+            raise ValueError(TERMS_BY_CHORDS) from None
+        return {}
+    steep = projection.steepest(pupil.layers, pupil.light.model)
+    found: dict[Name, Array] = {}
+    for (name, one), raw in zip(kinds.items(), sums[1:], strict=False):
+        found[name] = scale * (one.factor * steep[one.which] * raw + one.own * sums[0])
+    by_term = scale * sums[1 + len(kinds) :]
+    found |= {name: by_term[places[term]] for name, term in terms.items()}
+    for name in SHIFTS.keys() & terms.keys():
+        found[name] = grid.step(pupil) * found[name]
+    return found
+
+
+@lru_cache(maxsize=64)
+def _terms_of(names: tuple[Name, ...]) -> Mapping[Name, Term]:
+    """Return the terms that some names are of, tilts for shifts."""
+    each = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
+    return MappingProxyType({name: term for name, term in each.items() if term})

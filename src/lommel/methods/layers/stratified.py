@@ -20,10 +20,9 @@ from lommel.core.engine import Layered, LayeredSlopes, Window, layered_images, l
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import Rule, Turning
+from lommel.optics.layers.debye import Complex, Model, Rule, Turning
 from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Model
 from lommel.optics.layers.stratified import Layers
 
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
@@ -112,6 +111,7 @@ def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Obje
             return made
         if field <= _LEAST:
             return None
+        # The next guess at the peak, at most a quarter of that before.
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
 
 
@@ -161,6 +161,7 @@ def known(light: Light) -> bool:
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
     """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
+    # One rule serves all planes between two depths and two foci: certificate, section 15.
     found, parts, rates = _angles(_question(pupil, reach, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
     harmonics = pupil.light.harmonics
@@ -171,6 +172,7 @@ def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
 def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
     """Return what angles are found for: all planes between two depths, and two foci counted from paraxial ones."""
     depth, layers = pupil.depth.ravel(), pupil.layers
+    # The parallelogram of section 15: the focus less that of paraxial rays.
     away = pupil.focus.ravel() - layers.immersion / layers.sample * depth
     return layers, pupil.light.model, _outwards(depth), _outwards(away), _above(reach), tol
 

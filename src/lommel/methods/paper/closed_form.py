@@ -16,7 +16,7 @@ from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.core import engine
 from lommel.core.answers import Declined, FieldValues, Intensities, ToleranceError
-from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
+from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error, squared
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
@@ -176,17 +176,8 @@ class ClosedForm(FieldMethod[Pupil]):
         """Return U at rising v; no bound is claimed."""
         return self._fields(pupil, v, 1)
 
-    def profile(self, pupil: Pupil, v: Array, threads: int = 1) -> Intensities:
-        """Return I at rising v, with at most `threads` threads."""
-        values = self._fields(pupil, v, threads).values
-        intensity = values.real**2 + values.imag**2
-        return Intensities(intensity, None, intensity.max(axis=1))
-
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
-        if not grid.symmetric:
-            return self.on_pixels(pupil, grid, threads)
-        return self.profile(pupil, grid.v(pupil), threads)
+    def _threaded_profile(self, pupil: Pupil, v: Array, threads: int) -> Intensities:
+        return squared(self._fields(pupil, v, threads))
 
     def _fields(self, pupil: Pupil, v: Array, threads: int) -> FieldValues:
         def disk(coefficients: Array, at: Array) -> FieldValues:
@@ -420,10 +411,8 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
 
 
 def _hankel_pieces(ratio: float, reach: float) -> tuple[Array, NDArray[np.complex128]]:
-    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for the amplitude of x J0(x) on each.
-
-    It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
-    """
+    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for x J0(x) on each."""
+    # It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
     count = max(1, math.ceil(math.log(max(1.0, reach / _TRANSITION)) / math.log(ratio)))
     starts = np.asarray(_TRANSITION * ratio ** np.arange(count), dtype=np.float64)
     x = starts * (0.5 * (1.0 + ratio) + 0.5 * (ratio - 1.0) * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None])

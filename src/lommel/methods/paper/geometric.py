@@ -11,9 +11,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
+from lommel.optics.aperture.shapes import disk_overlap
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, ray_height
-from lommel.special.disk import disk_overlap
 
 _MAX_CELLS = 2**23
 

@@ -13,8 +13,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
+from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod
-from lommel.methods.pixels.averaging import filtered, filtered_by
 from lommel.optics.base_pupil import Geometry
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil

@@ -101,6 +101,7 @@ class Apodization:
         from numpy.polynomial import Chebyshev, Polynomial
 
         k = np.arange(1, _MOST + 1)
+        # The series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
         degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)

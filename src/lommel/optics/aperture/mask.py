@@ -17,6 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.cached import EqualByContent
 
+# 8192^2 complex cells take 1 GiB.
 MAX_SIDE = 8192
 _MOST_POINTS = 64  # along each side of a cell
 _BAND = 2**24  # points at a time
@@ -88,6 +89,7 @@ class Mask(EqualByContent):
         if most == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
+        # Masks are keys of caches: comparing a digest is as good as comparing gigabytes.
         digest = hashlib.sha256(repr((values.shape, values.dtype.kind, self.squares)).encode())
         digest.update(values.data)
         vars(self).update(values=values, _digest=digest.digest())

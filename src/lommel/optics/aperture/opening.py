@@ -28,10 +28,10 @@ from lommel.optics.aperture.shapes import (
     Shape,
     Spider,
     covered,
+    disk_overlap,
     listed,
     require_reach,
 )
-from lommel.special.disk import disk_overlap
 
 _EXACT = 1e-14  # relative error of rules for measures
 _APART = 1e-10  # area over pi that segments may have in common, by rounding
@@ -55,6 +55,7 @@ class Rule(NamedTuple):
     weight: Array
 
 
+# Sizes of the complex neighbourhood: any proves a bound, the best is taken.
 _B = np.geomspace(1e-3, 4.0, 192)
 
 
@@ -104,6 +105,7 @@ def degree_needed(
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
     # cosh b at most grows by the radius.
+    # M(b) of certificate, sections 7 and 18.
     growth = v * np.sinh(_B) + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * _B)) - 1.0)
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
@@ -174,6 +176,7 @@ class Opening:
         return tuple(self._within(stop) for stop in stops)
 
     def _within(self, stop: Shape | None) -> Shape:
+        # Everything outside of the unit disc is blocked, whatever the parts say.
         clear: Shape = Disc() if stop is None else Disc() & stop
         if self.vignetting is not None:
             clear = clear & self.vignetting

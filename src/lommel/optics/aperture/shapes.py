@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -109,6 +109,7 @@ class Listed(NamedTuple):
         """Return the region of ``matrix @ point + shift``; the matrix does not mirror."""
         x, y, a, b, angle = self.ellipses.T
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
+        # The image of the unit circle under a matrix has its singular values for semi-axes.
         axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
         places = np.stack([x, y], axis=-1) @ matrix.T + shift
         ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
@@ -125,6 +126,7 @@ class Listed(NamedTuple):
         without: Callable[[_Part, _Part], _Part],
     ) -> _Part:
         """Return what is known of each part, put together as the region is made of them."""
+        # Postfix order: operands first, then what combines the last two.
         by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
         for step in self.steps:
             if step >= 0:
@@ -143,7 +145,9 @@ class Listed(NamedTuple):
                 continue
             second, first = stack.pop(), stack.pop()
             if step == _WITHOUT and isinstance(second, int):
+                # a - b is a and not b.
                 second, step = _FULL - second, _BOTH
+            # What one operand alone decides: a union with all, an intersection with nothing.
             decides = _FULL if step == _EITHER else _NONE
             if decides in (first, second):
                 stack.append(decides)
@@ -190,11 +194,13 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     """
     parts: list[Shape] = []
     region._listed(parts, [])
+    # A band of cells at a time, to keep memory bounded.
     if x.size * len(parts) > _AT_ONCE and x.size > 1:
         pieces = -(-x.size * len(parts) // _AT_ONCE)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
     whole, near = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    # A cell whose centre is farther from an edge than its corners are is not crossed by it.
     margins = (part.margin(x, y) for part in parts)
     known = np.array([np.where(m > near, _FULL, np.where(m < -near, _NONE, _CUT)) for m in margins], np.int8)
     state = whole.combined(list(known), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
@@ -229,9 +235,8 @@ def listed(region: Shape) -> Listed:
     return Listed(np.array(ellipses).reshape(-1, 5), tuple(polygons), tuple(steps))
 
 
-def _point(name: str, value: Any) -> tuple[float, float]:
-    pair = isinstance(value, tuple | list | np.ndarray)
-    if not pair or validation.array(name, value).shape != (2,):
+def _point(name: str, value: ArrayLike) -> tuple[float, float]:
+    if not isinstance(value, tuple | list | np.ndarray) or validation.array(name, value).shape != (2,):
         raise TypeError(f"{name} must be a pair (x, y), got {validation.shown(value)}")
     x, y = (validation.real(f"{name}[{i}]", part, least=-_FARTHEST, most=_FARTHEST) for i, part in enumerate(value))
     return x, y
@@ -889,3 +894,43 @@ def shape_from_dict(description: Json, depth: int = 0) -> Shape | Segments:
         first, second = (shape(key, shape_from_dict(parts[key], depth + 1)) for key in ("first", "second"))
         return Combined(name, first, second)
     return _KINDS[name](**parts)
+
+
+def disk_overlap(radius: ArrayLike, left: ArrayLike, right: ArrayLike, low: ArrayLike, high: ArrayLike) -> Array:
+    """Return the area of ``[left, right] x [low, high]`` inside a disk around the origin.
+
+    Elementary geometry, exact to rounding: inclusion and exclusion of rectangles with one corner at the centre.
+
+    Parameters
+    ----------
+    radius : array_like
+        Radius of the disk, >= 0.
+    left, right, low, high : array_like
+        Sides of the rectangle, ``left <= right`` and ``low <= high``.
+
+    Returns
+    -------
+    ndarray
+        Area, of the shape that all broadcast to.
+    """
+    r = np.asarray(radius, dtype=np.float64)
+    x0, x1, y0, y1 = (np.asarray(e, dtype=np.float64) for e in (left, right, low, high))
+    return _corner(r, x1, y1) - _corner(r, x0, y1) - _corner(r, x1, y0) + _corner(r, x0, y0)
+
+
+def _corner(r: Array, x: Array, y: Array) -> Array:
+    """Return the area of the disk within the rectangle from the origin to (x, y), signed like x y."""
+    # A disk that holds the whole rectangle may be smaller, lest squares overflow.
+    r = np.minimum(r, 2.0 * (np.abs(x) + np.abs(y)))
+    a, b = np.minimum(np.abs(x), r), np.minimum(np.abs(y), r)
+    # The circle leaves the rectangle's far side at this x; from there on it is the boundary.
+    leaves = np.minimum(a, np.sqrt((r - b) * (r + b)))
+    area = leaves * b + _under_arc(r, a) - _under_arc(r, leaves)
+    return np.asarray(np.sign(x) * np.sign(y) * area)
+
+
+def _under_arc(r: Array, x: Array) -> Array:
+    """Return ``int_0^x sqrt(r^2 - s^2) ds``."""
+    height = np.sqrt((r - x) * (r + x))
+    # The angle by its tangent: near x = r its sine would lose half the digits.
+    return np.asarray(0.5 * (x * height + r * r * np.arctan2(x, height)))

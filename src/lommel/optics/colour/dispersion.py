@@ -131,6 +131,7 @@ class Colour:
             )
         here = [float(_between(known, self.wavelengths, row)) for row in self.lateral]
         places = np.array(self.heights)
+        # The shift is odd in the height: an odd spline has no kink on the axis.
         both = np.concatenate([-places[::-1], [0.0], places])
         return np.asarray(_between(h, both, [-d for d in reversed(here)] + [0.0, *here]))
 
@@ -188,12 +189,15 @@ class PupilColour:
         """Return the wavefront that another wavelength adds to the same path differences, and the distances there."""
         known, shape = pupil.wavelength, pupil.shape
         assert known is not None
+        # Most pupils are seen in their own light.
         if wavelength == known:
             return Wavefront(), geometry
+        # Only the difference counts, so that the zero of the table is free.
         before, after = (self.focal_length + self.table.shift(w) for w in (known, wavelength))
         moved = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
         added = Wavefront()
         if after != before:
+            # The change of C_d at the focal length of the other wavelength.
             vergence = 1.0 / before - 1.0 / after
             if self.model == "paraxial":
                 added = Wavefront.of_defocus(0.5 * math.pi / wavelength * vergence * self.radius**2)
@@ -210,6 +214,7 @@ class PupilColour:
             x, y = (np.reshape(p, shape) for p in (self.x, self.y))
             h = np.hypot(x, y)
             far = self.table.shift_across(h, wavelength) - self.table.shift_across(h, known)
+            # A shift of the image by r is a tilt of pi r / (lambda N) at the edge.
             far *= np.divide(math.pi / (pupil.scale * wavelength / known), h, out=np.zeros(shape), where=h > 0.0)
             added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): far * x, (1, -1): far * y})
         return added, moved

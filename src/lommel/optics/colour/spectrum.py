@@ -110,6 +110,7 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
 
     `paths` is the largest optical path difference in the pupil, metres. ValueError beyond 256 wavelengths.
     """
+    # Curves are linear between their wavelengths, and so end at the dark ones beside.
     lit = np.flatnonzero(curves.any(axis=0))
     first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
     low, high = 1.0 / wavelengths[last], 1.0 / wavelengths[first]
@@ -119,6 +120,7 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
         raise _too_many(paths, tol)
     at, light = _dense(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
+    # E(L) is band-limited: between the paths that are looked at it exceeds its values there by this at most.
     slack = (0.5 * phase / (path.size - 1)) ** 2
     middle = 0.5 * (low + high)
     bright = light / at**2
@@ -168,6 +170,7 @@ def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
     """Return the nonnegative least-squares weights of the nodes, of sum 1, for E over the paths."""
     from scipy.optimize import nnls
 
+    # Least squares need some rows for each unknown; the bound above is taken over all paths.
     thin = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     goal = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
     scale = mean / nodes**2

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.layers.quadrature_bounds import Model
+from lommel.optics.layers.debye import Model
 
 Form = NDArray[np.complex128]
 
@@ -72,6 +72,7 @@ class Light(NamedTuple):
 
 def _form(parts: int, entries: dict[tuple[int, int], complex]) -> Form:
     """Return the Hermitian matrix with these entries on and above its diagonal."""
+    # Intensities are real: the form is Hermitian.
     form = np.zeros((parts, parts), np.complex128)
     for (j, l), value in entries.items():
         form[j, l], form[l, j] = value, np.conj(value)
@@ -137,6 +138,7 @@ class Dipole:
     def moments(self) -> Array:
         """Three times the mean of ``p p^T`` over its directions: the unit matrix for a freely rotating dipole."""
         flat, azimuth = math.sin(self.polar), self.azimuth
+        # The unit vector of the dipole moment.
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
         return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
 
@@ -192,6 +194,7 @@ class Beam:
             return _light(self._around, waves)
         a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
+        # Order 2 of linearly polarised light; the cross terms of circular light cancel.
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
         across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
@@ -213,6 +216,7 @@ class Beam:
         parts: tuple[int, ...] = (0, 1, 1, 2, 2)
         if self._around in (None, "vortex"):
             jones = self._jones if self._around is None else _JONES["circular"]
+            # By reciprocity, the field of a beam in the sample is that of dipoles on the camera.
             field = np.einsum("c,cul->lu", jones, _CAMERA) / np.linalg.norm(jones)
             if self._around:
                 # Of circular light there is one sense of each order, and its phase turns once more.
@@ -244,9 +248,11 @@ class Absorbed(Beam):
 def _light(kind: str, waves: Waves) -> Light:
     """Return all azimuthal orders of waves, whose ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
     model, orders = Model(kind), np.array(waves.orders)
+    # (-i)^abs(q) of the Bessel expansion of a plane wave, for each order q.
     turns = (-1j) ** np.abs(orders)
     form = waves.form * np.multiply.outer(turns, turns.conj())
     found = []
+    # Products of two waves have the difference of their orders.
     for m in range(2 * int(orders.max()) + 1):
         F = np.zeros((len(model.orders), len(model.orders)), np.complex128)
         for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):

@@ -16,9 +16,9 @@ from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers import debye, projection
+from lommel.optics.layers.debye import Model
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Model
 from lommel.optics.layers.stratified import (
     DEPTH_MOST,
     Amplitudes,
@@ -283,6 +283,7 @@ class Objective:
         """Thickness of the immersion with the surface of the cover glass in focus, metres."""
         if self.working_distance is None:  # and no other layer that it depends on
             return DEPTH_MOST
+        # Paraxial rays keep the sum of thickness over index from the design to the glass in use.
         length = self.working_distance / self.design.immersion
         for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
             length += sign * glass.thickness / glass.index if glass else 0.0
@@ -312,6 +313,7 @@ class Objective:
         """Return checked depths and stage positions as flat arrays, with their shape."""
         f = validation.real_array("focus", focus)
         d, f = validation.broadcast("depth and focus", depths(depth), f)
+        # A position of the stage may be named by the focus or by depth and z.
         name = "focus, or where depth and z lead,"
         if f.size and f.max() > self._clearance:
             known = self.working_distance is not None
@@ -362,6 +364,7 @@ class Objective:
         TypeError, ValueError
             If an argument is out of range, or a position beyond the working distance.
         """
+        # The origin is that of a freely rotating dipole, so that stacks of other emitters have the same planes.
         layers, light = self._layers(wavelength), emitter_of(emitter)
         measured = projection.checked(aberrations)
         stack = np.empty(measured.shape if measured else ())
@@ -376,6 +379,7 @@ class Objective:
             start = self._paraxial(d)
         elif origin == "brightest":
             each, place = np.unique(d, return_inverse=True)
+            # Searched once for each depth, and kept for stacks of the same depths.
             best = np.array([brightest(layers, float(one)).brightest for one in each])
             start = best[place].reshape(d.shape)
         focus = start + offset
@@ -564,6 +568,7 @@ class Objective:
         """
         d = depths(depth)
         layers = self._layers(wavelength)
+        # Weights of K0, K1 and K2 in the mean over all directions of a dipole.
         near, far = debye.power(layers, d.ravel())
         return numbers(near @ _TURNING / (far @ _TURNING), d.shape)
 
@@ -573,6 +578,7 @@ class Objective:
         ``lambda / (4 NA)`` laterally, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` axially, of the stage.
         """
         layers = self._layers(wavelength)
+        # The intensity has twice the band of the field, NA / lambda.
         lateral = layers.wavelength / (4.0 * self.NA)
         return Nyquist(lateral, 0.5 * _depth_of_focus(layers), lateral * self.magnification)
 
@@ -620,6 +626,7 @@ class _Axis:
         found = np.concatenate(
             [np.exp(np.outer(part, rate)) @ terms for part in np.array_split(focus, -(-focus.size // _PLANES))]
         )
+        # abs(E)^2, 2 Re(conj(E) E') and 2 (abs(E')^2 + Re(conj(E) E'')).
         field, first, second = found.T
         slope = 2.0 * (field.conj() * first).real
         return np.abs(field) ** 2, slope, 2.0 * (np.abs(first) ** 2 + (field.conj() * second).real)
@@ -631,6 +638,7 @@ class _Axis:
 
 def _depth_of_focus(layers: Layers) -> float:
     """Return the distance from an unaberrated focus to the zeros beside it, metres of the stage."""
+    # lambda / (n (1 - cos theta)), the difference without cancellation.
     n, sine = layers.immersion, layers.NA / layers.immersion
     return layers.wavelength / (n * sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine))))
 
@@ -649,6 +657,7 @@ def brightest(layers: Layers, depth: float) -> _Axial:
     for index, thickness in (*layers.paths, (layers.sample, depth)):
         length += thickness / (index * cosines(layers.NA, rho, index).real)
     rays = layers.immersion * cosines(layers.NA, rho, layers.immersion).real * length
+    # A maximum lies where some rays cross, or within about a depth of focus of that.
     scale = _depth_of_focus(layers)
     margin = 2.0 * scale + 4.0 * sum(thickness for _, thickness in layers.films)
     for doubling in range(_DOUBLINGS):
@@ -699,6 +708,7 @@ def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
             """Return the intensity less half of that on the axis."""
             parts = debye.fields(rule, model, one * depth, one * focus, np.append(0.0, at))
             first, second, third = (np.abs(part[0]) ** 2 for part in parts)
+            # abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2.
             values = first + 2.0 * second + third
             return np.asarray(values[1:] - 0.5 * values[0])
 

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property
-from lommel.optics.base_pupil import BasePupil
+from lommel.optics.base_pupil import BasePupil, OfEach
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Light, Scalar, light_of
 from lommel.optics.layers.stratified import Layers
@@ -97,6 +96,7 @@ class ObjectivePupil(BasePupil):
     @cached_property
     def power(self) -> Array:
         """Light collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
+        # One plane is common in searches, and its light is kept.
         if self.depth.size == 1:
             return _power_at(self.layers, self.emitter, self.depth.item()).copy()
         depth, place = np.unique(self.depth.ravel(), return_inverse=True)
@@ -106,21 +106,24 @@ class ObjectivePupil(BasePupil):
     @property
     def collected(self) -> Array:
         """:attr:`power` over that of the same emitter far from the glass, of the shape of the stack."""
+        # Without a depth near the glass: what an emitter far from it sends into the objective.
         _, far = debye.power(self.layers, np.zeros(0), self.light.model)
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
         """Return the largest ray distance from the axis on the camera, metres, within 0.98 of the critical angle."""
+        # Slopes of the phase have no bound at the critical angle.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
+        # Heights of rays are slopes of the phase.
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
-    def _each(self, of: Callable[[Any], Any]) -> ObjectivePupil:
-        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}
-        measured = self.aberrations
-        return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
+    def _each(self, of: OfEach) -> ObjectivePupil:
+        depth, focus, z = (np.asarray(of(getattr(self, name))) for name in PLANES)
+        measured = of(self.aberrations) if self.aberrations and self.aberrations.shape else self.aberrations
+        return replace(self, depth=depth, focus=focus, z=z, aberrations=measured)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
         """Return the pupil at another `wavelength`, metres: same indices and path differences; or a ValueError."""
@@ -150,19 +153,14 @@ class ObjectivePupil(BasePupil):
             plain["polarization"] = tuple(complex(*part) for part in jones)
         layers = description["layers"]
         numbers: Json = {name: validation.real(name, layers[name]) for name in _NUMBERS}
-        pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
+        films, paths = (tuple((float(n), float(t)) for n, t in layers[name]) for name in ("films", "paths"))
         exponent = tuple(validation.real_array("exponent", layers.get("exponent", ())).tolist())
-        planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}
+        depth, focus, z = (validation.real_array(name, description[name]) for name in PLANES)
         magnification = validation.real("magnification", description["magnification"], above=0.0)
         measured = description.get("aberrations")
         aberrations = measured and Wavefront.from_dict(measured)
-        return cls(
-            Layers(**numbers, **pairs, exponent=exponent),
-            magnification,
-            emitter=kind(**plain),
-            aberrations=aberrations,
-            **planes,
-        )
+        of = Layers(**numbers, films=films, paths=paths, exponent=exponent)
+        return cls(of, magnification, depth, focus, z, kind(**plain), aberrations)
 
     def __eq__(self, other: object) -> bool:
         """Return whether two pupils are the same."""
@@ -189,4 +187,3 @@ def _power_at(layers: Layers, emitter: Emitter, depth: float) -> Array:
 
 PLANES = ("depth", "focus", "z")
 _NUMBERS = ("NA", "immersion", "glass", "sample", "wavelength")
-_PAIRS = ("films", "paths")

@@ -5,23 +5,14 @@ kernel and a measured wavefront nearly are such polynomials: the kink of amplitu
 integrated without nodes near it. Coefficients are integrals over the angles of :mod:`lommel.optics.layers.debye`,
 
 .. math:: c_n = 2 (n + 1) \int_0^1 t(\rho) R_n^q(\rho) \rho \, d\rho , \quad n = q, q + 2, \dots, D .
-
-Azimuthal Fourier orders of a measured wavefront in a microscope's pupil, with bounds.
-``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the complex plane, theta + i b, a term of W of order m
-gains an imaginary part of at most ``w sinh(m b)``, w being its size at the edge, so that for any b > 0
-
-.. math:: |P_m(\rho)| \le \exp\Bigl(\sum_j w_j \sinh(m_j b) - |m| b\Bigr), \quad 0 \le \rho \le 1 .
-
-At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``. See docs/certificate.md.
 """
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,9 +21,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import Rule
+from lommel.optics.layers.debye import Complex, Model, Piece, Rule
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Complex, Model, Piece
 from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -42,6 +32,13 @@ _ORDERS_MOST = 250
 _HEIGHTS = np.geomspace(1e-2, 6.0, 200)
 Sizes = tuple[tuple[tuple[int, int], float], ...]
 """n and m >= 0 of terms, and the largest amplitude of m and -m together, radians at the edge."""
+
+
+# Azimuthal Fourier orders of a measured wavefront W, ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the
+# complex plane, theta + i b, a term of W of order m gains an imaginary part of at most ``w sinh(m b)``, w being its
+# size at the edge, so that ``abs(P_m(rho)) <= exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to
+# 1. At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``: certificate, section 16, "Angles of the
+# pupil" and "Nodes".
 
 
 class Orders(NamedTuple):
@@ -66,6 +63,7 @@ def checked(wavefront: Wavefront | None) -> Wavefront | None:
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
     """Return the orders needed for an error of at most `error`; ValueError if they are too many."""
+    # S(b) of certificate, section 16, "Angles of the pupil".
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
     def beyond(m: int) -> float:
@@ -88,6 +86,7 @@ def orders(terms: Sizes, error: float) -> Orders:
 
 def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
     """Return P_m at each rho, shape ``(n, 2 most + 1, len(rho))``, m from -most on, of a flattened stack."""
+    # A discrete Fourier transform over the azimuth at each rho.
     theta = 2.0 * np.pi / kept.angles * np.arange(kept.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
     found = np.fft.fft(np.exp(1j * phases), axis=-1) / kept.angles
@@ -100,6 +99,7 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
     # The most that orders m and -m add in any part and pupil, then all orders from m on.
+    # Section 16: of the orders that hold at all radii those are kept that matter at the nodes.
     weights = np.abs(np.stack(rule.parts))
     each = (np.abs(found) @ weights.T).max(axis=-1)
     each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
@@ -124,6 +124,7 @@ def growth(piece: Piece, terms: Sizes) -> Array:
 
 def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tuple[NDArray[np.complex128], Array]:
     """Return ``R_n^m``, or over rho where m is odd, at centres of rho^2, and how far it is from that on discs."""
+    # Coefficients of the radial polynomial in rho^2, exact up to n = 30.
     half, low = (n + m) // 2, m // 2
     f = math.factorial
     powers = np.zeros(n // 2 + 1)
@@ -131,6 +132,7 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
         powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half - s) * f((n - m) // 2 - s))
     poly = np.polynomial.Polynomial(powers)
     size = np.polynomial.Polynomial(np.abs(powers))
+    # Taylor's series on a disc, whose terms bound the change; roundings first: section 16, "Nodes".
     spread = 2.0**-50 * size(np.abs(centre) + radius)
     step = np.ones(radius.shape)
     slope = poly
@@ -141,7 +143,6 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
     return np.asarray(poly(centre)), np.asarray(spread)
 
 
-_Number = TypeVar("_Number", np.float64, np.complex128)
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
 
 
@@ -188,18 +189,13 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
         np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
     if by_k:
         fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
+        # i psi at each angle: certificate, section 15, "The wavelength".
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
         total = np.einsum("pq,qt->pt", turned, made.weights[0])
         if made.changes is not None:
             total += np.einsum("pq,qt->pt", waves, made.changes)
         found[1 + rates.index(WAVENUMBER)] = total / made.steepest
     return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * made.rule.rounding, made.steepest)
-
-
-def by_part(coefficients: NDArray[_Number], orders: tuple[int, ...], degree: int) -> list[NDArray[_Number]]:
-    """Return the coefficients of each part, or their moduli."""
-    ends = np.cumsum([0, *(degrees(order, degree).size for order in orders)])
-    return [coefficients[..., low:high] for low, high in itertools.pairwise(ends)]
 
 
 @lru_cache(maxsize=32)
@@ -260,9 +256,11 @@ def _integrals(
 
     def weighted(parts: Sequence[Complex]) -> Complex:
         weights = [
-            part * ((n + 1.0) * zernike.radial(int(n), order, rule.rho))
+            part * ((n + 1.0) * radial)
             for order, part in zip(model.orders, parts, strict=True)
-            for n in degrees(order, degree)
+            for n, radial in zip(
+                degrees(order, degree), zernike.radials(order, max(degree, order), rule.rho), strict=True
+            )
         ]
         return np.stack(weights, axis=1)
 

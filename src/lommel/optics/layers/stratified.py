@@ -84,6 +84,7 @@ class Layers:
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
         """Return the transmission at `square` = ``(NA rho)^2``; films are coherent, the thick glass is not."""
         indices = (self.immersion, self.glass, self.sample)
+        # Fresnel's amplitudes at each surface; where glass and immersion are alike there is none.
         c_i, c_g, c_s = (cosine(index) for index in indices)
         n_i, n_g, n_s = indices
         if n_g == n_i:
@@ -100,6 +101,7 @@ class Layers:
 
     def apodization(self, square: Values) -> Values:
         """Return minus the logarithm of the amplitude of the objective at `square`; 0 where it has none."""
+        # Horner's rule, in circular arithmetic too: certificate, section 14, "Apodization".
         t, total = square * self.NA**-2, square * 0.0
         for g in reversed(self.exponent):
             total = total * t + g
@@ -111,6 +113,7 @@ class Layers:
         c_g, c_s = cosine(n_g), cosine(n_s)
         found = []
         for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
+            # The product rule along the chain of matrices, from the sample outwards.
             of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
             for matrix, by_k in self._matrices(square, polarisation):
                 changed, kept = _applied(by_k, of), _applied(matrix, slope)
@@ -131,6 +134,7 @@ class Layers:
         """Yield the matrix of each film and its derivative by ln k, the one at the sample first."""
         k = self.wavenumber
         for index, thickness in reversed(self.films):
+            # c^2 of the film: cos and sinc are even in c, so that films need no root (section 14, "Variables").
             within = 1.0 - square * index**-2
             turned = within * (k * index * thickness) ** 2
             cosine, sinc = cosine_and_sinc(turned)
@@ -152,6 +156,7 @@ class _Matrix(NamedTuple):
 
 
 def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
+    # Born and Wolf, section 1.6: the fields at one side of a film from those at the other.
     top, bottom = to
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
 

@@ -194,6 +194,7 @@ def fit_radial(
     if callable(phase):
         if rho is not None:
             raise TypeError("rho must be left out where phase is a function")
+        # Nodes in rho^2 weigh by area.
         x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
         at, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
         values = validation.real_array("phase", phase(at))
@@ -280,9 +281,11 @@ def fit_opd(
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
     validation.choice("within", within, ("pupil", "samples"))
+    # Where there is a mask, values outside of it may be anything.
     maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
+    # Pixels count by their centres.
     square = x * x + y * y
     used = valid & (square <= 1.0) & (square >= eps * eps)
     bad = np.argwhere(used & ~np.isfinite(maps))
@@ -301,6 +304,7 @@ def fit_opd(
     coefficients = np.empty((len(flat), len(terms)))
     residual = np.full(flat.shape, np.nan)
     condition = 1.0
+    # Those share their normal equations.
     alike: dict[bytes, list[int]] = {}  # maps with the same samples
     for i, pattern in enumerate(used.reshape(flat.shape)):
         alike.setdefault(np.packbits(pattern).tobytes(), []).append(i)
@@ -365,20 +369,21 @@ def _least_squares(
     obscuration: float = 0.0,
     places: tuple[Array, Array] | None = None,
 ) -> tuple[Array, Array, float]:
-    """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit.
-
-    Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
-    errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if their
-    sum is determined at all `places`.
-    """
+    """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit."""
+    # Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
+    # errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if
+    # their sum is determined at all `places`.
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
+    # Equal weights: the mean over the samples stands for that over the pupil.
     share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
+    # Of terms that are orthonormal over the disc the matrix is near the unit matrix on a full pupil.
     gram = np.zeros((len(terms), len(terms)))
     for block, basis in _basis(rho, theta, terms, over_disc):
         gram += (basis * share[block]) @ basis.T
     eigenvalues = np.linalg.eigvalsh(gram)
+    # The condition of the basis is the root of that of its normal equations.
     low, high = float(eigenvalues[0]), float(eigenvalues[-1])
     condition = math.sqrt(high / low) if low > 0.0 else math.inf
     if not condition <= MAX_GROWTH:
@@ -392,6 +397,7 @@ def _least_squares(
             raise refused
         whole = _most(places, terms, over_disc)
         own = np.linalg.inv(np.linalg.cholesky(gram)).T
+        # Orthonormal on the samples, so that the second fit is well conditioned.
         over_disc = own if over_disc is None else over_disc @ own
         if not 0.0 < _most(places, terms, over_disc) <= MAX_GROWTH * whole:
             raise refused
@@ -399,6 +405,7 @@ def _least_squares(
         for block, basis in _basis(rho, theta, terms, over_disc):
             gram += (basis * share[block]) @ basis.T
     coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
+    # The second pass fits the residual of the first, which takes most of its rounding away.
     for _ in range(2):
         moments = np.zeros_like(coefficients)
         for block, basis in _basis(rho, theta, terms, over_disc):
@@ -520,6 +527,7 @@ def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
     """Raise ValueError if areas of a map have one value, as files have it where nothing was measured."""
     # Neighbours that are alike: none where numbers are measured, and of stored steps about as many of each.
     for given, inside in zip(maps, used, strict=True):
+        # Arithmetic on a map of zeros, as a change of units, leaves rounding.
         tiny = _RESIDUE * float(np.abs(given[inside]).max(initial=0.0))
         opd = np.where(np.abs(given) <= tiny, 0.0, given)
         alike = np.zeros_like(inside)

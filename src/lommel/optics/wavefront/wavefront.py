@@ -27,7 +27,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Never, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Never, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -73,7 +73,10 @@ def radians_per(unit: str, wavelength: float | None) -> float:
     return 2.0 * math.pi / wavelength
 
 
-def common_shape(what: str, parts: Mapping[Any, Array | Wavefront]) -> tuple[int, ...]:
+_Key = TypeVar("_Key")
+
+
+def common_shape(what: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[int, ...]:
     """Return the shape that arrays and stacks broadcast to; ValueError with their shapes by name otherwise."""
     try:
         return np.broadcast_shapes(*[part.shape for part in parts.values()])
@@ -208,6 +211,7 @@ class Wavefront(EqualByContent, display.Shown):
         """Take checked arrays; where `powers` of rho are given, write the radial terms into `edge`."""
         if powers is not None:
             with np.errstate(over="ignore", invalid="ignore"):  # refused below where not finite
+                # The terms of the phase are what methods take; powers are kept, for they are what was given.
                 edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
             what = "the coefficients of a wavefront (defocus, spherical and others)"
@@ -369,12 +373,13 @@ class Wavefront(EqualByContent, display.Shown):
         """
         display.save(self, path, **how)
 
-    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Axes | NDArray[np.object_]:
         """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
 
         See :func:`lommel.show.pupils.wavefront`.
         """
-        return display.plot(self, ax, unit=unit)
+        axes: Axes | NDArray[np.object_] = display.plot(self, ax, unit=unit)
+        return axes
 
     @classmethod
     def from_seidel(
@@ -537,6 +542,7 @@ class Wavefront(EqualByContent, display.Shown):
         """Return the largest amplitude in the stack of cosine and sine together by (n, abs(m)), of terms not 0."""
         sizes: dict[Term, Array] = {}
         for (n, m), c in self.edge_terms().items():
+            # Cosine and sine of one order are one term of this amplitude, turned.
             sizes[n, abs(m)] = np.hypot(sizes.get((n, abs(m)), 0.0), c)
         return {term: float(size.max()) for term, size in sizes.items() if size.any()}
 
@@ -553,6 +559,8 @@ class Wavefront(EqualByContent, display.Shown):
     @cached_property
     def _lost(self) -> float:
         lost = zernike.conversion_error(self.coefficients)
+        # Certificate, "Model error of a wavefront", "Powers of rho": what is less than roundings counted elsewhere is
+        # not.
         rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
         return float(lost.max()) if np.any(lost > rounded) else 0.0
 
@@ -599,6 +607,7 @@ class Wavefront(EqualByContent, display.Shown):
         shape = common_shape("wavefronts to add", {"first": self, "second": other})
         terms = self.terms
         if other.terms != terms:
+            # Radial terms first and without gaps, then the others in order: equal sums have equal terms.
             others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
             terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(others))
         edge = np.zeros((*shape, len(terms)))
@@ -773,7 +782,7 @@ class Wavefront(EqualByContent, display.Shown):
         return cls(**parts, nonradial=others)
 
 
-def _once_or_all(value: Array) -> Any:
+def _once_or_all(value: Array) -> object:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 
@@ -784,6 +793,7 @@ def _edge_factor(term: Term, normalization: str) -> float:
 
 def _over_disc(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
     """Return coefficients at the edge of terms over the disc, from those of annular ones times _edge_factor()."""
+    # Annular terms are sums of terms over the disc of the same order and lower degrees.
     rms = {(n, m): c / _annular_factor((n, m), normalization, eps) for (n, m), c in terms.items()}
     return {term: zernike.rms_factor(*term) * c for term, c in zernike.over_disc(rms, eps).items()}
 
@@ -823,10 +833,8 @@ _ROUNDING = 2.0**-47
 
 @lru_cache(maxsize=4)
 def _chebyshev_to_legendre(degree: int) -> Array:
-    """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j].
-
-    B. K. Alpert and V. Rokhlin, SIAM J. Sci. Stat. Comput. 12, 158 (1991), Eq. 2.20, doi:10.1137/0912009.
-    """
+    """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j]."""
+    # B. K. Alpert and V. Rokhlin, SIAM J. Sci. Stat. Comput. 12, 158 (1991), Eq. 2.20, doi:10.1137/0912009.
     ratio = [math.sqrt(math.pi), 2.0 / math.sqrt(math.pi)]  # Gamma(z + 1/2) / Gamma(z + 1) at z = 0, 1/2, ...
     for i in range(2, 2 * degree + 1):
         ratio.append(ratio[i - 2] * (i - 1) / i)
@@ -857,6 +865,7 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
     ndarray, shape (n, t)
         Metres.
     """
+    # Written without differences of nearly equal numbers; docs/theory.md has the derivation.
     square = radius**2 * t
     p = square / (1.0 + np.sqrt(1.0 - sphere**2 * square))
     delta = vergence[:, None]
@@ -864,11 +873,9 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
 
 
 def growth(radius: float, sphere: float, vergence: float) -> float:
-    """Bound the range of Im W across the pupil per Im delta, metres^2, for ``|delta| <= vergence``; may be infinite.
-
-    With ``w = 2 p (a + delta) delta``, ``W = p delta g(w)`` and ``g(w) = 2 / (1 + sqrt(1 + w))``, whose series
-    alternates: on ``|w| <= q < 1``, ``|g - 1|`` and ``|g'|`` are largest at -q.
-    """
+    """Bound the range of Im W across the pupil per Im delta, metres^2, for ``|delta| <= vergence``."""
+    # With ``w = 2 p (a + delta) delta``, ``W = p delta g(w)`` and ``g(w) = 2 / (1 + sqrt(1 + w))``, whose series
+    # alternates: on ``|w| <= q < 1``, ``|g - 1|`` and ``|g'|`` are largest at -q.
     p = radius**2 / (1.0 + math.sqrt(1.0 - (sphere * radius) ** 2))
     q = 2.0 * p * (abs(sphere) + vergence) * vergence
     if not q < 1.0:
@@ -915,6 +922,7 @@ def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) 
             reason = "the object is so close that the phase has no expansion in powers of rho^2"
         raise ValueError(f"model 'aplanatic' is not possible: {reason}")
     angle = (np.arange(_DEGREE + 1, dtype=np.float64) + 0.5) * (math.pi / (_DEGREE + 1))
+    # Chebyshev interpolation in t on [0, 1]: certificate, "Model error of a wavefront", "An aplanatic phase".
     values = wavenumber * path(0.5 + 0.5 * np.cos(angle), radius, sphere, vergence)
     series = values @ np.cos(np.outer(angle, np.arange(_DEGREE + 1))) * (2.0 / (_DEGREE + 1))
     series[:, 0] *= 0.5

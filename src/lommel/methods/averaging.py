@@ -58,6 +58,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     times = np.where(x > 0.0, 2.0, 1.0)
     basis, wanted = times * wave(np.outer(w, x)), response(w)
     if in_disc:
+        # Least squares in the norm that bounds the mean error: certificate, section 10.
         at, weights = transfer_rule(w.size)
         root = np.sqrt(weights)
         weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
@@ -67,6 +68,7 @@ def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = Fal
     c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
     gain = float((times * np.abs(c)).sum())
     rounding = 2.0**-52 * (x.size + 3) * gain
+    # A polynomial but for 1e-17 in w is at most sqrt(2) times its largest value at twice as many Chebyshev points.
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
     if in_disc:
         # One of the two factors of an average is off by this in the mean, the other at most by `most`.
@@ -84,6 +86,7 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in
         return tall * wide + (_TAP * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
     # One sample for two pixels is interpolated half way, by weights of either sign that magnify its error.
+    # Rules of the mean error go to the end of the band, h = pi / 2; others need a gap.
     least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _FARTHEST)
     counts = range(max(2, math.ceil(least)), 2 * across + 1)
     fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _FARTHEST), key=samples)
@@ -92,6 +95,8 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in
 
 def _half(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
     """Return how many samples on either side a filter takes, likely."""
+    # The width of the gap between the band of I and what folds back onto it (certificate, "Samples that pixels
+    # share").
     room = 1.0 - 4.0 * step / (s * math.pi)
     if in_disc:
         # Where samples are as far apart as they may be, errors fall with a power of the length.
@@ -195,21 +200,10 @@ def _averaged(
             err_response * 2.0 ** math.floor(math.log2(_EASIER * ceiling * pupil.likely_strehl)),
         )
     for _ in range(5):
-        slope = None
-        if gradients:
-            taps, slope = _with_slope(step, err_response, widest)
-        elif widest < _WIDEST:
-            taps = filtered_by(step, err_response, widest)
-        else:
-            taps = _shared_by(step, err_response, grid.shape, in_disc=in_disc)
+        taps, slope = _filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
+        tol_samples = err_samples / taps.gain**2
+        err_single, dark = _dark_samples(taps, _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0)
         try:
-            tol_samples = err_samples / taps.gain**2
-            # What sums in single precision along both axes cost averages, of the largest sample.
-            lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
-            err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
-            dark = err_single / lost
-            if dark > 1.0:  # all of them
-                err_single, dark = lost, _ALL
             total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
         except ToleranceError as fault:
             # Errors of averages grow with those of the samples.
@@ -224,16 +218,17 @@ def _averaged(
         if not peak.min() > 0:
             break
         relative = (err_given[0] + err_own) / peak
-        bounds = once_stored(relative, wanted)
+        bounds = stored_error(relative, wanted)
         if largest(bounds) <= tol:
-            errors = np.empty(err_given.shape)
-            errors[0] = bounds
-            errors[1:] = (err_given[1:] + 2.0 * err_filter + rounding * peaks[1:]) / peak
+            # Transfer functions of derivatives by terms are at most twice that of the aperture: section 8.
+            errors = err_given + 2.0 * err_filter + rounding * peaks
             if slope is not None:
-                # The response to slopes is at most 2, that of averages 1.
+                # The response to slopes is at most 2, that of averages 1: section 12, "Shifts".
                 missed = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
                 rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
-                errors[-2:] = (err_given[-2:] + missed + rounding * peaks[-2:]) / peak
+                errors[-2:] = err_given[-2:] + missed + rounding * peaks[-2:]
+            errors /= peak
+            errors[0] = bounds
             return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
         # Where the filter alone is to blame, samples stay: doubles may not reach what they need not.
@@ -246,13 +241,34 @@ def _averaged(
     raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
+def _filters(
+    step: float, error: float, widest: float, shape: tuple[int, int], *, gradients: bool, in_disc: bool
+) -> tuple[Taps, Taps | None]:
+    """Return a filter of averages off by `error`, and with `gradients` one of their derivatives along an axis."""
+    if gradients:
+        return _with_slope(step, error, widest)
+    if widest < _WIDEST:
+        return filtered_by(step, error, widest), None
+    return _shared_by(step, error, shape, in_disc=in_disc), None
+
+
+def _dark_samples(taps: Taps, allowed: float) -> tuple[float, float]:
+    """Return the error, at most `allowed`, of sums of dark samples in single precision, and how bright these may be.
+
+    Both over the peak; certificate, section 10, "Dark rows".
+    """
+    # What sums in single precision along both axes cost averages, of the largest sample.
+    lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
+    return (lost, _ALL) if allowed > lost else (allowed, allowed / lost)
+
+
 def before_storing(tol: float, wanted: Wanted) -> float:
     """Return what averages may be off by, for images to be within a tolerance once they are stored."""
     # Values divided by their own largest one are off by twice as much.
     return (0.4 if wanted.scale is None else 1.0) * (tol - (1.0 + tol) * storing(wanted.dtype))
 
 
-def once_stored(off: Array, wanted: Wanted) -> Array:
+def stored_error(off: Array, wanted: Wanted) -> Array:
     """Return what images are off by once they are stored, of averages that are off by so much of their peak."""
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
@@ -261,6 +277,7 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
     """Return errors of samples and of a response that are likely to be enough for one of averages."""
     # As if the largest average were a few times the least it can be, and the peak not faint.
     lowest = least_average(step)
+    # Half of the tolerance for samples, some thousandths for the response, which G^2 and the peak multiply.
     return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
@@ -281,6 +298,7 @@ def nearest(pupil: Pupil, grid: Grid, tol: float) -> float:
     step = grid.step(pupil)
     if farthest(step, grid.shape) == 0.0:
         return 0.0
+    # m_0 / r^3 of certificate, section 9, "Farther out".
     rings = 4.0 / math.pi * float(pupil.illumination.at(np.ones(()))) ** 2 * min(1.0, math.sqrt(2.0) / step)
     return math.cbrt(rings / (_SHARE * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2)))
 
@@ -319,7 +337,7 @@ def _near_and_far(
         except ToleranceError:
             return None  # of the whole window there may be a bound
         off = away.error / near.peak
-        bounds = once_stored(off, wanted)
+        bounds = stored_error(off, wanted)
         if bounds.max() <= tol:
             away.values[:, inside[0], inside[1]] = near.values[0]
             # Values divided by their own largest one are at most 1 wherever that is.
@@ -533,11 +551,9 @@ def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array
 def averaged_gradient(
     gradient: Callable[[P, Grid, float, Array], Array], pupil: P, grid: Grid, tol: float, weights: Array
 ) -> Array:
-    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
-
-    By the transpose of a filter: `gradient` is asked about samples, with a tolerance and weights for these. The
-    tolerance is that which :func:`averaged` begins with, and mostly ends with.
-    """
+    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels."""
+    # By the transpose of a filter: `gradient` is asked about samples, with a tolerance and weights for these. The
+    # tolerance is that which :func:`averaged` begins with, and mostly ends with.
     finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
     def by(widest: float) -> Array:
@@ -575,6 +591,7 @@ def spread_out(weights: Array, taps: Taps) -> Array:
     def matrix(pixels: int) -> Array:
         made = np.zeros((_samples(pixels, taps), pixels))
         for pixel in range(pixels):
+            # The transpose of the filter along one axis.
             made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
         return made
 

@@ -1,1 +1,0 @@
-"""Pixel integration: averages over the area of pixels."""

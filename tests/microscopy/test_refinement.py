@@ -10,11 +10,11 @@ import pytest
 from scipy.special import j1
 
 import lommel as lm
+from lommel.imaging.iterations import State
 from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut
 from lommel.microscopy.refinement import Looked
-from lommel.microscopy.stack_steps import State
 from lommel.recorded.camera_noise import LeftOut, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
 

@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -139,6 +139,121 @@ class LinearBlur(ABC):
                 raise ValueError(f"make must return planes of the shape {self.shape}, got {made.shape}")
             out[..., channel] = made
         return out.reshape(np.shape(image))
+
+
+Plane = tuple[slice, slice]
+"""Rows and columns of part of a plane."""
+Made = TypeVar("Made")
+Made_co = TypeVar("Made_co", covariant=True)
+
+
+class Part(Protocol):
+    """The values of part of a plane."""
+
+    def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return them."""
+
+
+class Take(Protocol[Made_co]):
+    """Consumer of parts of planes; several are called at the same time."""
+
+    def __call__(self, plane: int, rows: slice, columns: slice, values: Values, /) -> Made_co:
+        """Return what follows from a part."""
+
+
+class PlaneOperator(ABC):
+    """A blur of planes that are handed on part by part, so that only some of them are in memory.
+
+    Attributes
+    ----------
+    shape, whole : (int, int, int)
+        Planes, height and width of the recording, and of the scene with its margin.
+    outside : ndarray or None
+        Light of each plane beyond the margin, if there is any; `outside_back` is the transpose of its image, and
+        `per_outside` 1 over its share that is recorded.
+    """
+
+    shape: tuple[int, int, int]
+    whole: tuple[int, int, int]
+    outside: Values | None = None
+    outside_back: Values
+    per_outside: Values
+
+    @abstractmethod
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the image of a scene to `take`, each part of it once; return what it makes of the parts."""
+
+    @abstractmethod
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose of :meth:`forward` applied to an image to `take`, each part of the scene once."""
+
+    @abstractmethod
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return 1 over the recorded share of the light of points, times the weight; 0 where that is 0."""
+
+    def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
+        """Set the largest weight of a pixel, which divides :meth:`per_seen`."""
+
+    def release(self) -> None:  # noqa: B027 (nothing to free by default)
+        """Free the memory of transforms."""
+
+
+UNSEEN = 1e-6
+"""Share of the light of a point that is next to nothing."""
+
+
+class ImagePlanes(PlaneOperator):
+    """A linear blur whose channels are planes, of an image whose pixels have weights.
+
+    Parameters
+    ----------
+    blur : LinearBlur
+    weight : ndarray
+        Of the shape of an image.
+    """
+
+    def __init__(self, blur: LinearBlur, weight: Values) -> None:
+        self._blur, self._image = blur, weight.shape
+        self.shape = self.whole = (blur.channels, *blur.shape)
+        seen = np.maximum(blur.adjoint(weight), 0.0)
+        per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
+        self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
+
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the image of a scene to `take`, as :meth:`PlaneOperator.forward` does."""
+        return self._handed(self._blur.forward, specimen, take)
+
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose to `take`, as :meth:`PlaneOperator.adjoint` does."""
+        return self._handed(self._blur.adjoint, recording, take)
+
+    def _handed(self, operator: Callable[[Values], Values], values: Part, take: Take[Made]) -> list[Made]:
+        rows, columns = (slice(0, side) for side in self.shape[1:])
+        made = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
+        return [take(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
+
+    def image(self, planes: Sequence[Values] | Values) -> Values:
+        """Return planes as an image."""
+        return np.stack(list(planes), axis=-1).astype(self._blur.dtype, copy=False).reshape(self._image)
+
+    def planes(self, image: Values) -> Values:
+        """Return the planes of an image, as a view."""
+        return np.moveaxis(image.reshape(*self.shape[1:], -1), 2, 0)
+
+    def parts(self, image: Values) -> Part:
+        """Return the parts of the planes of an image."""
+        planes = self.planes(image)
+        return lambda plane, rows, columns: planes[plane, rows, columns]
+
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return 1 over the transpose of the blur applied to the weights, 0 where that is next to nothing."""
+        return self._per[plane, rows, columns]
+
+
+def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
+    """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
+    taken = slice(max(start, 0), max(min(stop, side), 0))
+    return taken, slice(taken.start - start, taken.stop - start)
 
 
 def linear_operator(

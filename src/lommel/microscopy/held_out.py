@@ -15,10 +15,11 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.fit.findings import Finding
-from lommel.imaging.deconvolution import TINY, RichardsonLucy
+from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.iterations import Background, Iteration, Move, State
+from lommel.imaging.poisson_counts import TINY, PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import Looked, Tell, Trial, Work, brightest
-from lommel.microscopy.stack_steps import Background, Counted, Move, State, Walk
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -47,7 +48,7 @@ class Best(NamedTuple):
     course: list[Move]  # of the whole walk
 
 
-class _Half(Counted):
+class _Half(PoissonCounts):
     """Counts of one half, and how well their model agrees with the other half."""
 
     def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
@@ -70,7 +71,7 @@ class _Half(Counted):
             self._electrons[at] = self.white * weight * light
         return found
 
-    def past(self, step: int, walk: Walk) -> bool:
+    def past(self, step: int, walk: Iteration) -> bool:
         """Return whether the best step of a walk was some steps ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
@@ -124,7 +125,7 @@ class HeldOut(Trial):
         course: list[Move] | None = None,
     ) -> Best:  # fmt: skip
         half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
-        walk = Walk(self.blur(model, len(self._values)), half, course, background=background)
+        walk = Iteration(self.blur(model, len(self._values)), half, course, background=background)
         walk.start_from(start)
         walk.enough = lambda step, _: half.past(step, walk)
         told = self._work(f"held-out photons, {words}", min(steps, _USUAL))

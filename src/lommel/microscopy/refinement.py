@@ -9,12 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.iterations import Background, Iteration, Move
+from lommel.imaging.linear import PlaneOperator
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.stack_blur import TiledBlur, WideBlur
-from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
@@ -126,7 +127,7 @@ class Trial:
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
         self._camera = Noise(**maps)
-        self._counted = Counted(self._values, self._camera, looked.saturation)
+        self._counted = PoissonCounts(self._values, self._camera, looked.saturation)
         self._threads, self._widest = looked.threads, widest
         self._degrees: tuple[int, int] | None = None  # those of the first model
         self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
@@ -147,9 +148,9 @@ class Trial:
         """Return the discrepancy after each step, as far extrapolated as those of the first model."""
         counted = self._counted
         if turned:
-            counted = _Flipped.of(counted, self._values[::-1])
+            counted = counted.reversed()
         blur = self.blur(model, len(self._values))
-        walk = Walk(blur, counted, self._courses.get(steps), background=Background(None))
+        walk = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
         found: list[float] = []
 
         def each(step: int, discrepancy: float, left: float) -> None:
@@ -160,7 +161,7 @@ class Trial:
         self._courses.setdefault(steps, walk.course)
         return found
 
-    def blur(self, model: DepthModel, planes: int) -> TiledBlur | WideBlur:
+    def blur(self, model: DepthModel, planes: int) -> PlaneOperator:
         """Return the blur of the part, with smaller PSFs, and B-splines as those of the first model."""
         side = min(max(model.window[1], _NARROWEST), self._widest)
         deep = model.window[0]
@@ -173,19 +174,6 @@ class Trial:
             psfs = psfs._replace(nodes=psfs.nodes[far])
         shape = self._values.shape
         return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
-
-
-class _Flipped:
-    """Counts of a stack whose planes are in the other order."""
-
-    @staticmethod
-    def of(counted: Counted, values: Values) -> Counted:
-        """Return them."""
-        made = object.__new__(Counted)
-        vars(made).update(vars(counted))
-        made.known = counted.known[::-1]
-        made._recorded = values
-        return made
 
 
 def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:

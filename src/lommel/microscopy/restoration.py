@@ -23,13 +23,15 @@ from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, TotalVariation
+from lommel.imaging.iterations import Background, Move, iteration_of
+from lommel.imaging.linear import PlaneOperator
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
 from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, work_of_held_out
 from lommel.microscopy.projections import Projecting, Projections
 from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
-from lommel.microscopy.stack_steps import Background, Counted, Move, walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.recorded import recordings
@@ -50,7 +52,6 @@ from lommel.show import estimates as pictures
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 
 INTERRUPTED = "interrupted"
 """Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
@@ -1029,7 +1030,7 @@ class _Job:
         tiles = sorted(_parts(height, width, side), key=lambda part: _off(part, height, width))
         alone = len(tiles) == 1
         overlap = self._model.window[1]
-        blurs: dict[tuple[int, ...], TiledBlur | WideBlur] = {}
+        blurs: dict[tuple[int, ...], PlaneOperator] = {}
         aspect = self._model.pixel / self._model.objective.magnification / self._model.step
         course: list[Move] | None = None
         level = 0.0 if alone else _level(source, camera, limit)
@@ -1043,7 +1044,7 @@ class _Job:
             if number and self._target.has(request, at):
                 continue
             y, x = _around(rows, overlap, height), _around(columns, overlap, width)
-            counted = Counted(_loaded(source, y, x), camera.part(y, x), limit)
+            counted = PoissonCounts(_loaded(source, y, x), camera.part(y, x), limit)
             if not alone:
                 counted.level = level
             size = (planes, y.stop - y.start, x.stop - x.start)
@@ -1055,7 +1056,9 @@ class _Job:
             if blur.outside is not None:
                 blur.outside[...] = counted.level
             earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
-            walk = walk_of(way, blur, counted, course, background=background, aspect=aspect, threads=self._threads)
+            walk = iteration_of(
+                way, blur, counted, course, background=background, aspect=aspect, threads=self._threads
+            )
             if isinstance(way, RichardsonLucy) and way.target >= 1.0 and self._steps:
                 most = max(way.target, 1.0 + counted.slack)
                 walk.enough = _enough(self._steps, most)
@@ -1074,7 +1077,7 @@ class _Job:
                 stopped = MISFIT if wrong is not None and wrong.code == "misfit" else why
             if isinstance(beside, np.ndarray):
                 inner = np.s_[rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
-                beside[rows, columns] = counted.background[inner][:, : columns.stop - columns.start]
+                beside[rows, columns] = np.asarray(counted.background)[inner][:, : columns.stop - columns.start]
             elif number == 0:
                 beside = counted.background
             voxels = float(counted.known.sum())

@@ -146,7 +146,7 @@ class Iteration:
             move = self._given[min(len(self.course), len(self._given) - 1)]
         self._pace, self._strength = move.pace, move.strength
         self._extrapolate(move.background)
-        self.discrepancies = self._counted.discrepancies(self._blur, self._guess, self._misfit)
+        self.discrepancies = self._counted.discrepancies(self._blur, self.guess, self._misfit)
         self.course.append(move._replace(background=self._levels))
         self._of_specimen.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
@@ -162,7 +162,7 @@ class Iteration:
             return False
         return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
 
-    def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
+    def guess(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the light, extrapolated."""
         ahead = self._light if self._before is None else self._before
         return ahead[plane, rows, columns]
@@ -190,7 +190,7 @@ class Iteration:
         least = self._counted.smallest
 
         def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
-            guess = self._guess(plane, rows, columns)
+            guess = self.guess(plane, rows, columns)
             # What no voxel of the recording sees stays as it is.
             found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
             found += 1.0
@@ -238,7 +238,7 @@ class Iteration:
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
         out = np.empty(self._blur.shape, self._counted.dtype)
         for plane, values in enumerate(out):
-            values[...] = self._guess(planes + plane, rows, columns)
+            values[...] = self.guess(planes + plane, rows, columns)
         return out
 
 

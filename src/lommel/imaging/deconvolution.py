@@ -63,7 +63,7 @@ class RichardsonLucy:
         validation.truth("accelerate", self.accelerate)
 
 
-class Course:
+class StoppingRule:
     """The course of an iteration: its discrepancies, whether to stop, and how far steps are extrapolated."""
 
     def __init__(self, method: RichardsonLucy, slack: float, tell: Tell) -> None:
@@ -92,7 +92,7 @@ class Course:
                 return MISFIT
         return STEPS if step == self._method.steps else None
 
-    def go_on(self, size: float, overlap: float) -> None:
+    def extrapolate_by(self, size: float, overlap: float) -> None:
         """Set the pace, from the square of the last change but one, and its product with the last."""
         self.pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
 

@@ -23,7 +23,7 @@ from lommel.base.threads import side_by_side
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
-from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, gathered
+from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -239,13 +239,13 @@ class FieldBlur(LinearBlur):
     def forward(self, image: Values) -> Values:
         """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
         return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.spread(plane) for part in self._parts[channel]))
+            image, lambda channel, plane: reduce(np.add, (part.forward(plane) for part in self._parts[channel]))
         )
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
         return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.collect(plane) for part in self._parts[channel]))
+            image, lambda channel, plane: reduce(np.add, (part.adjoint(plane) for part in self._parts[channel]))
         )
 
     def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
@@ -362,7 +362,7 @@ class MixedBlur:
         )
         self._spectra: Values | None = None
 
-    def spread(self, plane: Values) -> Values:
+    def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         light = (self.share * plane)[self.rows[:, None], self.columns]
         room = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
@@ -376,8 +376,8 @@ class MixedBlur:
             room[self._reached(block)] += part
         return room[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
 
-    def collect(self, plane: Values) -> Values:
-        """Return the transpose of :meth:`spread` applied to an image."""
+    def adjoint(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`forward` applied to an image."""
         room = np.pad(plane, self.before)
         taken = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
@@ -387,9 +387,7 @@ class MixedBlur:
 
         for block, part in self._each(made):
             taken[block.rows, block.columns] = part
-        # What points beyond the edges took goes to those that they are copies of.
-        found = gathered(gathered(taken, self.rows, plane.shape[0]).T, self.columns, plane.shape[1]).T
-        return self.share * found
+        return self.share * without_copies(taken, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
 
     def _each(self, made: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield blocks and their results, a row of blocks at a time."""

@@ -12,7 +12,16 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Course, RichardsonLucy, Tell, TotalVariation, search
+from lommel.imaging.deconvolution import (
+    MISFIT,
+    NOISE,
+    STEPS,
+    RichardsonLucy,
+    StoppingRule,
+    Tell,
+    TotalVariation,
+    search,
+)
 from lommel.imaging.linear import Made, PlaneOperator, Take
 from lommel.imaging.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
@@ -85,7 +94,7 @@ class Iteration:
         if self._given and self._like:
             self._background = self._given[0].background
         self._background_before = self._levels = self._background
-        counted.spread(self._levels)
+        counted.set_background(self._levels)
         self._light = np.full(blur.whole, start, dtype=counted.dtype)
         self._before: Values | None = None
         self._misfit = np.empty(blur.shape, dtype=counted.dtype)
@@ -120,23 +129,23 @@ class Iteration:
         assert isinstance(method, RichardsonLucy)
         if self._given is not None:
             method = replace(method, steps=max(len(self._given), 1), target=0.0)
-        course = Course(method, self._counted.slack, tell)
+        rule = StoppingRule(method, self._counted.slack, tell)
         last = np.inf
         while True:
-            found = self._look(course.pace)
-            stopped = course.judge(found)
-            if self._estimated and stopped in (None, NOISE) and course.steps < method.steps:
+            found = self._look(rule.pace)
+            stopped = rule.judge(found)
+            if self._estimated and stopped in (None, NOISE) and rule.steps < method.steps:
                 stopped = NOISE if self._explained(found, method.target) else None
-            if stopped is None and self.enough is not None and self.enough(course.steps, found):
+            if stopped is None and self.enough is not None and self.enough(rule.steps, found):
                 stopped = NOISE
-            if stopped or (self._given is not None and course.steps == len(self._given) - 1):
-                return course.steps, stopped or STEPS, self.discrepancies
+            if stopped or (self._given is not None and rule.steps == len(self._given) - 1):
+                return rule.steps, stopped or STEPS, self.discrepancies
             size = float(np.vdot(self._earlier, self._earlier))
             overlap = self._step()
-            if method.accelerate and course.steps > 0:
-                course.go_on(size, overlap)
+            if method.accelerate and rule.steps > 0:
+                rule.extrapolate_by(size, overlap)
                 if found > last:  # too far: it goes on from a plain step
-                    course.pace = 0.0
+                    rule.pace = 0.0
             last = found
 
     def _look(self, pace: float) -> float:
@@ -175,7 +184,7 @@ class Iteration:
         if self._estimated:
             ahead = np.maximum(_ahead(self._background, self._background_before, pace), least)
             self._levels = levels if self._like else ahead
-            self._counted.spread(self._levels)
+            self._counted.set_background(self._levels)
         if self._before is None:
             return
         for light, before in zip(self._light, self._before, strict=True):

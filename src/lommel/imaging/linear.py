@@ -290,7 +290,17 @@ def folded(room: Values, beyond: int, count: int) -> Values:
     return image
 
 
-def gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
+def without_copies(
+    image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
+) -> Values:
+    """Return an image to whose points the values of their copies beyond the edges are added.
+
+    `rows` and `columns` say which those of the image are copies of, as :func:`copies` returns.
+    """
+    return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
+
+
+def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
     """Return sums, shape (count, any), of the rows that have the same place."""
     if len(places) == count:
         return taken
@@ -404,21 +414,20 @@ class WindowBlur:
         beyond = self._side - 1
         return np.zeros((len(rows) + beyond, len(columns) + beyond + _STEP), dtype=kind)
 
-    def spread(self, plane: Values) -> Values:
+    def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
         light, out = plane[rows[:, None], columns], self._room(plane.dtype)
         engine.field_spread(rows=rows, columns=columns, image=light, out=out, **self._given)
         return out[self._inside]
 
-    def collect(self, plane: Values) -> Values:
-        """Return the transpose of :meth:`spread` applied to an image."""
+    def adjoint(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`forward` applied to an image."""
         rows, columns = self._places
         room, taken = self._room(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
         room[self._inside] = plane
         engine.field_spread(rows=rows, columns=columns, image=room, out=taken, transposed=True, **self._given)
-        # What points beyond the edges took goes to those that they are copies of.
-        return gathered(gathered(taken, rows, plane.shape[0]).T, columns, plane.shape[1]).T
+        return without_copies(taken, rows, columns, self._shape)
 
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:

@@ -183,7 +183,7 @@ class PoissonCounts:
 
         return part
 
-    def spread(self, levels: Array) -> None:
+    def set_background(self, levels: Array) -> None:
         """Take the background from its levels at points of a grid over the field."""
         down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
         self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)

@@ -10,7 +10,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -30,11 +30,20 @@ from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
-from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, work_of_held_out
+from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, estimated_held_out_steps
 from lommel.microscopy.projections import Projecting, Projections
-from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
-from lommel.optics.layers.emitter import emitter_of
+from lommel.microscopy.refinement import (
+    PARAMETERS,
+    StackContext,
+    estimate_z_direction,
+    estimated_steps,
+    rank_alternatives,
+    refined,
+    select_crop,
+)
+from lommel.optics.layers.emitter import Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import (
     MOST,
@@ -482,9 +491,11 @@ def _by_channel(
     return made
 
 
-def _mask_of(mask: ArrayLike | None, hidden: Any, shape: tuple[int, int, int, int]) -> NDArray[np.bool_] | None:
+def _mask_of(
+    mask: ArrayLike | None, hidden: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
+) -> NDArray[np.bool_] | None:
     """Return what is to be left out of each channel, or None."""
-    out = hidden
+    out = np.asarray(False if hidden is None else hidden)
     if mask is not None:
         given = validation.array("mask", mask)
         if given.dtype != bool or given.shape not in (shape[2:], shape[1:], shape):
@@ -492,7 +503,7 @@ def _mask_of(mask: ArrayLike | None, hidden: Any, shape: tuple[int, int, int, in
                 f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {given.dtype} of "
                 f"{given.shape}"
             )
-        out = hidden | given
+        out = out | given
     return np.broadcast_to(out, shape) if np.any(out) else None
 
 
@@ -506,7 +517,19 @@ def _listed(name: str, given: object) -> list[str]:
     return list(given)
 
 
-def _objective(given: Any) -> tuple[Objective, Any]:
+class MicroscopeData(Protocol):
+    """What :func:`lommel.load_microscope` returns: an objective, and how stacks are recorded with it."""
+
+    objective: Objective
+    wavelength: float
+    depth: float
+    pixel: float
+    step: float
+    emitter: Emitter
+    aberrations: Wavefront | None
+
+
+def _objective(given: Any) -> tuple[Objective, MicroscopeData | None]:
     """Return an objective, and the microscope that it is of, if it is of one."""
     if isinstance(given, Objective):
         return given, None
@@ -524,14 +547,16 @@ class _Sizes:
         self,
         opened: Recording,
         lens: Objective,
-        given: Any,
+        given: MicroscopeData | None,
         pixel: float | None,
         step: float | None,
         notes: list[str],
     ) -> None:
         told = None if opened.pixel is None else opened.pixel * lens.magnification
-        self.pixel = self._one("pixel", pixel, told, getattr(given, "pixel", None), opened, notes)
-        self.step = self._one("step", step, opened.step, abs(getattr(given, "step", 0.0)) or None, opened, notes)
+        self.pixel = self._one("pixel", pixel, told, None if given is None else given.pixel, opened, notes)
+        self.step = self._one(
+            "step", step, opened.step, (None if given is None else abs(given.step)) or None, opened, notes
+        )
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
         if not 0.0 < self.step < 1e-4:
@@ -579,7 +604,13 @@ class _Sizes:
         return told
 
 
-def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes: list[str]) -> list[float]:
+def _wavelengths(
+    opened: Recording,
+    given: MicroscopeData | None,
+    asked: float | Sequence[float] | None,
+    chosen: range,
+    notes: list[str],
+) -> list[float]:
     if asked is not None:
         each = np.atleast_1d(validation.real_array("wavelength", asked)).tolist()
         if len(each) not in (1, len(chosen)):
@@ -613,7 +644,7 @@ def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes
 def _model(
     opened: Recording,
     lens: Objective,
-    given: Any,
+    given: MicroscopeData | None,
     sizes: _Sizes,
     wave: float,
     number: int,
@@ -669,7 +700,7 @@ def _model(
     )
 
 
-class _Turned:
+class _ReversedStack:
     """A stack whose planes are taken in the other order."""
 
     def __init__(self, stack: Stack) -> None:
@@ -831,14 +862,14 @@ class _Job:
         options, notes = self._options, self._notes
         tell(0.0, "noise")
         source = self._recorded(mask)
-        crop = crop_of(source.stack, self._model.window[1], source.limit)
-        looked = Looked(source.stack, self._model, source.camera, source.limit, self._threads)
+        crop = select_crop(source.stack, self._model.window[1], source.limit)
+        context = StackContext(source.stack, self._model, source.camera, source.limit, self._threads)
         background = background_of(options.background)
         estimate = background == Background(None)
-        parts = _shares(looked, crop, options.direction == "auto", len(options.refine), options.diagnosis)
-        looked = self._in_order(source, looked, crop, _within(tell, 0.0, parts[0]))
-        looked, estimated, errors = self._refined(looked, crop, _within(tell, *parts[:2]))
-        level = self._held_out(looked, estimate, _within(tell, *parts[1:]))
+        parts = _shares(context, crop, options.direction == "auto", len(options.refine), options.diagnosis)
+        context = self._in_order(source, context, crop, _within(tell, 0.0, parts[0]))
+        context, estimated, errors = self._refined(context, crop, _within(tell, *parts[:2]))
+        level = self._held_out(context, estimate, _within(tell, *parts[1:]))
         background = background if level is None else Background(level)
         margin = self._margin()
         tell(parts[-1], "PSFs")
@@ -865,7 +896,7 @@ class _Job:
                 f"{said} counts per voxel was estimated, which is no part of the restored values; background= states "
                 "another, 0 for none."
             )
-        self._conclude(found, looked, _within(tell, min(reached, 0.5), 1.0))
+        self._conclude(found, context, _within(tell, min(reached, 0.5), 1.0))
         turned = source.turned
         return RestoredChannel(
             found.after / found.known, found.before / found.known, found.steps, found.stopped, source.camera,
@@ -893,29 +924,31 @@ class _Job:
             self._doubt(camera)
         return _Source(*self._without_hot(camera, limit))
 
-    def _in_order(self, source: _Source, looked: Looked, crop: tuple[slice, slice], tell: Shown) -> Looked:
+    def _in_order(
+        self, source: _Source, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    ) -> StackContext:
         """Turn the planes of a stack that run towards the cover glass."""
         direction = self._options.direction
         if direction == "auto":
-            direction, words = direction_of(looked, crop, tell)
+            direction, words = estimate_z_direction(context, crop, tell)
             self._notes.append(words)
         source.turned = direction == "down"
         if source.turned:
-            source.stack = _Turned(source.stack)
-        return looked._replace(stack=source.stack)
+            source.stack = _ReversedStack(source.stack)
+        return context._replace(stack=source.stack)
 
     def _refined(
-        self, looked: Looked, crop: tuple[slice, slice], tell: Shown
-    ) -> tuple[Looked, dict[str, float], dict[str, float]]:
+        self, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    ) -> tuple[StackContext, dict[str, float], dict[str, float]]:
         """Estimate parameters of the PSF from the stack, and take them; return them and their standard errors."""
         if not self._options.refine:
-            return looked, {}, {}
-        self._model, estimated, errors = refined(looked, crop, self._options.refine, tell)
+            return context, {}, {}
+        self._model, estimated, errors = refined(context, crop, self._options.refine, tell)
         for name, value in estimated.items():
             self._notes.append(
                 f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}."
             )
-        return looked._replace(model=self._model), estimated, errors
+        return context._replace(model=self._model), estimated, errors
 
     def _margin(self) -> tuple[int, int]:
         """Return the planes and pixels beyond the stack that are restored."""
@@ -958,39 +991,39 @@ class _Job:
         )  # fmt: skip
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
-    def _conclude(self, found: _Outcome, looked: Looked, tell: Shown) -> None:
+    def _conclude(self, found: _Outcome, context: StackContext, tell: Shown) -> None:
         """Add what is found of the restoration, and of a misfit which other PSFs the stack follows better."""
         options, finding = self._options, found.finding
         if finding is not None:
             if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubts():
                 # The restoration ended before its time.
-                finding = _explained(finding, better(looked, tell, turned=options.direction != "auto"))
+                finding = _explained(finding, rank_alternatives(context, tell, turned=options.direction != "auto"))
             self._findings.append(finding)
         if found.stopped == INTERRUPTED:
             self._findings.append(
                 Finding("interrupted", "doubt", "it was interrupted: steps that were done are kept")
             )
 
-    def _held_out(self, looked: Looked, estimate: bool, tell: Shown) -> float | None:
+    def _held_out(self, context: StackContext, estimate: bool, tell: Shown) -> float | None:
         """Compare PSFs by photons that are held out, and return the level of the background, if it is to be found."""
         if not self._options.diagnosis:
             return None
-        held = HeldOut(looked, tell)
+        held = HeldOut(context, tell)
         if held.plain:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
-        own = held.best("the PSF as given", looked.model)
+        own = held.best("the PSF as given", context.model)
         self._steps = own.steps
         if finding := held.finding(own):
             self._findings.append(finding)
         # A part has the blurred light of what is beside it as well: the background is that of the whole.
-        if not estimate or math.prod(looked.stack.shape) > WHOLE:
+        if not estimate or math.prod(context.stack.shape) > WHOLE:
             return None
-        side = max(looked.stack.shape[1:])
+        side = max(context.stack.shape[1:])
         if side > SIDE:
-            held = HeldOut(looked, tell, side=side)
-            own = held.best("background", looked.model)
+            held = HeldOut(context, tell, side=side)
+            own = held.best("background", context.model)
             self._steps = own.steps
         return held.level(own)
 
@@ -1119,7 +1152,7 @@ class _Job:
                 blur.outside[...] = counted.level
             before = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
             iteration = self._iteration(blur, counted, course, background)
-            told = _Told(
+            told = _ChunkProgress(
                 tell, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
             )
             count, why, each = self._solved(iteration, told, alone=level is None)
@@ -1176,7 +1209,7 @@ class _Job:
         return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
 
 
-class _Told:
+class _ChunkProgress:
     """Tells the steps of a chunk as a share of all."""
 
     def __init__(self, tell: Shown, number: int, count: int, steps: int, doubtful: bool) -> None:
@@ -1218,13 +1251,13 @@ def _explained(misfit: Finding, others: list[str]) -> Finding:
 
 
 def _shares(
-    looked: Looked, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
+    context: StackContext, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
 ) -> tuple[float, float, float]:
     """Return about which share of the work is done once the direction of z, the PSF, and the background are found."""
-    height, width = looked.stack.shape[1:]
+    height, width = context.stack.shape[1:]
     part = math.prod(at.stop - at.start for at in crop) / (height * width)
-    first, second = (part * steps for steps in work_of(direction, refine))
-    third = work_of_held_out(looked.stack.shape) if held_out else 0.0
+    first, second = (part * steps for steps in estimated_steps(direction, refine))
+    third = estimated_held_out_steps(context.stack.shape) if held_out else 0.0
     whole = first + second + third + _USUAL_STEPS
     return first / whole, (first + second) / whole, (first + second + third) / whole
 

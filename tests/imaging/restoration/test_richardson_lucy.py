@@ -9,7 +9,7 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
-from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Course
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, StoppingRule
 from lommel.imaging.iterations import Solution, iterated
 from lommel.imaging.poisson_counts import PhotographCounts
 
@@ -126,7 +126,7 @@ def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
 
 @pytest.mark.parametrize(("power", "stopped"), [(0.7, None), (4.0, MISFIT)])
 def test_a_run_is_no_misfit_while_more_steps_may_reach_the_noise(power: float, stopped: str | None) -> None:
-    course = Course(RichardsonLucy(steps=200, target=1.0), 0.01, lambda *_: None)
+    course = StoppingRule(RichardsonLucy(steps=200, target=1.0), 0.01, lambda *_: None)
     # One that falls to 1.0 at 200 steps, and one that stays at 1.3.
     falls = [0.95 + 0.05 * (k / 200.0) ** -power if power < 1.0 else 1.3 + (k / 4.0) ** -power for k in range(1, 100)]
     reasons = [course.judge(discrepancy) for discrepancy in [5.0, *falls]]

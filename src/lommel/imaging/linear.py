@@ -233,7 +233,9 @@ class ImagePlanes(PlaneOperator):
         return [take(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
 
     def image(self, planes: Sequence[Values] | Values) -> Values:
-        """Return planes as an image."""
+        """Return planes as an image, which shares the memory of a single one."""
+        if len(planes) == 1:
+            return np.asarray(planes[0], self._blur.dtype).reshape(self._image)
         return np.stack(list(planes), axis=-1).astype(self._blur.dtype, copy=False).reshape(self._image)
 
     def planes(self, image: Values) -> Values:

@@ -348,7 +348,7 @@ class PhotographCounts(PoissonCounts):
     @property
     def estimate(self) -> Values:
         """The photograph as planes of light."""
-        return np.ascontiguousarray(self.operator.planes(self.image), self.dtype)
+        return np.array(self.operator.planes(self.image), self.dtype, order="C")
 
     @property
     def start(self) -> Array:
@@ -377,7 +377,7 @@ class PhotographCounts(PoissonCounts):
         known = self.weight > 0.0
         return known if self.full is None else known & ~self.full
 
-    @property
+    @cached_property
     def image(self) -> Values:
         """The photograph as light, unknown pixels as bright as the mean."""
         return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self._flat)

@@ -27,8 +27,9 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.deconvolution import Observed
+from lommel.imaging.iterations import iterated
 from lommel.imaging.photograph import fill_missing
+from lommel.imaging.poisson_counts import PhotographCounts
 
 Array = NDArray[np.float64]
 
@@ -167,10 +168,10 @@ def cost(scene: Scene, rounds: int) -> Iterator[str]:
     blur = DepthBlur(scene.depth, scene.lens, PIXEL, threads=1)
     largest = 2 * blur.banks[0].half + 1
     for name, one in (("DepthBlur", blur), ("Occlusion", Occlusion(blur))):
-        observed = Observed.of(one, image, NOISE)
+        observed = PhotographCounts(one, image, NOISE)
 
-        def mine(observed: Observed = observed) -> Any:
-            return method.solve(observed, lambda *_: None)
+        def mine(observed: PhotographCounts = observed) -> Any:
+            return iterated(method, observed, lambda *_: None)
 
         mine()
         ratios, times = [], []

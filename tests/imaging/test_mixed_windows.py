@@ -46,18 +46,18 @@ def test_where_splines_are_parabolas_images_are_sums_over_points(deep, side):
     assert blur.error < 1e-14
     light, image = np.random.default_rng(1).standard_normal((2, HEIGHT, WIDTH))
     light[3:7, 5:9] = 0.0
-    out = blur.spread(light)
+    out = blur.forward(light)
     assert np.abs(out - by_points(windows, light)).max() < 1e-13
-    assert np.vdot(out, image) == pytest.approx(np.vdot(light, blur.collect(image)), rel=1e-11)
+    assert np.vdot(out, image) == pytest.approx(np.vdot(light, blur.adjoint(image)), rel=1e-11)
 
 
 @pytest.mark.parametrize(("border", "mode"), [("reflect", "symmetric"), ("extend", "edge")])
 def test_copies_beyond_the_edges_spread_the_windows_of_their_points(border, mode):
     blur, windows = made((4, 3, 6), border=border)
     light, image = np.random.default_rng(1).standard_normal((2, HEIGHT, WIDTH))
-    out = blur.spread(light)
+    out = blur.forward(light)
     assert np.abs(out - by_points(windows, light, 2, mode)).max() < 1e-13
-    assert np.vdot(out, image) == pytest.approx(np.vdot(light, blur.collect(image)), rel=1e-11)
+    assert np.vdot(out, image) == pytest.approx(np.vdot(light, blur.adjoint(image)), rel=1e-11)
 
 
 @pytest.mark.parametrize("degree", [3, 5])
@@ -69,7 +69,7 @@ def test_parabolas_err_by_no_more_than_is_said(degree, allowed):
     for row, column in np.random.default_rng(2).integers(0, (HEIGHT, WIDTH), (60, 2)):
         star = np.zeros((HEIGHT, WIDTH))
         star[row, column] = 1.0
-        apart = max(apart, np.abs(blur.spread(star) - by_points(windows, star)).sum())
+        apart = max(apart, np.abs(blur.forward(star) - by_points(windows, star)).sum())
     assert 0.02 * blur.error < apart <= blur.error
 
 
@@ -81,8 +81,8 @@ def test_windows_that_change_too_fast_are_refused():
 def test_threads_do_not_change_a_bit_and_types_are_kept():
     light = np.random.default_rng(1).random((HEIGHT, WIDTH)).astype(np.float32)
     one, other = (made((4, 3, 6), 19, threads=threads, dtype=np.float32) for threads in (1, 5))
-    first, second = one[0].spread(light), other[0].spread(light)
+    first, second = one[0].forward(light), other[0].forward(light)
     assert first.dtype == np.float32
     assert first.tobytes() == second.tobytes()
-    assert one[0].collect(light).tobytes() == other[0].collect(light).tobytes()
+    assert one[0].adjoint(light).tobytes() == other[0].adjoint(light).tobytes()
     assert np.abs(first - by_points(one[1], light)).max() < 2e-6

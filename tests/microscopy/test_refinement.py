@@ -10,11 +10,11 @@ import pytest
 from scipy.special import j1
 
 import lommel as lm
+from lommel.imaging.iterations import State
 from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut
-from lommel.microscopy.refinement import Looked
-from lommel.microscopy.stack_steps import State
+from lommel.microscopy.refinement import StackContext
 from lommel.recorded.camera_noise import LeftOut, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
 
@@ -55,8 +55,8 @@ def stack():
     ],
 )
 def test_what_is_wrong_is_among_the_psfs_that_are_named(stack, name, wrong, said):
-    looked = refinement.Looked(stack, RIGHT.changed(name, wrong), CAMERA, math.inf, 1)
-    found = refinement.better(looked, lambda *_: None, turned=False)
+    context = refinement.StackContext(stack, RIGHT.changed(name, wrong), CAMERA, math.inf, 1)
+    found = refinement.rank_alternatives(context, lambda *_: None, turned=False)
     assert any(each.startswith(said) for each in found)
 
 
@@ -67,12 +67,12 @@ def test_a_line_is_followed_downhill_to_its_minimum_with_few_costs():
         asked.append(value)
         return 3.0 + (value - 0.61) ** 2 if value < 1.0 else math.inf
 
-    place, found = refinement._downhill(cost, 0.0, 0.06, 3.0 + 0.61**2)
+    place, found = refinement._line_search(cost, 0.0, 0.06, 3.0 + 0.61**2)
     assert place == pytest.approx(0.61)
     assert found == pytest.approx(3.0)
     assert len(asked) == 5
-    assert refinement._downhill(cost, 0.0, -0.2, 3.0 + 0.61**2)[0] == 0.8  # 1.6 is out of range
-    assert refinement._downhill(cost, 0.61, 0.1, 3.0) == (0.61, 3.0)
+    assert refinement._line_search(cost, 0.0, -0.2, 3.0 + 0.61**2)[0] == 0.8  # 1.6 is out of range
+    assert refinement._line_search(cost, 0.61, 0.1, 3.0) == (0.61, 3.0)
 
 
 @pytest.mark.parametrize("share", [1.0, 1e-3])
@@ -107,7 +107,7 @@ class Model:
 
 
 def held(stack, model=None, limit=np.inf):
-    return HeldOut(Looked(stack, model or Model(1.33), NOISE, limit, 1), lambda *_: None)
+    return HeldOut(StackContext(stack, model or Model(1.33), NOISE, limit, 1), lambda *_: None)
 
 
 def flat(light=40.0, planes=20):

@@ -114,8 +114,8 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
 
 
 def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep):
-    def estimated(looked, *_):
-        return looked.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}
+    def estimated(context, *_):
+        return context.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}
 
     monkeypatch.setattr(restoration, "refined", estimated)
     given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
@@ -447,9 +447,9 @@ def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6
     stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)
-    crop = refinement.crop_of(stack, 17, np.inf)
-    looked, told = refinement.Looked(stack, model, CAMERA, np.inf, 1), []
-    _, found, errors = refinement.refined(looked, crop, ["spherical"], lambda *said: told.append(said))
+    crop = refinement.select_crop(stack, 17, np.inf)
+    context, told = refinement.StackContext(stack, model, CAMERA, np.inf, 1), []
+    _, found, errors = refinement.refined(context, crop, ["spherical"], lambda *said: told.append(said))
     shares = [share for share, _ in told]
     assert shares == sorted(shares)
     assert shares[-1] > 0.8
@@ -491,8 +491,8 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
     right = model.changed("spherical", 0.12)
 
     def better(values, model, turned):
-        looked = refinement.Looked(values, model, CAMERA, np.inf, 1)
-        return refinement.better(looked, lambda *_: None, turned=turned)
+        context = refinement.StackContext(values, model, CAMERA, np.inf, 1)
+        return refinement.rank_alternatives(context, lambda *_: None, turned=turned)
 
     assert better(stack, right, False) == []
     (other,) = better(stack, model.changed("spherical", 0.04), False)
@@ -503,7 +503,7 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
 
 @pytest.mark.parametrize("found", [[], ["a smaller depth"], ["a larger NA", "a smaller depth"]])
 def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
-    monkeypatch.setattr("lommel.microscopy.restoration.better", lambda *_, **__: found)
+    monkeypatch.setattr("lommel.microscopy.restoration.rank_alternatives", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
     sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
     monkeypatch.setattr(restoration.HeldOut, "plain", True)

@@ -7,8 +7,9 @@ import pytest
 from scipy.optimize import minimize
 
 import lommel as lm
+from lommel.imaging.iterations import Background, VariationIteration, iteration_of
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import Background, Counted, VariationWalk, walk_of
 
 NOISE = lm.Noise(read=1.0)
 SHAPE = (4, 6, 7)
@@ -21,8 +22,8 @@ def small(aspect=0.5, seed=0):
     truth = np.full(SHAPE, 5.0)
     truth[1:3, 2:5, 1:4] = 60.0
     stack = np.random.default_rng(seed).poisson(truth).astype(np.float32)
-    blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), Counted(stack, NOISE)
-    return VariationWalk(blur, counted, background=Background(0.0), aspect=aspect), stack
+    blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), PoissonCounts(stack, NOISE)
+    return VariationIteration(blur, counted, background=Background(0.0), aspect=aspect), stack
 
 
 def matrix():
@@ -80,10 +81,10 @@ def test_edges_at_low_light_are_restored_better_than_at_the_best_of_richardson_l
     blur = TiledBlur([kernel], shape, (0, 0))
     image = np.zeros(shape)
     blur.forward(lambda *at: truth[at], lambda p, r, c, v: image.__setitem__((p, r, c), v))
-    counted = Counted(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
+    counted = PoissonCounts(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
 
     def error(method):
-        walk = walk_of(method, blur, counted, background=Background(1.0), aspect=0.5)
+        walk = iteration_of(method, blur, counted, background=Background(1.0), aspect=0.5)
         _, stopped, _ = walk.solve(method, lambda *_: None)
         return float(np.linalg.norm(walk.inside(0, 0) - truth) / np.linalg.norm(truth)), stopped, walk
 
@@ -98,7 +99,7 @@ def test_another_part_follows_the_course_of_the_first_to_the_last_bit():
     walk, _ = small()
     walk.solve(lm.imaging.TotalVariation(strength=0.05, steps=8), lambda *_: None)
     blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), walk._counted
-    again = VariationWalk(blur, counted, walk.course, background=Background(0.0), aspect=0.5)
+    again = VariationIteration(blur, counted, walk.course, background=Background(0.0), aspect=0.5)
     steps, _, _ = again.solve(lm.imaging.TotalVariation(), lambda *_: None)
     assert (steps, again.strength) == (8, 0.05)
     np.testing.assert_array_equal(again.inside(0, 0), walk.inside(0, 0))

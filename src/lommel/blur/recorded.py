@@ -434,15 +434,9 @@ def recorded_images(
             if asked.shared:
                 asked = asked._replace(shared=False)
                 continue
-            ratio = _seen(pupil, several)
-            if method is not None or not ratio or math.isfinite(pupil.period):
-                raise
-            raise ToleranceError(
-                f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing to "
-                f"{asked.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
-                "larger tol, up to 0.01, or for a pupil with an obscuration only, which in strong seeing has nearly "
-                "the same image"
-            ) from fault
+            if method is None:
+                _refuse_seeing(asked, tol, pupil, several, fault)
+            raise
         tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
         if not tops.min() > 0:
             raise ValueError("no light falls into the window that is brighter than the errors there")
@@ -452,14 +446,31 @@ def recorded_images(
         relative = np.where(relative < 0.5, relative / (1.0 - np.minimum(relative, 0.5)), np.inf)
         bounds = stored(normalized_error(relative) if peaked else relative, dtype)
         if bounds.max() <= tol or (method is not None and not method.keeps_tol and not unknown):
-            tops = made.values.max(axis=(1, 2))
-            scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
-            values = np.empty(made.values.shape, dtype) if wanted.out is None else wanted.out
-            # Nothing is negative that is an average of light.
-            np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
-            return made.method, Images(values, scales, None if unknown else bounds)
+            return made.method, _scaled(made, wanted, None if unknown else bounds)
         asked = _again(asked, made, aim * tops)._replace(shared=asked.shared and tries == 0)
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
+
+
+def _refuse_seeing(asked: Asked, tol: float, pupil: BasePupil, several: tuple[Blur, ...], fault: Exception) -> None:
+    """Raise ToleranceError if it is seeing that takes samples too far beyond the window."""
+    ratio = _seen(pupil, several)
+    if ratio and not math.isfinite(pupil.period):
+        raise ToleranceError(
+            f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing to "
+            f"{asked.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
+            "larger tol, up to 0.01, or for a pupil with an obscuration only, which in strong seeing has nearly "
+            "the same image"
+        ) from fault
+
+
+def _scaled(made: Made, wanted: Wanted, bounds: Array | None) -> Images:
+    """Return images over their largest values, or times the scale that is wanted, where they are wanted."""
+    tops = made.values.max(axis=(1, 2))
+    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
+    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
+    # Nothing is negative that is an average of light.
+    np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
+    return Images(values, scales, bounds)
 
 
 def _seen(pupil: BasePupil, several: tuple[Blur, ...]) -> float:

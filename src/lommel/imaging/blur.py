@@ -21,7 +21,7 @@ from lommel.base.units import format_length
 from lommel.core import engine
 from lommel.core.answers import DType
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
-from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
+from lommel.imaging.linear import LinearBlur, copies, folded, linear_operator, without_copies
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens, require_round
@@ -246,8 +246,7 @@ class DepthBlur(LinearBlur):
             engine.collect(
                 *parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown, slopes
             )
-            # What points beyond the edges took goes to those that they are copies of.
-            yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+            yield without_copies(taken, rows, columns, self.shape)
 
     def _require(self, plane: Any, points: Any) -> None:
         """Raise TypeError unless a plane has this shape and the type of the sums."""
@@ -261,7 +260,7 @@ class DepthBlur(LinearBlur):
         """Return the rows and columns of the image with copies of its edges, and the margins of their windows."""
         bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
         margin = bank.half if self.border == "extend" else 0
-        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
+        rows, columns = (copies(side, margin, self.border) for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:

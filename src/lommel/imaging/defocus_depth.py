@@ -248,14 +248,7 @@ def depth_from_defocus(
     1.5
     """
     pitch = pixel_of(lenses, pixel)
-    if len(lenses) < 2:
-        raise ValueError(
-            f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
-        )
-    given = list(photographs) if isinstance(photographs, list | tuple) else _apart(photographs)
-    if len(given) != len(lenses):
-        count = len(given) or validation.shown(photographs)
-        raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
+    given = _one_of_each(photographs, lenses)
     noise = validation.instance("noise", noise, Noise).poisson
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
@@ -264,14 +257,7 @@ def depth_from_defocus(
         validation.real("saturation", saturation, above=0.0)
     validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
     validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
-    shape = "(height, width) or (height, width, channels)"
-    counts = []
-    for k, one in enumerate(given):
-        counts.append(Counts.of(f"photographs[{k}]", one, sides=(2, 3), shape=shape, saturation=saturation))
-        require_image(f"photographs[{k}]", counts[k].values.shape)
-    if len({one.values.shape for one in counts}) > 1:
-        shapes = ", ".join(str(one.values.shape) for one in counts)
-        raise ValueError(f"photographs must be of one shape, got {shapes}")
+    counts = _counts(given, saturation)
     first = counts[0].values
     if wavelengths is None and all(_is_grey(one.values) for one in counts):  # stored three times, it was counted once
         counts = [one[..., 0] for one in counts]
@@ -307,18 +293,7 @@ def depth_from_defocus(
     found, errors = vergence[0] + step * position.astype(np.float64), step * spread
     stated = f_number_error
     if f_number_error or focus_error:
-        foci = [1.0 / lens.focus_distance for lens in lenses]
-        inner = np.isfinite(errors)
-        of_f_number, *of_foci = engine.by_lenses(found[inner])
-        # Frames of one focus share its error.
-        shared = [np.sum([by for by, each in zip(of_foci, foci, strict=True) if each == one], 0) for one in set(foci)]
-        errors[inner] = np.sqrt(
-            errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
-        )
-        lost = inner & (errors > engine.known)
-        found[lost], errors[lost], spread[lost] = math.nan, math.inf, math.inf
-        if len(shared) > 1:
-            stated = math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
+        stated = _add_lens_errors(engine, lenses, (f_number_error, focus_error), found, errors, spread)
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / found, 1.0 / vergence
         sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
@@ -335,6 +310,60 @@ def depth_from_defocus(
 
     judge = partial(judged, engine, images, valid, spread, misfit, found, stated)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
+
+
+def _one_of_each(photographs: Any, lenses: Sequence[Lens]) -> list[Any]:
+    """Return the photographs, with their masks; ValueError unless there are as many as lenses, two or more."""
+    if len(lenses) < 2:
+        raise ValueError(
+            f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
+        )
+    given = list(photographs) if isinstance(photographs, list | tuple) else _apart(photographs)
+    if len(given) != len(lenses):
+        count = len(given) or validation.shown(photographs)
+        raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
+    return given
+
+
+def _counts(photographs: list[Any], saturation: float | None) -> list[Counts]:
+    """Return photographs as counts; ValueError unless they are images of one shape."""
+    shape = "(height, width) or (height, width, channels)"
+    counts = []
+    for k, one in enumerate(photographs):
+        counts.append(Counts.of(f"photographs[{k}]", one, sides=(2, 3), shape=shape, saturation=saturation))
+        require_image(f"photographs[{k}]", counts[k].values.shape)
+    if len({one.values.shape for one in counts}) > 1:
+        shapes = ", ".join(str(one.values.shape) for one in counts)
+        raise ValueError(f"photographs must be of one shape, got {shapes}")
+    return counts
+
+
+def _add_lens_errors(
+    engine: FocalEngine,
+    lenses: Sequence[Lens],
+    stated: tuple[float, float],
+    found: Array,
+    errors: Array,
+    spread: Values,
+) -> float:
+    """Add standard errors of f-numbers and foci to those of 1 / distance; return that of the size of blur.
+
+    Where the sum is too large, depth is not known.
+    """
+    f_number_error, focus_error = stated
+    foci = [1.0 / lens.focus_distance for lens in lenses]
+    inner = np.isfinite(errors)
+    of_f_number, *of_foci = engine.by_lenses(found[inner])
+    # Frames of one focus share its error.
+    shared = [np.sum([by for by, each in zip(of_foci, foci, strict=True) if each == one], 0) for one in set(foci)]
+    errors[inner] = np.sqrt(
+        errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
+    )
+    lost = inner & (errors > engine.known)
+    found[lost], errors[lost], spread[lost] = math.nan, math.inf, math.inf
+    if len(shared) == 1:
+        return f_number_error
+    return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:

@@ -23,7 +23,7 @@ from lommel.base.threads import side_by_side
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
-from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, gathered
+from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -239,13 +239,13 @@ class FieldBlur(LinearBlur):
     def forward(self, image: Values) -> Values:
         """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
         return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.spread(plane) for part in self._parts[channel]))
+            image, lambda channel, plane: reduce(np.add, (part.forward(plane) for part in self._parts[channel]))
         )
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
         return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.collect(plane) for part in self._parts[channel]))
+            image, lambda channel, plane: reduce(np.add, (part.adjoint(plane) for part in self._parts[channel]))
         )
 
     def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
@@ -362,7 +362,7 @@ class MixedBlur:
         )
         self._spectra: Values | None = None
 
-    def spread(self, plane: Values) -> Values:
+    def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         light = (self.share * plane)[self.rows[:, None], self.columns]
         room = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
@@ -376,8 +376,8 @@ class MixedBlur:
             room[self._reached(block)] += part
         return room[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
 
-    def collect(self, plane: Values) -> Values:
-        """Return the transpose of :meth:`spread` applied to an image."""
+    def adjoint(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`forward` applied to an image."""
         room = np.pad(plane, self.before)
         taken = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
@@ -387,9 +387,7 @@ class MixedBlur:
 
         for block, part in self._each(made):
             taken[block.rows, block.columns] = part
-        # What points beyond the edges took goes to those that they are copies of.
-        found = gathered(gathered(taken, self.rows, plane.shape[0]).T, self.columns, plane.shape[1]).T
-        return self.share * found
+        return self.share * without_copies(taken, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
 
     def _each(self, made: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield blocks and their results, a row of blocks at a time."""
@@ -620,18 +618,11 @@ def build_field_bank(
     if far is not None:
         half, beyond = far.half, far.error
     room = (1.0 - _PARABOLAS) * tol - beyond
-    axes, before = _axes(light, spans, min(core, half), room), math.inf
-    if all(nodes.count == 1 for nodes in axes):
-        before = 0.0
+    axes = _axes(light, spans, min(core, half), room)
+    before = 0.0 if all(nodes.count == 1 for nodes in axes) else math.inf
     while True:
         side = 2 * half + 1
-        if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
-            counts = " x ".join(str(nodes.count) for nodes in axes)
-            raise ValueError(
-                f"a bank of {counts} windows (down, across, over defocus) of {side} x {side} pixels exceeds the "
-                f"limit of {_MAX_VALUES} values; ask for a larger tol than {tol:g}, for less light (energy=), or for "
-                "parts of the image, by center="
-            )
+        _require_few(axes, side, tol)
         windows = light.windows(lattice([nodes.places for nodes in axes]), half)
         held = windows.sum(axis=(1, 2))
         if far is None and held.min() < energy:  # between the places that were looked at
@@ -644,30 +635,54 @@ def build_field_bank(
         coefficients: Values = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
-        places = lattice(
-            [nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes]
-        )
-        if len(places) > _CHECKED:
-            places = places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
-        exact = light.windows(places, half)
-        between = exact.sum(axis=(1, 2))
-        if far is None:
-            exact /= between[:, None, None]
-        error = UNEVEN * max(  # what a window holds too much, the far light lacks
-            off(made, one) + abs(float((made - one).sum()))
-            for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
-        )
+        error, least = _error_between(light, axes, coefficients, whole=far is None)
         if error <= room:
-            lost = 1.0 - float(min(held.min(), between.min())) if far is None else far.lost
+            lost = 1.0 - min(float(held.min()), least) if far is None else far.lost
             return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + beyond)
         degree = axes[0].degree
         times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
         # Where nodes that are closer do not help, axes of a single one may need more.
         single, before = error > 0.9 * before, error
-        axes = tuple(
-            nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes
-            for nodes in axes
+        axes = _finer(axes, times, single=single)
+
+
+def _finer(axes: Sequence[Nodes], times: float, *, single: bool) -> tuple[Nodes, ...]:
+    """Return axes with so many times as many nodes, those of a `single` one included or not."""
+    return tuple(
+        nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes for nodes in axes
+    )
+
+
+def _require_few(axes: Sequence[Nodes], side: int, tol: float) -> None:
+    """Raise ValueError if a bank would be too large."""
+    if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
+        counts = " x ".join(str(nodes.count) for nodes in axes)
+        raise ValueError(
+            f"a bank of {counts} windows (down, across, over defocus) of {side} x {side} pixels exceeds the "
+            f"limit of {_MAX_VALUES} values; ask for a larger tol than {tol:g}, for less light (energy=), or for "
+            "parts of the image, by center="
         )
+
+
+def _error_between(
+    light: PointLight, axes: Sequence[Nodes], coefficients: Values, *, whole: bool
+) -> tuple[float, float]:
+    """Return the largest error of windows half-way between nodes, and the least light that exact ones hold there.
+
+    Windows are divided by their light if they stand for the `whole` of it.
+    """
+    places = lattice([nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes])
+    if len(places) > _CHECKED:
+        places = places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
+    exact = light.windows(places, coefficients.shape[-1] // 2)
+    held = exact.sum(axis=(1, 2))
+    if whole:
+        exact /= held[:, None, None]
+    error = UNEVEN * max(  # what a window holds too much, the far light lacks
+        off(made, one) + abs(float((made - one).sum()))
+        for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
+    )
+    return error, float(held.min())
 
 
 def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:

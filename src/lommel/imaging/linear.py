@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -141,6 +141,123 @@ class LinearBlur(ABC):
         return out.reshape(np.shape(image))
 
 
+Plane = tuple[slice, slice]
+"""Rows and columns of part of a plane."""
+Made = TypeVar("Made")
+Made_co = TypeVar("Made_co", covariant=True)
+
+
+class Part(Protocol):
+    """The values of part of a plane."""
+
+    def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return them."""
+
+
+class Take(Protocol[Made_co]):
+    """Consumer of parts of planes; several are called at the same time."""
+
+    def __call__(self, plane: int, rows: slice, columns: slice, values: Values, /) -> Made_co:
+        """Return what follows from a part."""
+
+
+class PlaneOperator(ABC):
+    """A blur of planes that are handed on part by part, so that only some of them are in memory.
+
+    Attributes
+    ----------
+    shape, whole : (int, int, int)
+        Planes, height and width of the recording, and of the scene with its margin.
+    outside : ndarray or None
+        Light of each plane beyond the margin, if there is any; `outside_back` is the transpose of its image, and
+        `per_outside` 1 over its share that is recorded.
+    """
+
+    shape: tuple[int, int, int]
+    whole: tuple[int, int, int]
+    outside: Values | None = None
+    outside_back: Values
+    per_outside: Values
+
+    @abstractmethod
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the image of a scene to `take`, each part of it once; return what it makes of the parts."""
+
+    @abstractmethod
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose of :meth:`forward` applied to an image to `take`, each part of the scene once."""
+
+    @abstractmethod
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return 1 over the recorded share of the light of points, times the weight; 0 where that is 0."""
+
+    def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
+        """Set the largest weight of a pixel, which divides :meth:`per_seen`."""
+
+    def release(self) -> None:  # noqa: B027 (nothing to free by default)
+        """Free the memory of transforms."""
+
+
+UNSEEN = 1e-6
+"""Share of the light of a point that is next to nothing."""
+
+
+class ImagePlanes(PlaneOperator):
+    """A linear blur whose channels are planes, of an image whose pixels have weights.
+
+    Parameters
+    ----------
+    blur : LinearBlur
+    weight : ndarray
+        Of the shape of an image.
+    """
+
+    def __init__(self, blur: LinearBlur, weight: Values) -> None:
+        self._blur, self._image = blur, weight.shape
+        self.shape = self.whole = (blur.channels, *blur.shape)
+        seen = np.maximum(blur.adjoint(weight), 0.0)
+        per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
+        self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
+
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the image of a scene to `take`, as :meth:`PlaneOperator.forward` does."""
+        return self._handed(self._blur.forward, specimen, take)
+
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose to `take`, as :meth:`PlaneOperator.adjoint` does."""
+        return self._handed(self._blur.adjoint, recording, take)
+
+    def _handed(self, operator: Callable[[Values], Values], values: Part, take: Take[Made]) -> list[Made]:
+        rows, columns = (slice(0, side) for side in self.shape[1:])
+        made = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
+        return [take(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
+
+    def image(self, planes: Sequence[Values] | Values) -> Values:
+        """Return planes as an image, which shares the memory of a single one."""
+        if len(planes) == 1:
+            return np.asarray(planes[0], self._blur.dtype).reshape(self._image)
+        return np.stack(list(planes), axis=-1).astype(self._blur.dtype, copy=False).reshape(self._image)
+
+    def planes(self, image: Values) -> Values:
+        """Return the planes of an image, as a view."""
+        return np.moveaxis(image.reshape(*self.shape[1:], -1), 2, 0)
+
+    def parts(self, image: Values) -> Part:
+        """Return the parts of the planes of an image."""
+        planes = self.planes(image)
+        return lambda plane, rows, columns: planes[plane, rows, columns]
+
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
+        """Return 1 over the transpose of the blur applied to the weights, 0 where that is next to nothing."""
+        return self._per[plane, rows, columns]
+
+
+def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
+    """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
+    taken = slice(max(start, 0), max(min(stop, side), 0))
+    return taken, slice(taken.start - start, taken.stop - start)
+
+
 def linear_operator(
     forward: Callable[[Values], Values],
     adjoint: Callable[[Values], Values],
@@ -175,7 +292,17 @@ def folded(room: Values, beyond: int, count: int) -> Values:
     return image
 
 
-def gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
+def without_copies(
+    image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
+) -> Values:
+    """Return an image to whose points the values of their copies beyond the edges are added.
+
+    `rows` and `columns` say which those of the image are copies of, as :func:`copies` returns.
+    """
+    return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
+
+
+def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
     """Return sums, shape (count, any), of the rows that have the same place."""
     if len(places) == count:
         return taken
@@ -289,21 +416,20 @@ class WindowBlur:
         beyond = self._side - 1
         return np.zeros((len(rows) + beyond, len(columns) + beyond + _STEP), dtype=kind)
 
-    def spread(self, plane: Values) -> Values:
+    def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
         light, out = plane[rows[:, None], columns], self._room(plane.dtype)
         engine.field_spread(rows=rows, columns=columns, image=light, out=out, **self._given)
         return out[self._inside]
 
-    def collect(self, plane: Values) -> Values:
-        """Return the transpose of :meth:`spread` applied to an image."""
+    def adjoint(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`forward` applied to an image."""
         rows, columns = self._places
         room, taken = self._room(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
         room[self._inside] = plane
         engine.field_spread(rows=rows, columns=columns, image=room, out=taken, transposed=True, **self._given)
-        # What points beyond the edges took goes to those that they are copies of.
-        return gathered(gathered(taken, rows, plane.shape[0]).T, columns, plane.shape[1]).T
+        return without_copies(taken, rows, columns, self._shape)
 
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:

@@ -23,11 +23,13 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
-from lommel.imaging.deconvolution import ONE_PASS, Observed, Solution, Tell
+from lommel.imaging.deconvolution import ONE_PASS, Tell
 from lommel.imaging.focal_engine import processors
 from lommel.imaging.focal_tables import SharpTables, Taps
+from lommel.imaging.iterations import Solution
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.poisson_counts import PhotographCounts
 
 _STEP = 0.75  # radians of defocus from one table to the next
 _MOST_TABLES = 961
@@ -101,7 +103,7 @@ class OnePass:
     def __post_init__(self) -> None:
         validation.real("loss", self.loss, above=0.0, infinite=True)
 
-    def solve(self, observed: Observed, tell: Tell) -> Solution:
+    def solve(self, observed: PhotographCounts, tell: Tell) -> Solution:
         """Return the sharp light behind the counts `observed`; `tell` gets one step. ValueError for other blurs."""
         blur = lens_blur(observed.blur)
         if blur is None:
@@ -120,7 +122,8 @@ class OnePass:
         if near.any():
             done = _believed(observed, done, near, [texture.noise for texture in textures])
         tell(1, math.nan, 0.0)
-        return Solution(done, 1, ONE_PASS, replace(self, textures=textures))
+        same = replace(self, textures=textures)
+        return Solution(done, 1, ONE_PASS, lambda other: same.solve(other, lambda *_: None).light)
 
     def _tables(self, model: FocalModel) -> SharpTables:
         """Return filters of the lowest degree that comes near to Wiener's; ValueError if none does."""
@@ -144,7 +147,7 @@ class OnePass:
 class _Scene:
     """An observation through a lens: its channels, and the distances that tables are made for."""
 
-    def __init__(self, observed: Observed, blur: DepthBlur) -> None:
+    def __init__(self, observed: PhotographCounts, blur: DepthBlur) -> None:
         self._blur = blur
         self.vergence, self.places = _vergences(blur)
         shape = (*blur.shape, blur.channels)
@@ -184,7 +187,7 @@ class _Scene:
         return float((texture.noise**2 / (texture.noise + seen)) @ passed.band.share)
 
 
-def wiener_target(observed: Observed) -> tuple[float, float] | None:
+def wiener_target(observed: PhotographCounts) -> tuple[float, float] | None:
     """Return the discrepancy that a result should have by texture and noise of a photograph by a lens, and the noise.
 
     The noise is over what is stated. None where the blur is too wide for the transfer functions.
@@ -245,7 +248,7 @@ def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
     return np.asarray(maximum_filter(places, side) - minimum_filter(places, side) > _UNLIKE)
 
 
-def _believed(observed: Observed, light: Values, near: NDArray[np.bool_], noise: list[float]) -> Values:
+def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_], noise: list[float]) -> Values:
     """Return light mixed with the photograph near edges of depth, where that explains better what was recorded.
 
     As much of the residual is mended as the noise of each channel does not explain.

@@ -520,13 +520,16 @@ def _known_range(low: float, high: float) -> tuple[float, float]:
     return low, high
 
 
-def tiles_of(shape: Sequence[int], side: int, overlap: int) -> Iterator[tuple[Window, Window, Window]]:
+def tiles_of(
+    shape: Sequence[int], side: int | Sequence[int], overlap: int
+) -> Iterator[tuple[Window, Window, Window]]:
     """Yield, for each tile of an image, its place in it, the part that it must know, and its place in that."""
-    for top in range(0, shape[0], side):
-        for left in range(0, shape[1], side):
+    down, across = (side, side) if isinstance(side, int) else side
+    for top in range(0, shape[0], down):
+        for left in range(0, shape[1], across):
             inside, around, within = [], [], []
-            for start, size in ((top, shape[0]), (left, shape[1])):
-                stop = min(size, start + side)
+            for start, size, own in ((top, shape[0], down), (left, shape[1], across)):
+                stop = min(size, start + own)
                 first, last = max(0, start - overlap), min(size, stop + overlap)
                 inside.append(slice(start, stop))
                 around.append(slice(first, last))

@@ -18,7 +18,14 @@ from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BORDERS, Spectrum, spectra
-from lommel.imaging.traced_windows import AberratedWindows, Term, chebyshev, chebyshev_nodes, defocus_layers
+from lommel.imaging.traced_windows import (
+    AberratedWindows,
+    DefocusLayer,
+    Term,
+    chebyshev,
+    chebyshev_nodes,
+    defocus_layers,
+)
 from lommel.methods.pixel_rule import cells_alike, octant
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
@@ -717,11 +724,8 @@ def traced_blur(
     pitch = validation.pixel(pixel, metric=True)
     share = validation.real("energy", energy, above=0.0, below=1.0)
     allowed = validation.real("tol", tol, least=1e-9, below=1e-1)
-    ns = Namespace.of(xp)
+    ns = _namespace(xp, device, precision)
     validation.choice("border", border, BORDERS)
-    validation.choice("precision", precision, ("float32", "float64"))
-    if precision == "float64" and not ns.has_double(device):
-        raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or it is switched off')
     colours = spectra("wavelengths", [lens.wavelength] if wavelengths is None else wavelengths)
     optics = _optics(lens, focus_distances, f_numbers, defocus, zernike)
     low, high, scales = _ranges(lens, optics, distances)
@@ -739,25 +743,19 @@ def traced_blur(
         window = half, step / math.exp(scales[0])
         aberrated, of_zernike = traced_windows.make(lens, dict(optics.zernike), (low, high), colours, window, allowed)
         of_zernike["lattice"] = of_zernike["lattice"] * math.exp(scales[0])
-    numpy, limits = Namespace.of(None), np.array([most for _, most in optics.zernike])
-    draw = np.random.default_rng(0)
+    numpy, draw = Namespace.of(None), np.random.default_rng(0)
 
     def with_terms(c: Array, coefficients: Array) -> Array:
         assert aberrated is not None
         made = numpy.to_numpy(aberrated(numpy, of_zernike, c, coefficients, np.float64(1.0)))
         return np.reshape(made, (len(c), len(colours), -1))
 
+    limits = np.array([most for _, most in optics.zernike])
     members = [limits * draw.choice([-1.0, 1.0], limits.size) * share for share in (1.0, 0.6)] if limits.size else []
 
     def windows(c: Array) -> Array:
-        parts = [exact(c, float(size)) for size in sizes]
-        together = np.concatenate(parts, axis=1)
-        if not members:
-            return together
-        more = np.concatenate([with_terms(c, each) for each in members], axis=1)
-        padded = np.zeros((*together.shape[:2], more.shape[2]))
-        padded[..., : together.shape[2]] = together
-        return np.concatenate([padded, more], axis=1)
+        together = np.concatenate([exact(c, float(size)) for size in sizes], axis=1)
+        return _joined(together, [with_terms(c, each) for each in members])
 
     values = exact.cells * len(colours) * len(sizes)
     rate = lens.wavelength / min(wavelength for colour in colours for wavelength, _ in colour)
@@ -765,26 +763,18 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     known = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     table, transform = _sizes(exact, nodes, known, scales, allowed)
+    screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _SCREENS)))
     tables: dict[str, Values] = {
         "windows": table,
         "transform": transform,
         "as given": _at_size(0.0, scales, transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
-        "edges": np.array([layer.high for layer in layers[:-1]]),
-        "middles": np.array([0.5 * (layer.low + layer.high) for layer in layers]),
-        "reaches": np.array([0.5 * (layer.high - layer.low) for layer in layers]),
         "at": np.arange(half + 1, dtype=np.int32),
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
         "cell": _cells(half),
+        **_layer_tables(layers, screens),
         **of_zernike,
     }
-    tables |= {f"weights_{k}": layer.weights for k, layer in enumerate(layers)}
-    count = int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _SCREENS))
-    screens = np.linspace(high, low, count)
-    for k, layer in enumerate(layers):
-        inside = (screens >= layer.low) & ((screens < layer.high) | (k + 1 == len(layers)))
-        x = (2.0 * screens - layer.low - layer.high) / (layer.high - layer.low)
-        tables[f"screens_{k}"] = inside[:, None] * (chebyshev(x, layer.weights.shape[1]) @ layer.weights.T)
     edges = (layers[0].low, *(layer.high for layer in layers))
     ranks, degrees = (tuple(layer.weights.shape[axis] for layer in layers) for axis in (0, 1))
     static = Blur(
@@ -796,6 +786,40 @@ def traced_blur(
         error=_found_error(TracedBlur(static._replace(namespace=numpy), dict(tables)), exact, draw)
     )
     return _placed(static, tables, device)
+
+
+def _namespace(xp: object, device: object, precision: str) -> Namespace:
+    """Return the namespace of a framework; ValueError if it has not the precision."""
+    ns = Namespace.of(xp)
+    validation.choice("precision", precision, ("float32", "float64"))
+    if precision == "float64" and not ns.has_double(device):
+        raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or it is switched off')
+    return ns
+
+
+def _joined(windows: Array, others: list[Array]) -> Array:
+    """Return windows (n, parts, cells) and others of more cells side by side, padded by zeros."""
+    if not others:
+        return windows
+    more = np.concatenate(others, axis=1)
+    padded = np.zeros((*windows.shape[:2], more.shape[2]))
+    padded[..., : windows.shape[2]] = windows
+    return np.concatenate([padded, more], axis=1)
+
+
+def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, Values]:
+    """Return the tables of layers by name, with the weights of their windows at the C_d of layers of occlusion."""
+    tables: dict[str, Values] = {
+        "edges": np.array([layer.high for layer in layers[:-1]]),
+        "middles": np.array([0.5 * (layer.low + layer.high) for layer in layers]),
+        "reaches": np.array([0.5 * (layer.high - layer.low) for layer in layers]),
+    }
+    for k, layer in enumerate(layers):
+        inside = (screens >= layer.low) & ((screens < layer.high) | (k + 1 == len(layers)))
+        x = (2.0 * screens - layer.low - layer.high) / (layer.high - layer.low)
+        tables[f"weights_{k}"] = layer.weights
+        tables[f"screens_{k}"] = inside[:, None] * (chebyshev(x, layer.weights.shape[1]) @ layer.weights.T)
+    return tables
 
 
 class _Exact:

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.fit.findings import Findings
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
+from lommel.imaging.iterations import Background, iteration_of
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.spot import stage
 from lommel.microscopy.stack_blur import TiledBlur
-from lommel.microscopy.stack_steps import Background, Counted, walk_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
@@ -99,13 +100,13 @@ def deconvolve(
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
     level = background_of(background)
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
-    counted = Counted(recorded, noise)
+    counted = PoissonCounts(recorded, noise)
     blur = TiledBlur(psf, (recorded.shape[0], recorded.shape[1], recorded.shape[2]), (planes, pixels))
     before = counted.mean(counted.discrepancies(blur, counted.scene(planes, pixels)))
     pupil: Any = psf.pupil
     aspect = float(psf.grid.side / pupil.magnification / np.diff(stage(psf))[0])
     way = method or RichardsonLucy(target=1.0)
-    walk = walk_of(way, blur, counted, background=level, aspect=aspect)
+    walk = iteration_of(way, blur, counted, background=level, aspect=aspect)
     with shown(progress) as tell:
         steps, stopped, each = walk.solve(way, tell)
     values, found = walk.inside(planes, pixels), counted.mean(each)

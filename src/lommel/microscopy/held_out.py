@@ -15,10 +15,11 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.fit.findings import Finding
-from lommel.imaging.deconvolution import TINY, RichardsonLucy
+from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.iterations import Background, Iteration, Move, State
+from lommel.imaging.poisson_counts import TINY, PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.refinement import Looked, Tell, Trial, Work, brightest
-from lommel.microscopy.stack_steps import Background, Counted, Move, State, Walk
+from lommel.microscopy.refinement import StackContext, Tell, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -47,7 +48,7 @@ class Best(NamedTuple):
     course: list[Move]  # of the whole walk
 
 
-class _Half(Counted):
+class _Half(PoissonCounts):
     """Counts of one half, and how well their model agrees with the other half."""
 
     def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
@@ -70,7 +71,7 @@ class _Half(Counted):
             self._electrons[at] = self.white * weight * light
         return found
 
-    def past(self, step: int, walk: Walk) -> bool:
+    def past(self, step: int, walk: Iteration) -> bool:
         """Return whether the best step of a walk was some steps ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
@@ -86,18 +87,18 @@ class _Half(Counted):
         return step - self.best.steps >= _PATIENCE
 
 
-class HeldOut(Trial):
+class HeldOut(TrialDeconvolution):
     """A part of a stack in two halves."""
 
-    def __init__(self, looked: Looked, tell: Tell, *, side: int = SIDE) -> None:
-        super().__init__(looked, brightest(looked.stack, side, looked.saturation))
-        self._model, self._work = looked.model, Work(tell, _WALKS * _USUAL)
+    def __init__(self, context: StackContext, tell: Tell, *, side: int = SIDE) -> None:
+        super().__init__(context, brightest(context.stack, side, context.saturation))
+        self._model, self._work = context.model, Work(tell, _WALKS * _USUAL)
         camera = self._camera
         gain = np.asarray(1.0 if camera.white is None else camera.white)
         spread = np.asarray(camera.read) ** 2
         values = self._values.astype(np.float64)
         with np.errstate(invalid="ignore"):
-            known = np.isfinite(values) & (values < looked.saturation)
+            known = np.isfinite(values) & (values < context.saturation)
         given = np.where(known, gain * (values - camera.offset) + spread, 0.0)
         whole = np.maximum(np.rint(given), 0.0)
         draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
@@ -124,7 +125,7 @@ class HeldOut(Trial):
         course: list[Move] | None = None,
     ) -> Best:  # fmt: skip
         half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
-        walk = Walk(self.blur(model, len(self._values)), half, course, background=background)
+        walk = Iteration(self.blur(model, len(self._values)), half, course, background=background)
         walk.start_from(start)
         walk.enough = lambda step, _: half.past(step, walk)
         told = self._work(f"held-out photons, {words}", min(steps, _USUAL))
@@ -209,7 +210,7 @@ class HeldOut(Trial):
         return Finding("psf_doubtful", "doubt", text, numbers)
 
 
-def work_of_held_out(shape: tuple[int, ...]) -> float:
+def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
     """Return about how many steps of the whole stack all of this takes."""
     return _WALKS * _USUAL * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
 

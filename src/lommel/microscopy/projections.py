@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Values
-from lommel.microscopy.stack_blur import Part, TiledBlur, WideBlur
-from lommel.microscopy.stack_steps import Counted
+from lommel.imaging.linear import Part, PlaneOperator
+from lommel.imaging.poisson_counts import PoissonCounts
 
 
 class Projections(NamedTuple):
@@ -49,8 +49,8 @@ class Projecting:
         rows: slice,
         columns: slice,
         corner: tuple[int, int],
-        blur: TiledBlur | WideBlur,
-        counted: Counted,
+        blur: PlaneOperator,
+        counted: PoissonCounts,
         light: Part,
         restored: Values,
     ) -> None:

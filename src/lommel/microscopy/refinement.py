@@ -9,12 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.iterations import Background, Iteration, Move
+from lommel.imaging.linear import PlaneOperator
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.stack_blur import TiledBlur, WideBlur
-from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
@@ -49,7 +50,7 @@ _EXPLAINED = 0.03  # of the misfit that these steps leave, by another PSF that i
 _AS_GOOD = 0.5  # of what the best PSF explains: others that explain so much are named beside it
 
 
-def crop_of(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
+def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
     """Return rows and columns around the brightest detail, of a part as wide as PSFs of a `side`, within limits."""
     return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
@@ -75,7 +76,7 @@ def _placed(middle: int, size: int, side: int) -> slice:
     return slice(start, min(start + size, side))
 
 
-def work_of(direction: bool, names: int) -> tuple[float, float]:
+def estimated_steps(direction: bool, names: int) -> tuple[float, float]:
     """Return about how many steps the direction of z, and so many values, take in the part that is looked at."""
     return 2.0 * _STEPS * direction, (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
 
@@ -85,7 +86,7 @@ def _places(names: int) -> int:
     return 1 + 2 * names + names * (names - 1) // 2
 
 
-class Looked(NamedTuple):
+class StackContext(NamedTuple):
     """A stack, and what is known of it."""
 
     stack: Stack
@@ -113,21 +114,21 @@ class Work:
         return told
 
 
-class Trial:
+class TrialDeconvolution:
     """A part of a stack that is restored in a few steps, again and again, with other PSFs.
 
     Light is spread as B-splines, and a background is estimated: points between planes, and noise, would else be
     taken for longer PSFs.
     """
 
-    def __init__(self, looked: Looked, crop: tuple[slice, slice], *, widest: int = _WIDEST) -> None:
+    def __init__(self, context: StackContext, crop: tuple[slice, slice], *, widest: int = _WIDEST) -> None:
         rows, columns = crop
-        stack, camera = looked.stack, looked.camera
+        stack, camera = context.stack, context.camera
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
         self._camera = Noise(**maps)
-        self._counted = Counted(self._values, self._camera, looked.saturation)
-        self._threads, self._widest = looked.threads, widest
+        self._counted = PoissonCounts(self._values, self._camera, context.saturation)
+        self._threads, self._widest = context.threads, widest
         self._degrees: tuple[int, int] | None = None  # those of the first model
         self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
 
@@ -147,9 +148,9 @@ class Trial:
         """Return the discrepancy after each step, as far extrapolated as those of the first model."""
         counted = self._counted
         if turned:
-            counted = _Flipped.of(counted, self._values[::-1])
+            counted = counted.reversed()
         blur = self.blur(model, len(self._values))
-        walk = Walk(blur, counted, self._courses.get(steps), background=Background(None))
+        walk = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
         found: list[float] = []
 
         def each(step: int, discrepancy: float, left: float) -> None:
@@ -160,7 +161,7 @@ class Trial:
         self._courses.setdefault(steps, walk.course)
         return found
 
-    def blur(self, model: DepthModel, planes: int) -> TiledBlur | WideBlur:
+    def blur(self, model: DepthModel, planes: int) -> PlaneOperator:
         """Return the blur of the part, with smaller PSFs, and B-splines as those of the first model."""
         side = min(max(model.window[1], _NARROWEST), self._widest)
         deep = model.window[0]
@@ -175,24 +176,11 @@ class Trial:
         return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
 
-class _Flipped:
-    """Counts of a stack whose planes are in the other order."""
-
-    @staticmethod
-    def of(counted: Counted, values: Values) -> Counted:
-        """Return them."""
-        made = object.__new__(Counted)
-        vars(made).update(vars(counted))
-        made.known = counted.known[::-1]
-        made._recorded = values
-        return made
-
-
-def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
+def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
     """Return "up" or "down", whichever the stack follows better, and what to say of it."""
-    trial, work = Trial(looked, crop), Work(tell, 2.0 * _STEPS)
+    trial, work = TrialDeconvolution(context, crop), Work(tell, 2.0 * _STEPS)
     up, down = (
-        trial.course(looked.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
+        trial.course(context.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
     )
     better, worse = min(up, down), max(up, down)
@@ -209,15 +197,15 @@ def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple
     )
 
 
-def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
+def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> list[str]:
     """Return in words which other PSFs the stack follows better, the best first, each with one other value.
 
     Points between voxels leave a misfit whatever the PSF; they hardly change which PSF is the best. Planes in the
     other order are tried if `turned` says so. Spherical aberration is like another index of the sample. Those that
     explain half of what the best one does are named, too: errors of an index, a depth or a step are much alike.
     """
-    model, steps = looked.model, _STEPS
-    trial = Trial(looked, brightest(looked.stack, _ROUGH, looked.saturation), widest=_NARROWEST)
+    model, steps = context.model, _STEPS
+    trial = TrialDeconvolution(context, brightest(context.stack, _ROUGH, context.saturation), widest=_NARROWEST)
     work = Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
 
     def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
@@ -240,7 +228,7 @@ def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
             return cost(other, f"another {words}: {_shown(model, name, value)}")
 
         start = _start(model, name)
-        value, found = _downhill(changed, start, apart, given)
+        value, found = _line_search(changed, start, apart, given)
         if value != start:
             change = "smaller" if value < start else "larger"
             explained[f"a {change} {words} (about {_shown(model, name, value)})"] = given - found
@@ -249,7 +237,7 @@ def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
     return sorted((each for each in explained if explained[each] > least), key=lambda each: -explained[each])
 
 
-def _downhill(cost: Callable[[float], float], start: float, apart: float, given: float) -> tuple[float, float]:
+def _line_search(cost: Callable[[float], float], start: float, apart: float, given: float) -> tuple[float, float]:
     """Return the place of the least cost on a line and that cost, from that `given` at the start; costs are few.
 
     Changes are doubled while the cost falls. It is infinite where a value is out of range, which ends the line.
@@ -285,19 +273,19 @@ def _shown(model: DepthModel, name: str, value: float) -> str:
 
 
 def refined(
-    looked: Looked, crop: tuple[slice, slice], names: Sequence[str], tell: Tell
+    context: StackContext, crop: tuple[slice, slice], names: Sequence[str], tell: Tell
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
     """Return the model whose PSFs the stack follows best, the values of its parameters, and their standard errors."""
-    model = looked.model
+    model = context.model
     start = np.array([_start(model, name) for name in names])
     apart = np.array([_REACH[name] * _APART for name in names])
     least, most = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough = Trial(looked, brightest(looked.stack, _ROUGH, looked.saturation), widest=_NARROWEST)
-    fine = Trial(looked, crop)
+    rough = TrialDeconvolution(context, brightest(context.stack, _ROUGH, context.saturation), widest=_NARROWEST)
+    fine = TrialDeconvolution(context, crop)
     faster = rough.known / fine.known
     work = Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
 
-    def course(trial: Trial, steps: int, much: float) -> Callable[[Array], list[float]]:
+    def course(trial: TrialDeconvolution, steps: int, much: float) -> Callable[[Array], list[float]]:
         def made(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
             words = ", ".join(f"{PARAMETERS[name]} {_shown(model, name, value)}" for name, value in pairs)

@@ -10,7 +10,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -22,16 +22,28 @@ from lommel.base.optional import version
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, TotalVariation
+from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation
+from lommel.imaging.iterations import Background, Iteration, Move, iteration_of
+from lommel.imaging.linear import PlaneOperator
+from lommel.imaging.photograph import tiles_of
+from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
-from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, work_of_held_out
+from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, estimated_held_out_steps
 from lommel.microscopy.projections import Projecting, Projections
-from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
-from lommel.microscopy.stack_steps import Background, Counted, Move, walk_of
-from lommel.optics.layers.emitter import emitter_of
+from lommel.microscopy.refinement import (
+    PARAMETERS,
+    StackContext,
+    estimate_z_direction,
+    estimated_steps,
+    rank_alternatives,
+    refined,
+    select_crop,
+)
+from lommel.optics.layers.emitter import Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import (
     MOST,
@@ -50,7 +62,6 @@ from lommel.show import estimates as pictures
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from lommel.microscopy.stack_blur import TiledBlur, WideBlur
 
 INTERRUPTED = "interrupted"
 """Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
@@ -369,18 +380,13 @@ def restore(
     ``stopped="interrupted"``; with `out` it raises KeyboardInterrupt, and can be continued.
     """
     validation.choice("modality", modality, MODALITIES)
-    validation.choice("direction", direction, _DIRECTIONS)
-    validation.optional("noise", noise, Noise)
-    validation.optional("method", method, RichardsonLucy, TotalVariation)
-    validation.function("progress", progress, required=False)
-    level = background_of(background)
-    validation.truth("diagnosis", diagnosis)
     if validation.truth("per_plane", per_plane) and modality not in SPREADING:
         raise ValueError(f"per_plane must be False for modality={modality!r}, which records what is in focus alone")
-    count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-    limit = validation.real("memory", memory, least=2.0**24)
-    wanted = [validation.choice("refine", name, PARAMETERS) for name in _listed("refine", refine)]
-    tell = progress or _silent
+    options = _Options(
+        noise, saturation, direction, slabs, refine, method or RichardsonLucy(target=1.0), background, margin, tile,
+        memory, threads, per_plane, diagnosis,
+    )  # fmt: skip
+    validation.function("progress", progress, required=False)
     lens, given = _objective(objective)
     hidden: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
@@ -413,22 +419,9 @@ def restore(
             excitation=tuple(opened.excitation[k] for k in chosen),
             path=opened.path,
         )
-        whole = (len(chosen), *opened.shape[1:])
         left = _mask_of(mask, hidden, opened.shape)
-        made = []
-        target = held.enter_context(_begun(out, whole, described))
-        for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
-            job = _Job(opened.stack(number), model, notes if place == 0 else [], count, limit, target, place)
-            job.name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
-
-            def told(share: float, words: str, place: int = place, name: str = job.name) -> None:
-                tell((place + share) / len(chosen), name + words)
-
-            job.per_plane, job.diagnosis = per_plane, diagnosis
-            hide = None if left is None else left[number]
-            made.append(job.run(noise, saturation, hide, direction, slabs, wanted, method, level, margin, tile, told))
-            if made[-1].stopped == INTERRUPTED:
-                break
+        target = held.enter_context(_begun(out, (len(chosen), *opened.shape[1:]), described))
+        made = _by_channel(opened, chosen, models, options, left, target, notes, progress or _silent)
         values = target.finish(" ".join(notes), len(made))
     findings = Findings(
         each if len(chosen) == 1 else replace(each, text=f"{name}: {each.text}")
@@ -439,9 +432,70 @@ def restore(
     return RestoredStack(values, tuple(made), described, tuple(notes), findings=findings, summary=summary)
 
 
-def _mask_of(mask: ArrayLike | None, hidden: Any, shape: tuple[int, int, int, int]) -> NDArray[np.bool_] | None:
+@dataclass(frozen=True)
+class _Options:
+    """Arguments of :func:`restore` that say how a channel is restored."""
+
+    noise: Noise | None
+    saturation: float | None
+    direction: str
+    slabs: int | None
+    refine: Sequence[str]
+    method: RichardsonLucy | TotalVariation
+    background: float | str
+    margin: tuple[int, int] | None
+    tile: int | None
+    memory: float
+    threads: int | None
+    per_plane: bool
+    diagnosis: bool
+
+    def __post_init__(self) -> None:
+        validation.choice("direction", self.direction, _DIRECTIONS)
+        validation.optional("noise", self.noise, Noise)
+        validation.optional("method", self.method, RichardsonLucy, TotalVariation)
+        validation.truth("diagnosis", self.diagnosis)
+        validation.real("memory", self.memory, least=2.0**24)
+        for name in _listed("refine", self.refine):
+            validation.choice("refine", name, PARAMETERS)
+        if self.threads is not None:
+            validation.integer("threads", self.threads, least=1, most=1024)
+        if self.margin is not None and (not isinstance(self.margin, tuple | list) or len(self.margin) != 2):
+            raise ValueError(f"margin must be (planes, pixels), got {shown(self.margin)}")
+        background_of(self.background)
+
+
+def _by_channel(
+    opened: Recording,
+    chosen: range,
+    models: Sequence[DepthModel],
+    options: _Options,
+    left: NDArray[np.bool_] | None,
+    target: _Target,
+    notes: list[str],
+    tell: Shown,
+) -> list[RestoredChannel]:
+    """Restore channels, those before an interruption; notes are those of the first."""
+    made: list[RestoredChannel] = []
+    for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
+        job = _Job(opened.stack(number), model, options, notes if place == 0 else [], target, place)
+        share = _within(tell, place / len(chosen), (place + 1) / len(chosen))
+        name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
+
+        def told(part: float, words: str, share: Shown = share, name: str = name) -> None:
+            share(part, name + words)
+
+        made.append(job.run(None if left is None else left[number], told))
+        if made[-1].stopped == INTERRUPTED:
+            break
+    return made
+
+
+def _mask_of(
+    mask: ArrayLike | None, hidden: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
+) -> NDArray[np.bool_] | None:
     """Return what is to be left out of each channel, or None."""
-    out = hidden
+    out = np.asarray(False if hidden is None else hidden)
     if mask is not None:
         given = validation.array("mask", mask)
         if given.dtype != bool or given.shape not in (shape[2:], shape[1:], shape):
@@ -449,7 +503,7 @@ def _mask_of(mask: ArrayLike | None, hidden: Any, shape: tuple[int, int, int, in
                 f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {given.dtype} of "
                 f"{given.shape}"
             )
-        out = hidden | given
+        out = out | given
     return np.broadcast_to(out, shape) if np.any(out) else None
 
 
@@ -463,7 +517,19 @@ def _listed(name: str, given: object) -> list[str]:
     return list(given)
 
 
-def _objective(given: Any) -> tuple[Objective, Any]:
+class MicroscopeData(Protocol):
+    """What :func:`lommel.load_microscope` returns: an objective, and how stacks are recorded with it."""
+
+    objective: Objective
+    wavelength: float
+    depth: float
+    pixel: float
+    step: float
+    emitter: Emitter
+    aberrations: Wavefront | None
+
+
+def _objective(given: Any) -> tuple[Objective, MicroscopeData | None]:
     """Return an objective, and the microscope that it is of, if it is of one."""
     if isinstance(given, Objective):
         return given, None
@@ -481,14 +547,16 @@ class _Sizes:
         self,
         opened: Recording,
         lens: Objective,
-        given: Any,
+        given: MicroscopeData | None,
         pixel: float | None,
         step: float | None,
         notes: list[str],
     ) -> None:
         told = None if opened.pixel is None else opened.pixel * lens.magnification
-        self.pixel = self._one("pixel", pixel, told, getattr(given, "pixel", None), opened, notes)
-        self.step = self._one("step", step, opened.step, abs(getattr(given, "step", 0.0)) or None, opened, notes)
+        self.pixel = self._one("pixel", pixel, told, None if given is None else given.pixel, opened, notes)
+        self.step = self._one(
+            "step", step, opened.step, (None if given is None else abs(given.step)) or None, opened, notes
+        )
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
         if not 0.0 < self.step < 1e-4:
@@ -536,7 +604,13 @@ class _Sizes:
         return told
 
 
-def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes: list[str]) -> list[float]:
+def _wavelengths(
+    opened: Recording,
+    given: MicroscopeData | None,
+    asked: float | Sequence[float] | None,
+    chosen: range,
+    notes: list[str],
+) -> list[float]:
     if asked is not None:
         each = np.atleast_1d(validation.real_array("wavelength", asked)).tolist()
         if len(each) not in (1, len(chosen)):
@@ -570,7 +644,7 @@ def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes
 def _model(
     opened: Recording,
     lens: Objective,
-    given: Any,
+    given: MicroscopeData | None,
     sizes: _Sizes,
     wave: float,
     number: int,
@@ -626,7 +700,7 @@ def _model(
     )
 
 
-class _Turned:
+class _ReversedStack:
     """A stack whose planes are taken in the other order."""
 
     def __init__(self, stack: Stack) -> None:
@@ -746,123 +820,67 @@ def _hashed(stack: Stack) -> str:
     return found.hexdigest()
 
 
-class _Job:
-    """The restoration of one channel."""
+@dataclass
+class _Source:
+    """A stack whose planes run into the sample, its noise, and the value from which on voxels are unknown."""
 
-    name = ""
-    per_plane, diagnosis = False, True
+    stack: Stack
+    camera: Noise
+    limit: float
+    turned: bool = False  # whether the planes are in the other order than in the recording
+
+
+@dataclass
+class _Outcome:
+    """Sums over the voxels of chunks, and how the central one ended."""
+
+    after: float = 0.0
+    before: float = 0.0
+    known: float = 0.0
+    steps: int = 0
+    stopped: str = STEPS
+    strength: float | None = None
+    background: float | Array = 0.0
+    finding: Finding | None = None
+
+
+class _Job:
+    """The restoration of one channel; what was assumed is added to the notes."""
 
     def __init__(
-        self,
-        stack: Any,
-        model: DepthModel,
-        notes: list[str],
-        threads: int,
-        memory: float,
-        target: _Target,
-        place: int,
+        self, stack: Stack, model: DepthModel, options: _Options, notes: list[str], target: _Target, place: int
     ) -> None:
-        self._stack, self._model, self._notes, self._threads = stack, model, notes, threads
-        self._memory, self._target, self._place = memory, target, place
-        self._projecting = Projecting(stack.shape)
+        self._stack, self._model, self._options, self._notes = stack, model, options, notes
+        self._threads, self._target, self._place = options.threads or 0, target, place
+        planes, height, width = stack.shape
+        self._projecting = Projecting((planes, height, width))
         self._findings: list[Finding] = []
         self._steps = 0  # that agree best with photons that were held out
 
-    def run(
-        self,
-        noise: Noise | None,
-        saturation: float | None,
-        mask: NDArray[np.bool_] | None,
-        direction: str,
-        slabs: int | None,
-        refine: list[str],
-        method: RichardsonLucy | TotalVariation | None,
-        background: Background,
-        margin: tuple[int, int] | None,
-        tile: int | None,
-        tell: Shown,
-    ) -> RestoredChannel:
-        """Restore it; what was assumed is added to the notes."""
-        notes, model = self._notes, self._model
-        planes, height, width = self._stack.shape
+    def run(self, mask: NDArray[np.bool_] | None, tell: Shown) -> RestoredChannel:
+        """Restore the channel but for what a mask hides."""
+        options, notes = self._options, self._notes
         tell(0.0, "noise")
-        limit = self._limit(saturation)
-        if mask is not None:
-            masked = LeftOut(self._stack, limit, mask=mask)
-            self._stack, limit = masked, masked.limit
-            count = int(mask.sum())
-            notes.append(f"{count} voxels ({100.0 * count / mask.size:.2g} %) are masked, and were left out.")
-        camera = noise
-        if camera is None:
-            camera, error = measured_noise(self._stack)
-            notes.append(
-                f"The noise was estimated from the stack: {_gain(camera, error)} and an offset of "
-                f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
-            )
-        camera.require_shape((height, width))
-        if noise is not None:
-            self._doubt(camera)
-        stack, limit = self._without_hot(camera, limit)
-        crop = crop_of(stack, model.window[1], limit)
-        turned = direction == "down"
-        looked = Looked(stack, model, camera, limit, self._threads)
+        source = self._recorded(mask)
+        crop = select_crop(source.stack, self._model.window[1], source.limit)
+        context = StackContext(source.stack, self._model, source.camera, source.limit, self._threads)
+        background = background_of(options.background)
         estimate = background == Background(None)
-        parts = _shares(looked, crop, direction == "auto", len(refine), self.diagnosis)
-        if direction == "auto":
-            found, words = direction_of(looked, crop, _within(tell, 0.0, parts[0]))
-            turned = found == "down"
-            notes.append(words)
-        source = _Turned(stack) if turned else stack
-        looked = looked._replace(stack=source)
-        estimated: dict[str, float] = {}
-        errors: dict[str, float] = {}
-        if refine:
-            model, estimated, errors = refined(looked, crop, refine, _within(tell, *parts[:2]))
-            self._model, looked = model, looked._replace(model=model)
-            for name, value in estimated.items():
-                notes.append(f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}.")
-        level = self._held_out(looked, estimate, _within(tell, *parts[1:]))
-        if level is not None:
-            background = Background(level)
-        usual = (
-            min(model.window[0] // 2, max(_LEAST_PLANES, planes // 4)),
-            model.window[1] // 2,
-        )
-        asked = usual if margin is None else margin
-        if not isinstance(asked, tuple | list) or len(asked) != 2:
-            raise ValueError(f"margin must be (planes, pixels), got {shown(margin)}")
-        around = (int(asked[0]), int(asked[1]))
+        parts = _shares(context, crop, options.direction == "auto", len(options.refine), options.diagnosis)
+        context = self._in_order(source, context, crop, _within(tell, 0.0, parts[0]))
+        context, estimated, errors = self._refined(context, crop, _within(tell, *parts[:2]))
+        level = self._held_out(context, estimate, _within(tell, *parts[1:]))
+        background = background if level is None else Background(level)
+        margin = self._margin()
         tell(parts[-1], "PSFs")
-        psfs = model.psfs(around[0], slabs)
-        nodes, depths = psfs.depths, psfs.planes[around[0] : around[0] + planes]
-        above = int((depths <= 0.0).sum())
-        if above > 1:
-            notes.append(
-                f"{above} of {planes} planes are focused above the sample, in the cover glass or at it, if the "
-                f"middle one is focused {format_length(model.depth, digits=3)} below it; depth= states another depth."
-            )
-        if len(nodes) > 1:
-            each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
-            notes.append(f"{len(nodes)} PSFs were used, {each}, of depths from {between(nodes[0], nodes[-1])}.")
-        if model.spreads and self.per_plane:
-            notes.append("Restored values are the light of one plane: a point of F counts in each plane has F.")
-        elif model.spreads:
-            notes.append(
-                f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
-                f"plane has {model.window[0]} F; per_plane=True states F."
-            )
-        side = self._side(tile, around, psfs, 5.0 if isinstance(method, TotalVariation) else 4.0)
-        if margin is None and planes < model.window[0] // 2:
+        psfs = self._model.psfs(margin[0], options.slabs)
+        depths = psfs.planes[margin[0] : margin[0] + len(self._stack)]
+        self._note_psfs(psfs, depths)
+        specimens = 5.0 if isinstance(options.method, TotalVariation) else 4.0  # arrays as large as the specimen
+        side = self._side(options.tile, margin, psfs, specimens)
+        if options.margin is None and len(self._stack) < self._model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
-        request = ""
-        if self._target.begun is not None:
-            psfs_of = [hashlib.sha256(model.psf(nodes[at]).values.tobytes()).hexdigest() for at in (0, -1)]
-            content = (
-                _hashed(stack), stack.shape, str(stack.dtype), psfs_of, model.pixel, model.step, model.depth,
-                nodes.tolist(), around, side, turned, camera.to_dict(), method, limit, background,
-                self.per_plane, estimate, self.diagnosis,
-            )  # fmt: skip
-            request = hashlib.sha256(repr(content).encode()).hexdigest()
+        request = "" if self._target.begun is None else self._request(source, psfs, margin, side, background)
         reached = parts[-1]
 
         def told(share: float, words: str) -> None:
@@ -870,52 +888,142 @@ class _Job:
             reached = parts[-1] + (1.0 - parts[-1]) * share
             tell(reached, words)
 
-        after, before, steps, stopped, strength, beside, wrong = self._tiles(
-            source, camera, limit, psfs, around, side, method, background, estimate, turned, told, request
-        )
+        found = self._by_chunks(source, psfs, margin, side, background, request, told)
         if estimate or background.level is None:
-            low, high = float(np.min(beside)), float(np.max(beside))
+            low, high = float(np.min(found.background)), float(np.max(found.background))
             said = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
             notes.append(
                 f"{said} counts per voxel was estimated, which is no part of the restored values; background= states "
                 "another, 0 for none."
             )
-        if wrong is not None:
-            if wrong.code == "misfit" and self.diagnosis and "hot_pixels" not in self._doubts():
+        self._conclude(found, context, _within(tell, min(reached, 0.5), 1.0))
+        turned = source.turned
+        return RestoredChannel(
+            found.after / found.known, found.before / found.known, found.steps, found.stopped, source.camera,
+            "down" if turned else "up", depths[::-1] if turned else depths, psfs.depths, estimated, errors,
+            self._projecting.made(turned=turned), found.background, found.strength, Findings(self._findings),
+        )  # fmt: skip
+
+    def _recorded(self, mask: NDArray[np.bool_] | None) -> _Source:
+        """Return the stack without voxels that are saturated, masked or hot, and its noise."""
+        given = self._options.noise
+        limit = self._limit(self._options.saturation)
+        if mask is not None:
+            masked = LeftOut(self._stack, limit, mask=mask)
+            self._stack, limit = masked, masked.limit
+            count = int(mask.sum())
+            self._notes.append(f"{count} voxels ({100.0 * count / mask.size:.2g} %) are masked, and were left out.")
+        if given is None:
+            camera, error = measured_noise(self._stack)
+            self._notes.append(
+                f"The noise was estimated from the stack: {_gain(camera, error)} and an offset of "
+                f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
+            )
+        else:
+            camera = given.require_shape(self._stack.shape)
+            self._doubt(camera)
+        return _Source(*self._without_hot(camera, limit))
+
+    def _in_order(
+        self, source: _Source, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    ) -> StackContext:
+        """Turn the planes of a stack that run towards the cover glass."""
+        direction = self._options.direction
+        if direction == "auto":
+            direction, words = estimate_z_direction(context, crop, tell)
+            self._notes.append(words)
+        source.turned = direction == "down"
+        if source.turned:
+            source.stack = _ReversedStack(source.stack)
+        return context._replace(stack=source.stack)
+
+    def _refined(
+        self, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    ) -> tuple[StackContext, dict[str, float], dict[str, float]]:
+        """Estimate parameters of the PSF from the stack, and take them; return them and their standard errors."""
+        if not self._options.refine:
+            return context, {}, {}
+        self._model, estimated, errors = refined(context, crop, self._options.refine, tell)
+        for name, value in estimated.items():
+            self._notes.append(
+                f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}."
+            )
+        return context._replace(model=self._model), estimated, errors
+
+    def _margin(self) -> tuple[int, int]:
+        """Return the planes and pixels beyond the stack that are restored."""
+        if self._options.margin is not None:
+            planes, pixels = self._options.margin
+            return int(planes), int(pixels)
+        deep, side = self._model.window
+        return min(deep // 2, max(_LEAST_PLANES, len(self._stack) // 4)), side // 2
+
+    def _note_psfs(self, psfs: PSFs, depths: Array) -> None:
+        """Note of which depths PSFs are, and what a restored value is."""
+        notes, model, nodes = self._notes, self._model, psfs.depths
+        above = int((depths <= 0.0).sum())
+        if above > 1:
+            notes.append(
+                f"{above} of {len(depths)} planes are focused above the sample, in the cover glass or at it, if the "
+                f"middle one is focused {format_length(model.depth, digits=3)} below it; depth= states another depth."
+            )
+        if len(nodes) > 1:
+            each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
+            notes.append(f"{len(nodes)} PSFs were used, {each}, of depths from {between(nodes[0], nodes[-1])}.")
+        if model.spreads and self._options.per_plane:
+            notes.append("Restored values are the light of one plane: a point of F counts in each plane has F.")
+        elif model.spreads:
+            notes.append(
+                f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
+                f"plane has {model.window[0]} F; per_plane=True states F."
+            )
+
+    def _request(
+        self, source: _Source, psfs: PSFs, margin: tuple[int, int], side: int, background: Background
+    ) -> str:
+        """Return the checksum of all that restored values depend on."""
+        model, options, stack = self._model, self._options, source.stack
+        ends = [hashlib.sha256(model.psf(psfs.depths[at]).values.tobytes()).hexdigest() for at in (0, -1)]
+        content = (
+            _hashed(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
+            psfs.depths.tolist(), margin, side, source.turned, source.camera.to_dict(), options.method, source.limit,
+            background, options.per_plane, options.background == FLAT, options.diagnosis,
+        )  # fmt: skip
+        return hashlib.sha256(repr(content).encode()).hexdigest()
+
+    def _conclude(self, found: _Outcome, context: StackContext, tell: Shown) -> None:
+        """Add what is found of the restoration, and of a misfit which other PSFs the stack follows better."""
+        options, finding = self._options, found.finding
+        if finding is not None:
+            if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubts():
                 # The restoration ended before its time.
-                others = better(looked, _within(tell, min(reached, 0.5), 1.0), turned=direction != "auto")
-                wrong = _explained(wrong, others)
-            self._findings.append(wrong)
-        if stopped == INTERRUPTED:
+                finding = _explained(finding, rank_alternatives(context, tell, turned=options.direction != "auto"))
+            self._findings.append(finding)
+        if found.stopped == INTERRUPTED:
             self._findings.append(
                 Finding("interrupted", "doubt", "it was interrupted: steps that were done are kept")
             )
-        return RestoredChannel(
-            after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
-            nodes, estimated, errors, self._projecting.made(turned=turned), beside, strength,
-            Findings(self._findings),
-        )  # fmt: skip
 
-    def _held_out(self, looked: Looked, estimate: bool, tell: Shown) -> float | None:
+    def _held_out(self, context: StackContext, estimate: bool, tell: Shown) -> float | None:
         """Compare PSFs by photons that are held out, and return the level of the background, if it is to be found."""
-        if not self.diagnosis:
+        if not self._options.diagnosis:
             return None
-        held = HeldOut(looked, tell)
+        held = HeldOut(context, tell)
         if held.plain:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
-        own = held.best("the PSF as given", looked.model)
+        own = held.best("the PSF as given", context.model)
         self._steps = own.steps
         if finding := held.finding(own):
             self._findings.append(finding)
         # A part has the blurred light of what is beside it as well: the background is that of the whole.
-        if not estimate or math.prod(looked.stack.shape) > WHOLE:
+        if not estimate or math.prod(context.stack.shape) > WHOLE:
             return None
-        side = max(looked.stack.shape[1:])
+        side = max(context.stack.shape[1:])
         if side > SIDE:
-            held = HeldOut(looked, tell, side=side)
-            own = held.best("background", looked.model)
+            held = HeldOut(context, tell, side=side)
+            own = held.best("background", context.model)
             self._steps = own.steps
         return held.level(own)
 
@@ -923,8 +1031,8 @@ class _Job:
         """Return the codes of what is in doubt."""
         return tuple(each.code for each in self._findings if each.severity == "doubt")
 
-    def _without_hot(self, camera: Noise, limit: float) -> tuple[Stack, float]:
-        """Return the stack without its hot pixels and voxels, and from which value on voxels are unknown."""
+    def _without_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
+        """Return the stack without its hot pixels and voxels, its noise, and the value that unknown voxels reach."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
         if count := int(pixels.sum()):
@@ -944,11 +1052,11 @@ class _Job:
             text = f"{which}, in single planes: they were not left out; are pixel, wavelength and NA right?"
             self._findings.append(Finding("hot_pixels", "doubt", text, numbers))
         if not 0.0 < share <= MOST:
-            return stack, limit
+            return stack, camera, limit
         text = f"{which}, in single planes: they were taken as cosmic rays or blinking pixels, and left out"
         self._findings.append(Finding("hot_pixels", "note", text, numbers))
         known = LeftOut(stack, limit, voxels=hot)
-        return known, known.limit
+        return known, camera, known.limit
 
     def _doubt(self, camera: Noise) -> None:
         """Note where the noise that was given is not that of the stack."""
@@ -975,7 +1083,7 @@ class _Job:
             lost := sum(int((~np.isfinite(planes[plane])).sum()) for plane in range(len(planes)))
         ):
             self._notes.append(f"{lost} voxels are NaN or infinite: unknown, and left out.")
-        limit, assumed = full_value(planes, saturation, name="voxels")
+        limit, assumed = full_value(cast("Sequence[Values]", planes), saturation, name="voxels")
         count = sum(int((np.asarray(planes[plane]) >= limit).sum()) for plane in range(len(planes)))
         if assumed:
             self._notes.append(f"{assumed[0].upper()}{assumed[1:]}. Record with less light or time.")
@@ -991,7 +1099,7 @@ class _Job:
         if tile is not None:
             return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
         side, overlap = int(max(height, width)), self._model.window[1]
-        while side > 64 and self._bytes(side, overlap, margin, psfs, specimens) > self._memory:
+        while side > 64 and self._bytes(side, overlap, margin, psfs, specimens) > self._options.memory:
             pieces = math.ceil(max(height, width) / side) + 1
             side = math.ceil(max(height, width) / pieces)
         return side
@@ -1008,90 +1116,100 @@ class _Job:
         # With the transforms of all planes, and a tenth for the coarse grid.
         return 4.4 * float(specimens * deep * whole + 3.0 * planes * given + transfers)
 
-    def _tiles(
+    def _by_chunks(
         self,
-        source: Stack,
-        camera: Noise,
-        limit: float,
+        source: _Source,
         psfs: PSFs,
         margin: tuple[int, int],
         side: int,
-        method: RichardsonLucy | TotalVariation | None,
         background: Background,
-        estimate: bool,
-        turned: bool,
-        tell: Shown,
         request: str,
-    ) -> tuple[float, float, int, str, float | None, float | Array, Finding | None]:
-        """Restore chunk by chunk; the central one first, which the others follow."""
-        way = method or RichardsonLucy(target=1.0)
-        planes, height, width = source.shape
-        tiles = sorted(_parts(height, width, side), key=lambda part: _off(part, height, width))
-        alone = len(tiles) == 1
-        overlap = self._model.window[1]
-        blurs: dict[tuple[int, ...], TiledBlur | WideBlur] = {}
-        aspect = self._model.pixel / self._model.objective.magnification / self._model.step
+        tell: Shown,
+    ) -> _Outcome:
+        """Restore chunk by chunk; the central one first, whose course the others follow."""
+        planes, height, width = source.stack.shape
+        method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
+        sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
+        tiles = sorted(
+            tiles_of((height, width), sides, self._model.window[1]), key=lambda tile: _off(tile[0], height, width)
+        )
+        level = None if len(tiles) == 1 else _level(source)
         course: list[Move] | None = None
-        level = 0.0 if alone else _level(source, camera, limit)
-        after = before = known = 0.0
-        steps, stopped, strength = 0, STEPS, None
-        wrong: Finding | None = None
-        per = 1.0 / self._model.window[0] if self.per_plane else 1.0
-        beside: float | Array = np.zeros((height, width)) if background.points > 1 else 0.0
-        for number, (rows, columns) in enumerate(tiles):
-            at = np.s_[self._place, :, rows, columns]
+        per = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
+        found = _Outcome(background=np.zeros((height, width)) if background.points > 1 else 0.0)
+        for number, (place, around, within) in enumerate(tiles):
+            at = np.s_[self._place, :, *place]
             if number and self._target.has(request, at):
                 continue
-            y, x = _around(rows, overlap, height), _around(columns, overlap, width)
-            counted = Counted(_loaded(source, y, x), camera.part(y, x), limit)
-            if not alone:
-                counted.level = level
-            size = (planes, y.stop - y.start, x.stop - x.start)
+            counted = PoissonCounts(_loaded(source.stack, *around), source.camera.part(*around), source.limit)
+            counted.level = counted.level if level is None else level
+            size = (planes, *(part.stop - part.start for part in around))
             if size not in blurs:
                 blurs.clear()  # one at a time is in memory
                 blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
             blur = blurs[size]
-            told = _Told(tell, number, len(tiles), way.steps if course is None else len(course), way.target > 0.0)
             if blur.outside is not None:
                 blur.outside[...] = counted.level
-            earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
-            walk = walk_of(way, blur, counted, course, background=background, aspect=aspect, threads=self._threads)
-            if isinstance(way, RichardsonLucy) and way.target >= 1.0 and self._steps:
-                most = max(way.target, 1.0 + counted.slack)
-                walk.enough = _enough(self._steps, most)
-            try:
-                count, why, each = walk.solve(way, told)
-            except KeyboardInterrupt:
-                if not alone or self._target.begun is not None or not walk.course:
-                    raise
-                count, why, each = len(walk.course) - 1, INTERRUPTED, walk.discrepancies
+            before = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
+            iteration = self._iteration(blur, counted, course, background)
+            told = _ChunkProgress(
+                tell, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
+            )
+            count, why, each = self._solved(iteration, told, alone=level is None)
             if course is None:
-                course, steps, strength = walk.course, count, walk.strength
-                wrong = counted.finding(why, count, counted.mean(each))
-                if wrong is None and why == STEPS and way.target > 0.0 and counted.mean(each) > 1.0 + counted.slack:
-                    text = f"more than noise is left after {count} steps, with which the method ended"
-                    wrong = Finding("not_settled", "doubt", text, {"discrepancy": counted.mean(each), "steps": count})
-                stopped = MISFIT if wrong is not None and wrong.code == "misfit" else why
-            if isinstance(beside, np.ndarray):
-                inner = np.s_[rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
-                beside[rows, columns] = counted.background[inner][:, : columns.stop - columns.start]
+                course, found.steps, found.strength = iteration.course, count, iteration.strength
+                found.finding = self._ended(counted, why, count, counted.mean(each))
+                is_misfit = found.finding is not None and found.finding.code == "misfit"
+                found.stopped = MISFIT if is_misfit else why
+            if isinstance(found.background, np.ndarray):
+                found.background[place] = np.asarray(counted.background)[within]
             elif number == 0:
-                beside = counted.background
+                found.background = counted.background
             voxels = float(counted.known.sum())
-            after += counted.mean(each) * voxels
-            before += earlier * voxels
-            known += voxels
-            light = walk.inside(*margin)
-            inside = np.s_[:, rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
-            kept = np.ascontiguousarray(light[inside][:, :, : columns.stop - columns.start])
-            kept *= np.float32(per)
-            self._projecting.add(rows, columns, (y.start, x.start), blur, counted, walk._guess, kept)
-            kept = kept[::-1] if turned else kept
-            self._target.put(request, at, kept)
-        return after / known, before / known, steps, stopped, strength, beside, wrong
+            found.after += counted.mean(each) * voxels
+            found.before += before * voxels
+            found.known += voxels
+            kept = np.ascontiguousarray(iteration.inside(*margin)[:, *within])
+            kept *= per
+            corner = around[0].start, around[1].start
+            self._projecting.add(*place, corner, blur, counted, iteration.guess, kept)
+            self._target.put(request, at, kept[::-1] if source.turned else kept)
+        return found
+
+    def _iteration(
+        self, blur: PlaneOperator, counted: PoissonCounts, course: list[Move] | None, background: Background
+    ) -> Iteration:
+        """Return the steps of a chunk, which end early where photons that were held out agree with it."""
+        model, method = self._model, self._options.method
+        aspect = model.pixel / model.objective.magnification / model.step
+        made = iteration_of(
+            method, blur, counted, course, background=background, aspect=aspect, threads=self._threads
+        )
+        if isinstance(method, RichardsonLucy) and method.target >= 1.0 and self._steps:
+            steps, most = self._steps, max(method.target, 1.0 + counted.slack)
+            made.enough = lambda step, discrepancy: step >= steps and discrepancy <= most
+        return made
+
+    def _solved(self, iteration: Iteration, tell: Tell, *, alone: bool) -> tuple[int, str, Array]:
+        """Iterate; a single chunk in memory keeps what was done until Ctrl-C."""
+        try:
+            return iteration.solve(self._options.method, tell)
+        except KeyboardInterrupt:
+            if not alone or self._target.begun is not None or not iteration.course:
+                raise
+            return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
+
+    def _ended(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
+        """Return what is wrong with the central chunk."""
+        finding = counted.finding(why, steps, discrepancy)
+        is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
+        if finding is not None or is_settled:
+            return finding
+        text = f"more than noise is left after {steps} steps, with which the method ended"
+        return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
 
 
-class _Told:
+class _ChunkProgress:
     """Tells the steps of a chunk as a share of all."""
 
     def __init__(self, tell: Shown, number: int, count: int, steps: int, doubtful: bool) -> None:
@@ -1117,11 +1235,6 @@ def _within(tell: Shown, begin: float, end: float) -> Shown:
     return lambda share, words: tell(begin + (end - begin) * share, words)
 
 
-def _enough(steps: int, most: float) -> Callable[[int, float], bool]:
-    """Return what says whether so many steps are done and a discrepancy is within the noise."""
-    return lambda step, found: step >= steps and found <= most
-
-
 def _explained(misfit: Finding, others: list[str]) -> Finding:
     """Return a misfit with the other PSFs that a stack follows better."""
     if not others:
@@ -1138,13 +1251,13 @@ def _explained(misfit: Finding, others: list[str]) -> Finding:
 
 
 def _shares(
-    looked: Looked, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
+    context: StackContext, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
 ) -> tuple[float, float, float]:
     """Return about which share of the work is done once the direction of z, the PSF, and the background are found."""
-    height, width = looked.stack.shape[1:]
+    height, width = context.stack.shape[1:]
     part = math.prod(at.stop - at.start for at in crop) / (height * width)
-    first, second = (part * steps for steps in work_of(direction, refine))
-    third = work_of_held_out(looked.stack.shape) if held_out else 0.0
+    first, second = (part * steps for steps in estimated_steps(direction, refine))
+    third = estimated_held_out_steps(context.stack.shape) if held_out else 0.0
     whole = first + second + third + _USUAL_STEPS
     return first / whole, (first + second) / whole, (first + second + third) / whole
 
@@ -1168,8 +1281,9 @@ def between(low: float, high: float) -> str:
     return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 
 
-def _level(stack: Stack, camera: Noise, limit: float) -> float:
+def _level(source: _Source) -> float:
     """Return the mean light of a stack, from which all chunks start."""
+    stack, camera, limit = source.stack, source.camera, source.limit
     total = weights = 0.0
     for plane in range(len(stack)):
         values = np.asarray(stack[plane])
@@ -1180,20 +1294,8 @@ def _level(stack: Stack, camera: Noise, limit: float) -> float:
     return total / max(weights, 1e-30)
 
 
-def _parts(height: int, width: int, side: int) -> Iterator[tuple[slice, slice]]:
-    """Yield the chunks of planes, about as large as each other."""
-    down, across = (math.ceil(each / math.ceil(each / side)) for each in (height, width))
-    for row in range(0, height, down):
-        for column in range(0, width, across):
-            yield slice(row, min(row + down, height)), slice(column, min(column + across, width))
-
-
 def _off(part: tuple[slice, slice], height: int, width: int) -> float:
     return math.hypot(*(at.start + at.stop - side for at, side in zip(part, (height, width), strict=True)))
-
-
-def _around(part: slice, overlap: int, side: int) -> slice:
-    return slice(max(part.start - overlap, 0), min(part.stop + overlap, side))
 
 
 def _loaded(source: Stack, rows: slice, columns: slice) -> Values:

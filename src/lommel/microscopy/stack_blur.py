@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import chain
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
-from lommel.imaging.linear import LinearBlur
+from lommel.imaging.linear import UNSEEN, LinearBlur, Made, Part, Plane, PlaneOperator, Take, overlap
 from lommel.measures.spot import stage
 from lommel.psf import PSF
 
@@ -87,13 +87,6 @@ def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
 
 
 _Places = tuple[NDArray[np.intp], int, int]
-Plane = tuple[slice, slice]
-"""Rows and columns of part of a plane."""
-# Takes the number of a plane, rows and columns, and returns its values there.
-Part = Callable[[int, slice, slice], Values]
-Made = TypeVar("Made")
-# Takes the number of a plane, rows and columns, and its values there; several are called at the same time.
-Take = Callable[[int, slice, slice, Values], Made]
 
 
 class _Job(NamedTuple):
@@ -107,20 +100,17 @@ class _Job(NamedTuple):
 
 _SHARE = 3.0  # of the recording that the transform of a tile takes, in memory
 _SMALL = 2**23  # values that it may have in any case
-_UNSEEN = 1e-6  # share of the light of a point that is next to nothing
 _COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # of a transform that are filtered in one go, in the order of the core
 _ALIKE = 1e-6  # of the largest value, by which a kernel may differ from its mirror image
 
 
-class TiledBlur:
+class TiledBlur(PlaneOperator):
     """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose.
 
     With several PSFs the image is ``sum_s h_s * (w_s x)``, with a weight of each PSF at each plane of the specimen.
     Arrays instead of PSFs are taken as they are, their middle voxel as that of the point.
     Results depend neither on the number of threads nor on where the arrays are.
     """
-
-    outside: Values | None = None  # light beyond the margin: there is none
 
     def __init__(
         self,
@@ -136,7 +126,7 @@ class TiledBlur:
         kernels = iter([psf] if isinstance(psf, PSF) else psf)
         first, middle = _kernel(next(kernels))
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
-        self.whole = tuple(side + 2 * more for side, more in zip(shape, self._margin, strict=True))
+        self.whole = shape[0] + 2 * margin[0], shape[1] + 2 * margin[1], shape[2] + 2 * margin[1]
         sides = self._sides = first.shape
         # Light reaches so many voxels towards lower and higher numbers.
         self._lower = middle
@@ -267,9 +257,9 @@ class TiledBlur:
     def weigh(self, weight: float) -> None:
         """State by what to divide besides, in :meth:`per_seen`."""
         with np.errstate(divide="ignore"):
-            self._per = np.where(self._seen * weight > _UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
+            self._per = np.where(self._seen * weight > UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
 
-    def per_seen(self, plane: int, rows: slice, columns: slice) -> Values:
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
         first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
         return _spread(self._per[plane], first, second)
@@ -406,12 +396,6 @@ def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
     return rows, columns
 
 
-def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
-    """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
-    taken = slice(max(start, 0), max(min(stop, side), 0))
-    return taken, slice(taken.start - start, taken.stop - start)
-
-
 _APART = 0.2  # radians between two frequencies, at the edge of the PSF
 _FREQUENCIES_TOGETHER = 16  # magnitudes of frequencies that are a task of a thread
 _ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
@@ -541,13 +525,15 @@ class PlaneBlur(TiledBlur):
         side_by_side(several, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
 
 
-class WideBlur:
+class WideBlur(PlaneOperator):
     """The blur by PSFs in their windows, `near`, and by what of these lies beyond, `far`, of every `pitch` th pixel.
 
     Light is shared linearly between the nodes of the coarse grid, and values between these are interpolated, so that
     the transpose is exact. Beyond the margin the specimen is as bright everywhere in each plane as `outside` says: an
     unknown like all others. A flat specimen so has a flat recording.
     """
+
+    outside: Values
 
     def __init__(
         self,
@@ -616,12 +602,12 @@ class WideBlur:
         """State by what to divide besides, in :meth:`per_seen`."""
         self._weight = weight
 
-    def per_seen(self, plane: int, rows: slice, columns: slice) -> Values:
+    def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
         return per(self.seen(plane, rows, columns) * np.float32(self._weight))
 
     @property
-    def per_outside(self) -> Values:
+    def per_outside(self) -> Values:  # type: ignore[override]
         """1 over the light of the outside that falls on the recording, and the weight."""
         return per(self.outside_seen * np.float32(self._weight))
 
@@ -697,7 +683,7 @@ def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> V
 def per(seen: Values) -> Values:
     """Return 1 over what is seen, 0 where that is next to nothing."""
     with np.errstate(divide="ignore"):
-        return np.where(seen > _UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
+        return np.where(seen > UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
 
 
 _TOGETHER = 64  # pixels that are interpolated in one go, between few of all nodes

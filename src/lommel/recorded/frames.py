@@ -601,19 +601,7 @@ def _tiff(path: Path, image: int | None) -> Frames:
 
 def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     notes: list[str] = []
-    every: Sequence[Any] = file.series
-    if image is None and len(every) > 1 and _are_pages(file, every):
-        every = [_joined(every)]
-    place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
-    series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
-    if len(every) > 1 and image is None:
-        sides = ", ".join(" x ".join(map(str, one.shape)) for one in every[:4]) + ", ..." * (len(every) > 4)
-        if not file.is_ome:
-            raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
-        notes.append(
-            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; "
-            f"{path.name}[{0 if place else 1}] is another."
-        )
+    series, place = _series_of(path, file, image, notes)
     letters: str = series.axes
     page = series.keyframe
     if "S" in letters and letters != "SYX":  # three images that some programs write as the planes of one
@@ -650,6 +638,24 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     if mapped is not None:  # what is mapped needs no open file
         file.close()
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
+
+
+def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
+    """Return the series of a file that is read, the largest by default, and its number."""
+    every: Sequence[Any] = file.series
+    if image is None and len(every) > 1 and _are_pages(file, every):
+        every = [_joined(every)]
+    place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
+    series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
+    if len(every) > 1 and image is None:
+        sides = ", ".join(" x ".join(map(str, one.shape)) for one in every[:4]) + ", ..." * (len(every) > 4)
+        if not file.is_ome:
+            raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
+        notes.append(
+            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; "
+            f"{path.name}[{0 if place else 1}] is another."
+        )
+    return series, place
 
 
 def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:

@@ -117,13 +117,13 @@ def test_blocks_of_any_size_add_up_to_the_sum_over_points(monkeypatch, deep, kep
     monkeypatch.setattr(field_blur, "_KEPT", field_blur._KEPT if kept else 0)
     engine, down, across = made(deep)
     light, image = np.random.default_rng(1).standard_normal((2, HEIGHT, WIDTH))
-    out, exact = engine.spread(light), direct(engine, down, across, light)
+    out, exact = engine.forward(light), direct(engine, down, across, light)
     assert np.abs(out - exact).max() < 1e-12 * np.abs(exact).max()
-    assert np.vdot(out, image) == pytest.approx(np.vdot(light, engine.collect(image)), rel=1e-12)
+    assert np.vdot(out, image) == pytest.approx(np.vdot(light, engine.adjoint(image)), rel=1e-12)
 
 
 def test_threads_do_not_change_a_bit():
     light = np.random.default_rng(1).random((HEIGHT, WIDTH)).astype(np.float32)
-    one, other = (made(True, np.float32, threads)[0].spread(light) for threads in (1, 5))
+    one, other = (made(True, np.float32, threads)[0].forward(light) for threads in (1, 5))
     assert one.dtype == np.float32
     assert one.tobytes() == other.tobytes()

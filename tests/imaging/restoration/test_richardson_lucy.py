@@ -9,7 +9,9 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
-from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Course, Observed, Solution
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, StoppingRule
+from lommel.imaging.iterations import Solution, iterated
+from lommel.imaging.poisson_counts import PhotographCounts
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DEPTH = np.full((48, 56), 2.5)
@@ -27,14 +29,14 @@ def _scene(seed: int = 0) -> np.ndarray:
     return np.clip(scene, 0.02, 1.0)
 
 
-def _observed(blur: Occlusion, scene: np.ndarray, white: float = 4000.0, read: float = 3.0) -> Observed:
+def _observed(blur: Occlusion, scene: np.ndarray, white: float = 4000.0, read: float = 3.0) -> PhotographCounts:
     noise = Noise(white=white, read=read)
-    return Observed.of(blur, noise.record(white * blur.forward(scene), seed=1), noise)
+    return PhotographCounts(blur, noise.record(white * blur.forward(scene), seed=1), noise)
 
 
-def _solve(method: RichardsonLucy, observed: Observed) -> tuple[Solution, list[tuple[int, float, float]]]:
+def _solve(method: RichardsonLucy, observed: PhotographCounts) -> tuple[Solution, list[tuple[int, float, float]]]:
     told: list[tuple[int, float, float]] = []
-    return method.solve(observed, lambda *at: told.append(at)), told
+    return iterated(method, observed, lambda *at: told.append(at)), told
 
 
 def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
@@ -43,7 +45,7 @@ def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
     rng = np.random.default_rng(2)
     photo, noise = rng.random((9, 8)), Noise(white=50.0, read=2.0)
     photo[2, 3] = np.nan
-    observed = Observed.of(blur, photo, noise)
+    observed = PhotographCounts(blur, photo, noise)
     found, _ = _solve(RichardsonLucy(steps=2, target=0.0, accelerate=False), observed)
     known = np.isfinite(photo).ravel()
     y, s = np.where(known, photo.ravel(), 0.0), 4.0 / 50.0
@@ -56,17 +58,18 @@ def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
 
 def test_the_scene_itself_is_where_steps_end() -> None:
     blur, scene = _blur(), _scene()
-    observed = Observed.of(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
-    model = observed.model(scene)
-    again = scene * blur.adjoint(observed.ratio(model) * observed.weight) / observed.seen
-    np.testing.assert_allclose(again, scene, rtol=1e-12)
+    observed = PhotographCounts(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
+    misfit = np.empty((1, *scene.shape))
+    observed.discrepancies(observed.operator, observed.operator.parts(scene), misfit)
+    np.testing.assert_allclose(misfit, 0.0, atol=1e-12)
 
 
 def test_without_read_noise_every_step_keeps_what_was_counted() -> None:
     observed = _observed(_blur(), _scene(), read=0.0)
     for steps in (1, 2, 7):
         light = _solve(RichardsonLucy(steps=steps, target=0.0, accelerate=False), observed)[0].light
-        assert np.vdot(observed.seen, light) == pytest.approx(observed.counts.sum(), rel=1e-12)
+        seen = observed.blur.adjoint(observed.weight)
+        assert np.vdot(seen, light) == pytest.approx(observed.counts.sum(), rel=1e-12)
 
 
 def test_steps_explain_ever_more_and_acceleration_needs_fewer_of_them() -> None:
@@ -98,7 +101,7 @@ def test_the_noise_stops_it_nearer_to_the_scene_than_many_steps_come() -> None:
 @pytest.mark.parametrize("scale", [1.03, 1.1])
 def test_a_wrong_depth_is_told(scale: float) -> None:
     observed = _observed(_blur(), _scene(), white=40000.0)
-    wrong = Observed.of(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
+    wrong = PhotographCounts(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
     found, _ = _solve(RichardsonLucy(), wrong)
     assert found.stopped == MISFIT
     assert 20 <= found.steps <= 60
@@ -123,7 +126,7 @@ def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
 
 @pytest.mark.parametrize(("power", "stopped"), [(0.7, None), (4.0, MISFIT)])
 def test_a_run_is_no_misfit_while_more_steps_may_reach_the_noise(power: float, stopped: str | None) -> None:
-    course = Course(RichardsonLucy(steps=200, target=1.0), 0.01, lambda *_: None)
+    course = StoppingRule(RichardsonLucy(steps=200, target=1.0), 0.01, lambda *_: None)
     # One that falls to 1.0 at 200 steps, and one that stays at 1.3.
     falls = [0.95 + 0.05 * (k / 200.0) ** -power if power < 1.0 else 1.3 + (k / 4.0) ** -power for k in range(1, 100)]
     reasons = [course.judge(discrepancy) for discrepancy in [5.0, *falls]]

@@ -46,7 +46,9 @@ def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
         RichardsonLucy(steps=found.steps, target=0.0) if name == "steps" else TotalVariation(strength=found.strength)
     )
     whole = restore(photo, DEPTH, LENS, PIXEL, method=fixed, occlusion=occlusion, **GIVEN)
-    assert np.sqrt(np.mean((found.values - whole.values) ** 2)) < (1e-3 if occlusion else 1e-2)
+    # A search passes other strengths, from which light of the same strength keeps a little.
+    limit = 1e-2 if not occlusion else 1e-3 if name == "steps" else 2e-3
+    assert np.sqrt(np.mean((found.values - whole.values) ** 2)) < limit
     # No seams: the difference, small as it is, is not much larger where tiles meet.
     off = np.abs(found.values - whole.values)
     assert off[:, 46:50].mean() < 5.0 * off.mean()

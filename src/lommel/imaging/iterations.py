@@ -1,4 +1,4 @@
-"""A recorded stack as counts, and the steps of its deconvolution: by Richardson and Lucy, or by total variation."""
+"""Steps of a deconvolution on Poisson counts: Richardson and Lucy's, and those to the least total variation."""
 
 from __future__ import annotations
 
@@ -6,244 +6,28 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.fit.findings import Finding
 from lommel.imaging.deconvolution import (
     MISFIT,
     NOISE,
     STEPS,
-    TINY,
-    Counts,
-    Course,
     RichardsonLucy,
+    StoppingRule,
     Tell,
     TotalVariation,
     search,
 )
-from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, WideBlur, overlap
-from lommel.recorded.counts import plane_of
-from lommel.recorded.noise import Noise
+from lommel.imaging.linear import Made, PlaneOperator, Take
+from lommel.imaging.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
-_MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
 _EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
 _MOST_AHEAD = 4.0  # times the light of a step, to which it is extrapolated
-_MOST_RATIO = 1e3  # of counts to those of a model
 _DIM = 0.01  # of the mean light: a specimen that starts so dim leaves to the background what is flat
-_BLOCK, _DARKEST = 8, 10.0  # pixels of the side of means, and the percentile of these that a background starts from
-
-
-class Counted(Counts):
-    """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
-
-    def __init__(self, recorded: Values, noise: Noise, saturation: float = np.inf) -> None:
-        side, noise = recorded.shape[1:], noise.poisson
-        self._recorded, self._saturation = recorded, saturation
-        offset = np.asarray(noise.offset, dtype=np.float64)
-        gain = np.asarray(1.0 if noise.white is None else noise.white)
-        read = np.asarray(noise.read, dtype=np.float64)
-        added = (read / gain) ** 2 * gain  # the variance of reading over the gain, in units of light
-        self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
-        total = weights = counts = over = 0.0
-        for plane in range(len(recorded)):
-            values = plane_of(recorded, plane)
-            known = np.isfinite(values) & (values < saturation)
-            seen = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
-            each = np.where(known, gain, 0.0)
-            self.known[plane] = int(known.sum())
-            weights += float(each.sum())
-            counts += float((each * seen).sum())
-            total += float((each * np.maximum(seen - added, 0.0)).sum())
-            over += float((known / (6.0 * (each * seen + 1.0))).sum())
-        if not self.known.any():
-            raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
-        self._all = bool((self.known == np.prod(side)).all())
-        self.background: Any = 0.0  # light of each voxel, or of each pixel, that is not of the specimen
-        self.of_specimen = 1.0, np.inf  # discrepancy of the voxels that the specimen lights, and its slack
-        self.white = weights / float(self.known.sum())
-        # Maps have the sides of a plane, so that parts of them can be taken.
-        self._added, self._shift, self._weight = (
-            np.asarray(each, dtype=np.float32) for each in (added, added - offset, gain / self.white)
-        )
-        self.most_weight = float(self._weight.max())
-        self.level = total / weights  # mean light
-        # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
-        self.electrons = self.white * counts / weights
-        self.smallest = 1e-6 * max(counts / weights, TINY)
-        # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
-        self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
-
-    def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
-        """Return what is wrong with a stack, of which a method stopped after so many steps."""
-        numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
-        if stopped == MISFIT:
-            parts = "wavelength, depth, direction of z, steps of z, pixels"
-            return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
-        if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
-            text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
-            return Finding("too_quiet", "error", text, numbers)
-        return None
-
-    def per_pixel(self, sums: Array) -> Array:
-        """Return the Poisson deviance per known voxel, over that of the true scene."""
-        return super().per_pixel(sums) / self.expected
-
-    def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
-        """Return counts and weights; both are 0 where nothing is known."""
-        given = np.asarray(self._recorded[plane, rows, columns])
-        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
-        if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
-            counts = (given + shift.astype(np.float64)).astype(np.float32)
-        else:
-            counts = np.add(given, shift, dtype=np.float32)
-        at_least(counts, 0.0)
-        if self._all:
-            return counts, weight
-        known = np.isfinite(given) & (given < self._saturation)
-        return np.where(known, counts, np.float32(0.0)), np.where(known, weight, np.float32(0.0))
-
-    def _added_at(self, rows: slice, columns: slice) -> Values:
-        """Return the variance of reading, in units of light, of a part."""
-        return _at(self._added, rows, columns)
-
-    def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
-        """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
-        counts, weight = self.part(plane, rows, columns)
-        added = _at(self._added, rows, columns)
-        model = np.maximum(light + added + _at(np.asarray(self.background, np.float32), rows, columns), TINY)
-        known = np.broadcast_to(weight > 0.0, counts.shape)
-        off = (counts - model) * np.sqrt(self.white * weight / model)
-        return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
-
-    def scene(self, planes: int, pixels: int) -> Part:
-        """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
-
-        def part(plane: int, rows: slice, columns: slice) -> Values:
-            out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
-            if 0 <= plane - planes < len(self._recorded):
-                sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
-                (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
-                counts, weight = self.part(plane - planes, y, x)
-                light = np.maximum(counts - _at(self._added, y, x), 0.0)
-                out[down, across] = np.where(weight > 0.0, light, self.level)
-            return out
-
-        return part
-
-    def spread(self, levels: Array) -> None:
-        """Take the background from its levels at points of a grid over the field."""
-        down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
-        self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
-
-    def means(self, misfit: Values, count: int) -> Array:
-        """Return the mean of the weighted ratios less 1 around each of so many by so many points of a grid."""
-        down, across = (_between(side, count) for side in self._recorded.shape[1:])
-        given = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
-        return np.asarray(given / np.maximum(down.T @ self._weights @ across, TINY))
-
-    @cached_property
-    def _weights(self) -> Array:
-        """The weights of all voxels of each pixel."""
-        sides = self._recorded.shape[1:]
-        made = np.zeros(sides)
-        for plane in range(len(self.known)):
-            made += self.part(plane, slice(0, sides[0]), slice(0, sides[1]))[1]
-        return made
-
-    def darkest(self) -> float:
-        """Return the light of the darkest parts, which hold a background and little else."""
-        found = [self.level]
-        down, across = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
-        for plane in range(len(self.known)):
-            counts, weight = self.part(plane, slice(None), slice(None))
-            known = np.broadcast_to(weight > 0.0, counts.shape)
-            light = np.where(known, counts - self._added, 0.0)
-            for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
-                parts = (np.array_split(each, across, axis=1) for each in rows)
-                found += [float(some.sum() / all_.sum()) for some, all_ in zip(*parts, strict=True) if all_.all()]
-        return max(float(np.percentile(found, _DARKEST)), 0.0)
-
-    def flat(self) -> float:
-        """Return the discrepancy of a scene without detail."""
-        sides = self._recorded.shape[1:]
-        found = np.zeros(len(self.known))
-        for plane in range(len(found)):
-            light = np.full(sides, self.level - self.background, np.float32)
-            found[plane] = self._compared(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
-        return self.mean(self.per_pixel(found))
-
-    def discrepancies(self, blur: TiledBlur | WideBlur, specimen: Part, misfit: Values | None = None) -> Array:
-        """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
-
-        def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, Array]:
-            return plane, self._compared(plane, rows, columns, light, misfit)
-
-        sums, of_specimen = np.zeros(len(self.known)), np.zeros(3)
-        for plane, found in blur.forward(specimen, compared):
-            sums[plane] += found[0]
-            of_specimen += found[1:]
-        if np.any(self.background):
-            lost, lit, spread = of_specimen
-            self.of_specimen = 2.0 * self.white * lost / max(lit, TINY), 3.0 * np.sqrt(2.0 * spread) / max(lit, TINY)
-        return self.per_pixel(sums)
-
-    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
-        """Return sums over a part, whose light becomes the model: of the deviance, and what `of_specimen` needs.
-
-        Voxels have there the square of the specimen's share of the model as their weight.
-        """
-        counts, weight = self.part(plane, rows, columns)
-        beside = _at(np.asarray(self.background, np.float32), rows, columns)
-        other = _at(self._added, rows, columns) + beside
-        # In place throughout: new memory costs more than what is done in it.
-        at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
-        share = light.copy() if np.any(beside) else None
-        model = np.add(light, other, out=light)
-        ratio = np.divide(counts, model, out=counts)
-        np.minimum(ratio, np.full(ratio.shape[-1:], _MOST_RATIO, np.float32), out=ratio)
-        terms = at_least(ratio.copy(), TINY)
-        np.log(terms, out=terms)
-        terms *= ratio
-        ratio -= 1.0
-        # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
-        terms -= ratio
-        if weight.ndim or self.most_weight != 1.0:
-            terms *= weight
-            ratio *= weight
-        if misfit is not None:
-            misfit[plane, rows, columns] = ratio
-        # Sums of rows in float32, and of these in float64.
-        found = [np.einsum("yx,yx->y", terms, model)]
-        if share is not None:
-            share /= model
-            share *= share
-            terms *= model
-            if weight.ndim:
-                share *= weight > 0.0
-            found += [np.einsum("yx,yx->y", one, share) for one in (terms, np.ones_like(share), share)]
-        sums = [float(each.sum(dtype=np.float64)) for each in found]
-        return np.array(sums + [0.0] * (4 - len(sums)))
-
-
-def _between(side: int, count: int) -> Array:
-    """Return the weights of evenly spaced points at each pixel, linear between two."""
-    place = np.linspace(0.0, count - 1.0, side)
-    return np.asarray(np.maximum(1.0 - np.abs(place[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
-
-
-def at_least(values: Values, least: float) -> Values:
-    """Raise values to the least, in place; a row of it is much faster than a number."""
-    return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
-
-
-def _at(each: Values, rows: slice, columns: slice) -> Values:
-    """Return a part of a map, or the number that is the same everywhere."""
-    return each[rows, columns] if each.ndim else each
 
 
 class Background(NamedTuple):
@@ -265,7 +49,7 @@ class Move(NamedTuple):
 
 
 class State(NamedTuple):
-    """Light of a specimen, and, of each plane, of what is beyond its margin; None where a walk begins flat."""
+    """Light of a specimen, and, of each plane, of what is beyond its margin; None where an iteration begins flat."""
 
     light: Values | None = None
     outside: Values | None = None
@@ -276,21 +60,21 @@ class State(NamedTuple):
         return State(light, outside)
 
 
-class Walk:
+class Iteration:
     """Steps of Richardson and Lucy, with no more memory than twice the specimen and once the recording.
 
     The `background`, light of each voxel beside that of the specimen, is estimated with it where it is unknown: the
     specimen starts with next to nothing. A flat specimen and a background have the same
     image, and as steps multiply, what is flat goes to what is bright from the start.
 
-    A walk with the `course` of another part of the same stack takes as many steps as that, each extrapolated as far
-    and with the same background, if that has one level.
+    An iteration with the `course` of another part of the same stack takes as many steps as that, each extrapolated
+    as far and with the same background, if that has one level.
     """
 
     def __init__(
         self,
-        blur: TiledBlur | WideBlur,
-        counted: Counted,
+        blur: PlaneOperator,
+        counted: PoissonCounts,
         course: Sequence[Move] | None = None,
         *,
         background: Background = _NONE,
@@ -299,7 +83,7 @@ class Walk:
         self._given = None if course is None else list(course)
         least = _DIM * counted.level
         level, self._estimated = background.level, background.level is None
-        start = least if level is None else max(counted.level - level, least)
+        start = np.maximum(counted.start - level, least) if level is not None else np.asarray(least)
         self._like = self._given is not None and background.points == 1
         if level is None:
             # What is flat needs no specimen.
@@ -310,18 +94,18 @@ class Walk:
         if self._given and self._like:
             self._background = self._given[0].background
         self._background_before = self._levels = self._background
-        counted.spread(self._levels)
-        self._light = np.full(blur.whole, start, dtype=np.float32)
+        counted.set_background(self._levels)
+        self._light = np.full(blur.whole, start, dtype=counted.dtype)
         self._before: Values | None = None
-        self._misfit = np.empty(blur.shape, dtype=np.float32)
+        self._misfit = np.empty(blur.shape, dtype=counted.dtype)
         blur.weigh(counted.most_weight)
         # Of the specimen beyond its margin, if the blur has any.
-        self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=np.float32)
+        self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=counted.dtype)
         self._outside_before = self._outside
         self._pace = 0.0
         self._strength = 0.0
         self.strength: float | None = None  # of the total variation, that was found
-        self._earlier = np.zeros([-(-side // _EVERY) for side in blur.whole], dtype=np.float32)
+        self._earlier = np.zeros([-(-side // _EVERY) for side in blur.whole], dtype=counted.dtype)
         self.course: list[Move] = []
         self._of_specimen: list[float] = []
         self.discrepancies = np.full(len(counted.known), np.inf)
@@ -329,12 +113,12 @@ class Walk:
 
     @property
     def state(self) -> State:
-        """A copy of the light, extrapolated, from which another walk may start."""
+        """A copy of the light, extrapolated, from which another iteration may start."""
         ahead = self._light if self._before is None else self._before
         return State(ahead.copy(), None if self._blur.outside is None else self._blur.outside.copy())
 
     def start_from(self, state: State) -> None:
-        """Start from the light of another walk, where there is some."""
+        """Start from the light of another iteration, where there is some."""
         if state.light is not None:
             self._light = at_least(state.light, self._counted.smallest)
         if state.outside is not None:
@@ -345,23 +129,23 @@ class Walk:
         assert isinstance(method, RichardsonLucy)
         if self._given is not None:
             method = replace(method, steps=max(len(self._given), 1), target=0.0)
-        course = Course(method, self._counted.slack, tell)
+        rule = StoppingRule(method, self._counted.slack, tell)
         last = np.inf
         while True:
-            found = self._look(course.pace)
-            stopped = course.judge(found)
-            if self._estimated and stopped in (None, NOISE) and course.steps < method.steps:
+            found = self._look(rule.pace)
+            stopped = rule.judge(found)
+            if self._estimated and stopped in (None, NOISE) and rule.steps < method.steps:
                 stopped = NOISE if self._explained(found, method.target) else None
-            if stopped is None and self.enough is not None and self.enough(course.steps, found):
+            if stopped is None and self.enough is not None and self.enough(rule.steps, found):
                 stopped = NOISE
-            if stopped or (self._given is not None and course.steps == len(self._given) - 1):
-                return course.steps, stopped or STEPS, self.discrepancies
+            if stopped or (self._given is not None and rule.steps == len(self._given) - 1):
+                return rule.steps, stopped or STEPS, self.discrepancies
             size = float(np.vdot(self._earlier, self._earlier))
             overlap = self._step()
-            if method.accelerate and course.steps > 0:
-                course.go_on(size, overlap)
+            if method.accelerate and rule.steps > 0:
+                rule.extrapolate_by(size, overlap)
                 if found > last:  # too far: it goes on from a plain step
-                    course.pace = 0.0
+                    rule.pace = 0.0
             last = found
 
     def _look(self, pace: float) -> float:
@@ -371,7 +155,7 @@ class Walk:
             move = self._given[min(len(self.course), len(self._given) - 1)]
         self._pace, self._strength = move.pace, move.strength
         self._extrapolate(move.background)
-        self.discrepancies = self._counted.discrepancies(self._blur, self._guess, self._misfit)
+        self.discrepancies = self._counted.discrepancies(self._blur, self.guess, self._misfit)
         self.course.append(move._replace(background=self._levels))
         self._of_specimen.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
@@ -387,7 +171,7 @@ class Walk:
             return False
         return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
 
-    def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
+    def guess(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the light, extrapolated."""
         ahead = self._light if self._before is None else self._before
         return ahead[plane, rows, columns]
@@ -400,7 +184,7 @@ class Walk:
         if self._estimated:
             ahead = np.maximum(_ahead(self._background, self._background_before, pace), least)
             self._levels = levels if self._like else ahead
-            self._counted.spread(self._levels)
+            self._counted.set_background(self._levels)
         if self._before is None:
             return
         for light, before in zip(self._light, self._before, strict=True):
@@ -415,7 +199,7 @@ class Walk:
         least = self._counted.smallest
 
         def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
-            guess = self._guess(plane, rows, columns)
+            guess = self.guess(plane, rows, columns)
             # What no voxel of the recording sees stays as it is.
             found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
             found += 1.0
@@ -437,7 +221,7 @@ class Walk:
             self._background_before = self._background
             self._background = np.maximum(self._levels * (1.0 + means), least)
         made = self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], take)
-        if isinstance(self._blur, WideBlur):
+        if self._outside is not None:
             guess = self._blur.outside
             found = guess * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
             self._outside_before, self._outside = self._outside, np.maximum(found, least)
@@ -457,13 +241,13 @@ class Walk:
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:
-        """Return the light within these margins; ends the walk."""
-        self._misfit = np.empty((0, 0, 0), np.float32)
+        """Return the light within these margins; ends the iteration."""
+        self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
-        out = np.empty(self._blur.shape, np.float32)
+        out = np.empty(self._blur.shape, self._counted.dtype)
         for plane, values in enumerate(out):
-            values[...] = self._guess(planes + plane, rows, columns)
+            values[...] = self.guess(planes + plane, rows, columns)
         return out
 
 
@@ -482,10 +266,9 @@ def _ahead(light: Any, before: Any, pace: float, out: Any = None) -> Any:
 
 _ROUND = 0.01  # of the mean light, over which the edge of the total variation is rounded
 _STEPS_BETWEEN, _SETTLED = 20, 1e-3  # steps, and the change of the objective over these, relative to the likelihood
-_FALL = 1.0 / 512.0  # of the usual strength, below which none is tried
 
 
-class VariationWalk(Walk):
+class VariationIteration(Iteration):
     r"""Steps to the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, for light x above 0.
 
     Each step minimizes a function of one voxel at a time that is nowhere below the objective and equal to it at the
@@ -495,24 +278,26 @@ class VariationWalk(Walk):
     weights times the light of both, the root of ``2 P x^2 + (s - Q) x = e`` is in closed form. Steps are extrapolated
     as those of Richardson and Lucy, and one that raised the objective is followed by a plain one.
 
-    Memory: one specimen more than :class:`Walk`. Differences along z are per pixel too: `aspect` is pixel over step.
+    Memory: one specimen more than the iteration of Richardson and Lucy. Differences along z are per pixel too:
+    `aspect` is pixel over step. Without it planes are channels, whose gradient is one vector: they share their edges.
     """
 
     def __init__(
         self,
-        blur: TiledBlur | WideBlur,
-        counted: Counted,
+        blur: PlaneOperator,
+        counted: PoissonCounts,
         course: Sequence[Move] | None = None,
         *,
         background: Background,
-        aspect: float,
+        aspect: float | None = None,
         threads: int = 0,
     ) -> None:
         super().__init__(blur, counted, course, background=background)
-        self._aspect, self._threads = np.float32(aspect), threads
+        self._aspect = None if aspect is None else np.float32(aspect)
+        self._threads = threads
         self._spare: Values | None = None
         self._likelihood = 0.0
-        self._round = np.float32(max(_ROUND * counted.level, counted.smallest))
+        self._round = counted.dtype.type(max(_ROUND * counted.level, counted.smallest))
         self.objectives: list[float] = []
         self.strength = self._given[-1].strength if self._given else 0.0
         self._begun = time.perf_counter()
@@ -522,14 +307,17 @@ class VariationWalk(Walk):
         assert isinstance(method, TotalVariation)
         counted = self._counted
         most = 1.0 + counted.slack
+        electrons = counted.white * counted.level
+        first = 0.15 / math.sqrt(max(electrons, 1e-6))
+        is_flat = len(self._given) == 1 if self._given else method.strength is None and counted.flat() <= most
+        if is_flat:
+            self._look(0.0)
+            self.strength = None
+            return 0, NOISE, self.discrepancies
+        self.start_from(State(counted.estimate))
         if self._given:
             self._settle(0.0, len(self._given), tell, last=True)
             return len(self.course) - 1, STEPS, self.discrepancies
-        electrons = counted.white * counted.level
-        first = 0.15 / math.sqrt(max(electrons, 1e-6))
-        if method.strength is None and counted.flat() <= most:
-            self._look(0.0)
-            return 0, NOISE, self.discrepancies
 
         def found_at(strength: float) -> float:
             return self._settle(strength, method.steps, tell, last=method.strength is not None)
@@ -537,9 +325,9 @@ class VariationWalk(Walk):
         if method.strength is not None:
             found, self.strength = found_at(method.strength), method.strength
         else:
-            found, self.strength = search(found_at, first, method.target, first * _FALL)
+            found, self.strength = search(found_at, first, method.target, first * counted.weakest)
         stopped = NOISE if found <= most else STEPS
-        if method.strength is None and found > most and self.strength <= 1.001 * first * _FALL:
+        if method.strength is None and found > most and self.strength <= 1.001 * first * counted.weakest:
             stopped = MISFIT
         return len(self.course) - 1, stopped, self.discrepancies
 
@@ -557,7 +345,7 @@ class VariationWalk(Walk):
                 pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 and here > 1 else 0.0
                 if here > 1 and self.objectives[-1] > self.objectives[-2]:
                     pace = 0.0
-                if self._given is None and here > _STEPS_BETWEEN:
+                if self._given is None and here > _STEPS_BETWEEN and (self._counted.settles or not last):
                     fall = self.objectives[-1 - _STEPS_BETWEEN] - self.objectives[-1]
                     most = here if fall < _SETTLED * self._likelihood else most
             found = self._look(pace)
@@ -588,7 +376,7 @@ class VariationWalk(Walk):
 
         self._returned(stepped)
         whole = slice(0, guess.shape[1]), slice(0, guess.shape[2])
-        strength = np.float32(self._strength)
+        strength = self._counted.dtype.type(self._strength)
 
         def smoothed(plane: int) -> tuple[float, float]:
             weights, both, total = self._neighbours(guess, plane)
@@ -602,26 +390,28 @@ class VariationWalk(Walk):
         return sum(overlap for _, overlap in made)
 
     def _slopes(self, light: Values, plane: int) -> Values:
-        """Return the magnitude of the gradient at each voxel of a plane, rounded."""
-        here = light[plane]
-        squares = np.full(here.shape, self._round * self._round, np.float32)
-        squares[:-1] += np.square(here[1:] - here[:-1])
-        squares[:, :-1] += np.square(here[:, 1:] - here[:, :-1])
-        if plane + 1 < len(light):
-            squares += np.square(self._aspect * (light[plane + 1] - here))
+        """Return the magnitude of the gradient at each voxel of a plane, rounded; channels have it in common."""
+        squares = np.full(light.shape[1:], self._round * self._round, light.dtype)
+        for here in light if self._aspect is None else light[plane : plane + 1]:
+            squares[:-1] += np.square(here[1:] - here[:-1])
+            squares[:, :-1] += np.square(here[:, 1:] - here[:, :-1])
+        if self._aspect is not None and plane + 1 < len(light):
+            squares += np.square(self._aspect * (light[plane + 1] - light[plane]))
         return np.sqrt(squares, out=squares)
 
     def _neighbours(self, light: Values, plane: int) -> tuple[Values, Values, float]:
         """Return sums over the neighbours of each voxel, of weights and of these times both, and the variation."""
         here, slopes = light[plane], self._slopes(light, plane)
         total = float(slopes.sum(dtype=np.float64))
-        one = np.float32(1.0) / slopes
+        one = light.dtype.type(1.0) / slopes
         weights, both = np.zeros_like(here), np.zeros_like(here)
         for low, high in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):
             shared = one[low] * (here[low] + here[high])
             for side in (low, high):
                 weights[side] += one[low]
                 both[side] += shared
+        if self._aspect is None:
+            return weights, both, total / len(light)
         square = self._aspect * self._aspect
         if plane + 1 < len(light):
             one *= square
@@ -642,17 +432,47 @@ def _root(found: Values, weights: Values, both: Values) -> Values:
         return np.where(over > 0.0, (over + root) / (4.0 * weights), 2.0 * found / (root - over))
 
 
-def walk_of(
+def iteration_of(
     method: RichardsonLucy | TotalVariation,
-    blur: TiledBlur | WideBlur,
-    counted: Counted,
+    blur: PlaneOperator,
+    counted: PoissonCounts,
     course: Sequence[Move] | None = None,
     *,
     background: Background,
-    aspect: float,
+    aspect: float | None = None,
     threads: int = 0,
-) -> Walk:
+) -> Iteration:
     """Return the steps of a method."""
     if isinstance(method, RichardsonLucy):
-        return Walk(blur, counted, course, background=background)
-    return VariationWalk(blur, counted, course, background=background, aspect=aspect, threads=threads)
+        return Iteration(blur, counted, course, background=background)
+    return VariationIteration(blur, counted, course, background=background, aspect=aspect, threads=threads)
+
+
+class Solution(NamedTuple):
+    """The result of a method for a photograph: light, number of steps, why it stopped, weight of the total variation.
+
+    `alike` does the same to other counts, as of other parts of the photograph, and returns their light.
+    """
+
+    light: Values
+    steps: int
+    stopped: str
+    alike: Callable[[PhotographCounts], Values]
+    strength: float | None = None
+
+
+def iterated(
+    method: RichardsonLucy | TotalVariation,
+    counts: PhotographCounts,
+    tell: Tell,
+    course: Sequence[Move] | None = None,
+) -> Solution:
+    """Return the sharp light behind the counts of a photograph, by the `course` of another part if it is given."""
+    iteration = iteration_of(method, counts.operator, counts, course, background=_NONE)
+    steps, stopped, _ = iteration.solve(method, tell)
+    light = counts.operator.image(iteration.inside(0, 0))
+
+    def alike(other: PhotographCounts) -> Values:
+        return iterated(method, other, lambda *_: None, iteration.course).light
+
+    return Solution(light, steps, stopped, alike, iteration.strength)

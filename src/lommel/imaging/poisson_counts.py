@@ -1,0 +1,406 @@
+"""Recorded planes as Poisson counts, and how well the blurred image of a scene agrees with them."""
+
+from __future__ import annotations
+
+import copy
+import math
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding
+from lommel.imaging.deconvolution import MISFIT
+from lommel.imaging.linear import ImagePlanes, LinearBlur, Part, PlaneOperator, overlap
+from lommel.recorded.counts import plane_of
+from lommel.recorded.noise import Noise
+
+SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
+TINY = 1e-30  # keeps what is divided by from 0: a count of 0 has then a ratio of 0
+_MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
+_MOST_RATIO = 1e3  # of counts to those of a model
+_BLOCK, _DARKEST = 8, 10.0  # pixels of the side of means, and the percentile of these that a background starts from
+
+
+class PoissonCounts:
+    r"""Recorded planes as counts of a Poisson distribution, in units of light.
+
+    A pixel whose gain is g electrons a unit of light has ``g y + read^2`` close to ``Poisson(g (A x) + read^2)``
+    (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): counts are ``y + read^2 / g``, and `added` is ``read^2 / g``.
+
+    Parameters
+    ----------
+    recorded : ndarray, shape (planes, height, width)
+        Recorded light; NaN where it is unknown.
+    noise : Noise
+    saturation : float
+        Value from which on pixels are left out.
+    dtype : float32 or float64
+        Type of the computation.
+    full : ndarray of bool, optional
+        Pixels that counted at least so much: lower limits of the light.
+    """
+
+    weakest = 1.0 / 512.0  # total variation that a search tries, over the usual one
+    settles = True  # whether steps with a given total variation may end before their number
+
+    def __init__(
+        self,
+        recorded: Values,
+        noise: Noise,
+        saturation: float = np.inf,
+        *,
+        dtype: np.dtype[np.floating] = SINGLE,
+        full: NDArray[np.bool_] | None = None,
+    ) -> None:
+        noise = noise.require_shape(recorded.shape).poisson
+        self._recorded, self._saturation, self._full = recorded, saturation, full
+        self.dtype = dtype
+        offset = np.asarray(noise.offset, dtype=np.float64)
+        gain = np.asarray(1.0 if noise.white is None else noise.white)
+        read = np.asarray(noise.read, dtype=np.float64)
+        added = (read / gain) ** 2 * gain
+        planes = len(recorded)
+        self.known = np.zeros(planes, dtype=np.int64)  # pixels of each plane that are neither unknown nor full
+        self._light, self._weights = [0.0] * planes, [0.0] * planes  # sums of each plane
+        counts = over = seen = 0.0
+        for plane in range(planes):
+            values = plane_of(recorded, plane)
+            known = np.isfinite(values) & (values < saturation)
+            each = np.where(known, gain, 0.0)
+            light = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
+            self._weights[plane] = float(each.sum())
+            self._light[plane] = float((each * np.maximum(light - added, 0.0)).sum())
+            counts += float((each * light).sum())
+            seen += float(known.sum())
+            known = known if full is None else known & ~full[plane]
+            over += float((known / (6.0 * (each * light + 1.0))).sum())
+            self.known[plane] = int(known.sum())
+        if not self.known.any():
+            raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
+        weights = sum(self._weights)
+        self._all = seen == float(np.prod(recorded.shape))
+        self.background: float | Values = 0.0  # light of each voxel, or of each pixel, that is not of the specimen
+        self.of_specimen = 1.0, np.inf  # discrepancy of the voxels that the specimen lights, and its slack
+        self.white = weights / seen  # mean gain, electrons a unit of light
+        # Maps have the sides of a plane, so that parts of them can be taken.
+        self._added, self._shift, self._weight = (
+            np.asarray(each, dtype=self.dtype) for each in (added, added - offset, gain / self.white)
+        )
+        self.most_weight = float(self._weight.max())
+        self.level = sum(self._light) / weights  # mean light
+        # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
+        self.electrons = self.white * counts / weights
+        self.smallest = 1e-6 * max(counts / weights, TINY)
+        # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
+        self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
+
+    @property
+    def start(self) -> Array:
+        """Light of each plane of a scene without detail, to be broadcast to the scene."""
+        return np.asarray(self.level)
+
+    @property
+    def estimate(self) -> Values | None:
+        """Light that total variation starts from, in place of a flat scene: none, as stacks have a background."""
+        return None
+
+    @property
+    def slack(self) -> float:
+        """Three standard deviations of the discrepancy of the true scene, by which it may exceed 1."""
+        return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
+
+    def mean(self, discrepancies: Array) -> float:
+        """Return the discrepancy of all planes together."""
+        return float((discrepancies * self.known).sum() / self.known.sum())
+
+    def reversed(self) -> Self:
+        """Return the counts with the planes in the other order."""
+        made = copy.copy(self)
+        made.known, made._recorded = self.known[::-1], self._recorded[::-1]
+        return made
+
+    def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
+        """Return what is wrong with a stack, of which a method stopped after so many steps."""
+        numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
+        if stopped == MISFIT:
+            parts = "wavelength, depth, direction of z, steps of z, pixels"
+            return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
+        if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
+            text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
+            return Finding("too_quiet", "error", text, numbers)
+        return None
+
+    def per_pixel(self, sums: Array) -> Array:
+        """Return the Poisson deviance per known pixel, over that of the true scene, from sums over each plane.
+
+        Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004.
+        """
+        return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1)) / self.expected
+
+    def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
+        """Return counts and weights; both are 0 where nothing is known."""
+        given = np.asarray(self._recorded[plane, rows, columns])
+        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
+        if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
+            counts = (given + shift.astype(np.float64)).astype(self.dtype)
+        else:
+            counts = np.add(given, shift, dtype=self.dtype)
+        at_least(counts, 0.0)
+        if self._all:
+            return counts, weight
+        known = np.isfinite(given) & (given < self._saturation)
+        zero = self.dtype.type(0.0)
+        return np.where(known, counts, zero), np.where(known, weight, zero)
+
+    def _added_at(self, rows: slice, columns: slice) -> Values:
+        """Return the variance of reading, in units of light, of a part."""
+        return _at(self._added, rows, columns)
+
+    def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
+        """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
+        counts, weight = self.part(plane, rows, columns)
+        added = _at(self._added, rows, columns)
+        model = np.maximum(light + added + _at(np.asarray(self.background, np.float32), rows, columns), TINY)
+        known = np.broadcast_to(weight > 0.0, counts.shape)
+        off = (counts - model) * np.sqrt(self.white * weight / model)
+        return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
+
+    def scene(self, planes: int, pixels: int) -> Part:
+        """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
+
+        def part(plane: int, rows: slice, columns: slice) -> Values:
+            out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
+            if 0 <= plane - planes < len(self._recorded):
+                sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
+                (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
+                counts, weight = self.part(plane - planes, y, x)
+                light = np.maximum(counts - _at(self._added, y, x), 0.0)
+                out[down, across] = np.where(weight > 0.0, light, self.level)
+            return out
+
+        return part
+
+    def set_background(self, levels: Array) -> None:
+        """Take the background from its levels at points of a grid over the field."""
+        down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
+        self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
+
+    def means(self, misfit: Values, count: int) -> Array:
+        """Return the mean of the weighted ratios less 1 around each of so many by so many points of a grid."""
+        down, across = (_between(side, count) for side in self._recorded.shape[1:])
+        given = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
+        return np.asarray(given / np.maximum(down.T @ self._pixel_weights @ across, TINY))
+
+    @cached_property
+    def _pixel_weights(self) -> Array:
+        """The weights of all voxels of each pixel."""
+        sides = self._recorded.shape[1:]
+        made = np.zeros(sides)
+        for plane in range(len(self.known)):
+            made += self.part(plane, slice(0, sides[0]), slice(0, sides[1]))[1]
+        return made
+
+    def darkest(self) -> float:
+        """Return the light of the darkest parts, which hold a background and little else."""
+        found = [self.level]
+        down, across = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
+        for plane in range(len(self.known)):
+            counts, weight = self.part(plane, slice(None), slice(None))
+            known = np.broadcast_to(weight > 0.0, counts.shape)
+            light = np.where(known, counts - self._added, 0.0)
+            for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
+                parts = (np.array_split(each, across, axis=1) for each in rows)
+                found += [float(some.sum() / all_.sum()) for some, all_ in zip(*parts, strict=True) if all_.all()]
+        return max(float(np.percentile(found, _DARKEST)), 0.0)
+
+    def flat(self) -> float:
+        """Return the discrepancy of a scene without detail."""
+        sides = self._recorded.shape[1:]
+        found = np.zeros(len(self.known))
+        for plane in range(len(found)):
+            light = np.full(sides, self.level - self.background, np.float32)
+            found[plane] = self._compared(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
+        return self.mean(self.per_pixel(found))
+
+    def discrepancies(self, blur: PlaneOperator, specimen: Part, misfit: Values | None = None) -> Array:
+        """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
+
+        def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, Array]:
+            return plane, self._compared(plane, rows, columns, light, misfit)
+
+        sums, of_specimen = np.zeros(len(self.known)), np.zeros(3)
+        for plane, found in blur.forward(specimen, compared):
+            sums[plane] += found[0]
+            of_specimen += found[1:]
+        if np.any(self.background):
+            lost, lit, spread = of_specimen
+            self.of_specimen = 2.0 * self.white * lost / max(lit, TINY), 3.0 * np.sqrt(2.0 * spread) / max(lit, TINY)
+        return self.per_pixel(sums)
+
+    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
+        """Return sums over a part, whose light becomes the model: of the deviance, and what `of_specimen` needs.
+
+        Voxels have there the square of the specimen's share of the model as their weight.
+        """
+        counts, weight = self.part(plane, rows, columns)
+        beside = _at(np.asarray(self.background, self.dtype), rows, columns)
+        other = _at(self._added, rows, columns) + beside
+        # In place throughout: new memory costs more than what is done in it.
+        at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
+        share = light.copy() if np.any(beside) else None
+        model = np.add(light, other, out=light)
+        ratio = np.divide(counts, model, out=counts)
+        np.minimum(ratio, np.full(ratio.shape[-1:], _MOST_RATIO, ratio.dtype), out=ratio)
+        if self._full is not None:  # the model may exceed what a saturated pixel counted
+            np.maximum(ratio, 1.0, out=ratio, where=self._full[plane, rows, columns])
+        terms = at_least(ratio.copy(), TINY)
+        np.log(terms, out=terms)
+        terms *= ratio
+        ratio -= 1.0
+        # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
+        terms -= ratio
+        if weight.ndim or self.most_weight != 1.0:
+            terms *= weight
+            ratio *= weight
+        if misfit is not None:
+            misfit[plane, rows, columns] = ratio
+        # Sums of rows in the type of the values, and of these in float64.
+        found = [np.einsum("yx,yx->y", terms, model)]
+        if share is not None:
+            share /= model
+            share *= share
+            terms *= model
+            if weight.ndim:
+                share *= weight > 0.0
+            found += [np.einsum("yx,yx->y", one, share) for one in (terms, np.ones_like(share), share)]
+        sums = [float(each.sum(dtype=np.float64)) for each in found]
+        return np.array(sums + [0.0] * (4 - len(sums)))
+
+
+def _between(side: int, count: int) -> Array:
+    """Return the weights of evenly spaced points at each pixel, linear between two."""
+    place = np.linspace(0.0, count - 1.0, side)
+    return np.asarray(np.maximum(1.0 - np.abs(place[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
+
+
+def at_least(values: Values, least: float) -> Values:
+    """Raise values to the least, in place; a row of it is much faster than a number."""
+    return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
+
+
+def _at(each: Values, rows: slice, columns: slice) -> Values:
+    """Return a part of a map, or the number that is the same everywhere."""
+    return each[rows, columns] if each.ndim else each
+
+
+class PhotographCounts(PoissonCounts):
+    """The counts of a photograph in memory, and the blur of its scene; its channels are planes.
+
+    Parameters
+    ----------
+    blur : LinearBlur
+    light : ndarray of float, shape (height, width) or (height, width, channels)
+        Recorded light, NaN where it is unknown.
+    noise : Noise
+    saturation : float
+        Light from which on pixels count at least so much.
+    full : ndarray of bool, optional
+        The pixels that do, where `light` does not say so.
+
+    Raises
+    ------
+    ValueError
+        If no pixel is known.
+    """
+
+    weakest = 1.0 / 8.0  # right depths take half to double of the usual strength
+    settles = False
+
+    def __init__(
+        self,
+        blur: LinearBlur,
+        light: Values,
+        noise: Noise,
+        saturation: float = np.inf,
+        full: NDArray[np.bool_] | None = None,
+    ) -> None:
+        self.blur, self.noise, self.light = blur, noise, np.minimum(light, saturation)
+        self._saturated = light >= saturation if full is None else full
+        if not (np.isfinite(light) & ~self._saturated).any():
+            raise ValueError("no pixel of the photograph is known: all are NaN or saturated")
+        self.full = self._saturated if self._saturated.any() else None
+        planes = [np.moveaxis(each.reshape(*blur.shape, -1), 2, 0) for each in (self.light, self._saturated)]
+        super().__init__(planes[0], noise, dtype=blur.dtype, full=None if self.full is None else planes[1])
+        self.added = self._added[..., None] if self._added.ndim and light.ndim == 3 else self._added
+
+    def replaced(self, light: Values) -> PhotographCounts:
+        """Return the counts of other light whose saturated pixels are the same."""
+        return PhotographCounts(self.blur, light, self.noise, full=self._saturated)
+
+    @cached_property
+    def operator(self) -> ImagePlanes:
+        """The blur by planes, with the weights of the pixels."""
+        return ImagePlanes(self.blur, self.weight)
+
+    @property
+    def estimate(self) -> Values:
+        """The photograph as planes of light."""
+        return np.array(self.operator.planes(self.image), self.dtype, order="C")
+
+    @property
+    def start(self) -> Array:
+        """Mean light of each channel; of one that is unknown that of the others: steps that multiply keep a 0."""
+        pairs = zip(self._light, self._weights, strict=True)
+        levels = [light / weight if weight else self.level for light, weight in pairs]
+        return np.array(levels)[:, np.newaxis, np.newaxis]
+
+    def flat(self) -> float:
+        """Return the discrepancy of a scene without detail."""
+        return self.mean(self.discrepancies_of(self._flat))
+
+    @cached_property
+    def counts(self) -> Values:
+        """Counts of all pixels, 0 where they are unknown."""
+        return self._image(0)
+
+    @cached_property
+    def weight(self) -> Values:
+        """Gain over its mean, 0 where a pixel is unknown."""
+        return self._image(1)
+
+    @property
+    def certain(self) -> NDArray[np.bool_]:
+        """The pixels that are known and not full."""
+        known = self.weight > 0.0
+        return known if self.full is None else known & ~self.full
+
+    @cached_property
+    def image(self) -> Values:
+        """The photograph as light, unknown pixels as bright as the mean."""
+        return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self._flat)
+
+    def model(self, light: Values) -> Values:
+        """Return the expected counts of a scene."""
+        made = self.blur.forward(light)
+        made += self.added
+        return np.maximum(made, TINY, out=made)
+
+    def discrepancies_of(self, light: Values) -> Array:
+        """Return the Poisson deviance per known pixel of each channel, of a scene."""
+        return self.discrepancies(self.operator, self.operator.parts(light))
+
+    @property
+    def _flat(self) -> Values:
+        planes = np.broadcast_to(self.start, (self.blur.channels, *self.blur.shape))
+        return self.operator.image(planes)
+
+    def _image(self, which: int) -> Values:
+        """Return counts or weights of all parts as an image."""
+        shape = self.light.shape
+        out = np.empty((*self.blur.shape, self.blur.channels), self.dtype)
+        for plane in range(self.blur.channels):
+            out[..., plane] = self.part(plane, slice(None), slice(None))[which]
+        return out.reshape(shape)

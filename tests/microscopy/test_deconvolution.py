@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.microscopy import deconvolution
 from objectives import OIL_60X
 
 STEP, PIXEL = 0.3e-6, 6e-6
@@ -86,6 +87,30 @@ def test_beads_on_a_background_keep_their_photons_and_all_light():
         assert found.values[part].sum() == pytest.approx(photons, rel=0.025)
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_points_between_voxels_keep_their_light_and_the_background_is_found(seed):
+    # Points anywhere, by a certified PSF of each: no lattice of voxels has their images.
+    draw = np.random.default_rng(seed)
+    oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518)
+    step, pixel, sides, photons = 0.25e-6, 6.5e-6, (17, 40, 40), draw.uniform(3e3, 9e3, 6)
+    planes, wide = (np.arange(sides[0]) - 8) * step, 157
+    mean = np.full(sides, 20.0)
+    for light in photons:
+        z, (row, column) = draw.uniform(-1.2e-6, 1.2e-6), draw.uniform(9, 30, 2)
+        corner = np.rint([row, column]).astype(int) - wide // 2
+        pupil = oil.pupil(depth=0.0, z=planes - z, wavelength=520e-9)
+        image = lm.psf(pupil, wide, pixel, tol=1e-4, center=(row - corner[0], column - corner[1])).values
+        mean += light * image[:, -corner[0] : sides[1] - corner[0], -corner[1] : sides[2] - corner[1]]
+    stack = draw.poisson(mean) + draw.normal(0.0, 1.5, sides)
+    psf = lm.psf(oil.pupil(depth=0.0, z=(np.arange(33) - 16) * step, wavelength=520e-9), 141, pixel, tol=1e-4)
+    for diagnosis, light, level in ((True, 0.03, 0.02), (False, 0.1, 0.1)):
+        found = lm.microscopy.deconvolve(stack, psf, lm.Noise(read=1.5), diagnosis=diagnosis)
+        assert found.reliable
+        assert found.message == f"converged: discrepancy {found.discrepancy:.3g} after {found.steps} steps"
+        assert found.values.sum() / psf.values.sum() == pytest.approx(photons.sum(), rel=light)
+        assert found.background == pytest.approx(20.0, rel=level)
+
+
 def test_an_uneven_background_is_found_beside_beads():
     rising = np.linspace(15.0, 45.0, 44)  # electrons from one side to the other, of the specimen and around it
     stack = record(beads(0.0) + rising)
@@ -139,8 +164,10 @@ def test_integers_of_a_camera_are_taken_as_floats_are(kind):
     assert found.discrepancy == plain.discrepancy
 
 
-def test_it_is_the_iteration_of_richardson_and_lucy():
+def test_it_is_the_iteration_of_richardson_and_lucy(monkeypatch):
+    # Of light that is in voxels, not spread between them.
     # Against the operator of photographs, of a recording with so much of nothing around that no margin matters.
+    monkeypatch.setattr(deconvolution, "spline_degrees", lambda _: (0, 0))
     specimen = np.zeros((25, 50, 50))
     specimen[[11, 13], [22, 30], [25, 24]] = 3e5
     blur = lm.microscopy.StackBlur(PSF, specimen.shape, np.float64)

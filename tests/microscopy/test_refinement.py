@@ -119,7 +119,7 @@ def flat(light=40.0, planes=20):
 def test_halves_add_up_to_the_counts_and_are_independent():
     stack = flat()
     stack[3, 4, 5] = 4000
-    one, other = held(stack, limit=4000)._halves
+    one, other = held(stack, limit=4000)._halves.parts
     assert np.isnan(one[3, 4, 5])
     known = np.isfinite(one)
     assert known.sum() == stack.size - 1
@@ -131,12 +131,13 @@ def test_halves_add_up_to_the_counts_and_are_independent():
 def test_the_background_is_the_highest_that_held_out_photons_allow(monkeypatch):
     asked = []
 
-    def walked(_, words, model, fold, background, start, steps, course=None):
+    def walked(_, blur, told, *, background, start, steps):
         asked.append((background.level, float(start.light[0]), steps))
         loss = 0.5 * ((background.level - 15.0) / 0.05) ** 2
         return Best(loss, 0, np.zeros(1), np.zeros(1), background.level, State(), [])
 
-    monkeypatch.setattr(HeldOut, "_walked", walked)
+    monkeypatch.setattr(held_out.Halves, "walked", walked)
+    monkeypatch.setattr(HeldOut, "blur", lambda *_: None)
     free = Best(99.0, 50, np.zeros(1), np.zeros(1), 14.7, State(np.full(1, 7.0, np.float32)), [])
     level = held(flat()).level(free)
     assert level == pytest.approx(2.0 * 15.1, abs=0.06)

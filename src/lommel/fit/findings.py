@@ -177,6 +177,11 @@ class Judged:
         """The code of the first error, "doubtful", or "converged"."""
         return self.findings.status
 
+    def _message(self, summary: str) -> str:
+        """Return status, summary and the texts of all findings."""
+        words = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
+        return "; ".join(filter(None, (f"{words}: {summary}", self.findings.text)))
+
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class FitReport(Judged):
@@ -196,9 +201,7 @@ class FitReport(Judged):
     @property
     def message(self) -> str:
         """Status, summary and the texts of all findings."""
-        words = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
-        verdict = f"{words}: {self.summary}"
-        return f"{verdict}; {self.findings.text}" if self.findings else verdict
+        return self._message(self.summary)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.message}>"

@@ -195,6 +195,11 @@ class Restoration(Judged):
     photograph: float = 0.0
     findings: Findings = field(default_factory=Findings)
 
+    @property
+    def message(self) -> str:
+        """Status, discrepancy, number of steps, and the texts of all findings."""
+        return self._message(f"discrepancy {self.discrepancy:.3g} after {self.steps} step{'s' * (self.steps != 1)}")
+
     def to_dict(self) -> Json:
         """Return the result as plain data, as JSON has it, without images.
 

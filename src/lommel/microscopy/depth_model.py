@@ -127,21 +127,14 @@ class DepthModel:
         Wherever a point lies between the voxels, its image is then that of nearby voxels with positive light
         (Magain et al. 1998, doi:10.1086/305187): that of voxels which are points would be wider.
         """
-        return _narrowed(self.near(depth), *self.splines)
+        return narrowed(self.near(depth), *self.splines)
 
     @cached_property
     def splines(self) -> tuple[int, int]:
         """Degrees of the B-splines along z and across, 0 where planes or pixels are too wide for any."""
         if self.degrees is not None:
             return self.degrees
-        values = self.near(self.depth)
-
-        def fits(*degrees: int) -> bool:
-            made = _narrowed(values, *degrees)
-            return -float(np.minimum(made, 0.0).sum()) < _NEGATIVE * float(made.sum())
-
-        along = next((degree for degree in _SPLINES if fits(degree, 0)), 0)
-        return along, next((degree for degree in _SPLINES if fits(0, degree)), 0)
+        return spline_degrees(self.near(self.depth))
 
     def far(self, depth: float, reach: int) -> Array:
         """Return what is not :meth:`near`, at every `pitch_of` th pixel up to so many of these, share a pixel.
@@ -289,7 +282,18 @@ def _nodes(low: float, high: float, count: int) -> Array:
     return np.asarray(((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2)
 
 
-def _narrowed(kernel: Array, along: int, across: int) -> Array:
+def spline_degrees(kernel: Array) -> tuple[int, int]:
+    """Return the highest degrees of B-splines along z and across for which a narrowed kernel is positive, or 0."""
+
+    def fits(*degrees: int) -> bool:
+        made = narrowed(kernel, *degrees)
+        return -float(np.minimum(made, 0.0).sum()) < _NEGATIVE * float(made.sum())
+
+    along = next((degree for degree in _SPLINES if fits(degree, 0)), 0)
+    return along, next((degree for degree in _SPLINES if fits(0, degree)), 0)
+
+
+def narrowed(kernel: Array, along: int, across: int) -> Array:
     """Return the kernel whose convolution with B-splines, of these degrees along z and across, is a kernel."""
     from scipy.ndimage import spline_filter1d
 

@@ -9,14 +9,16 @@ noise are right. One half is restored; steps end where the deviance of the other
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.fit.findings import Finding
-from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.iterations import Background, Iteration, Move, State
+from lommel.imaging.linear import PlaneOperator
 from lommel.imaging.poisson_counts import TINY, PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import StackContext, Tell, TrialDeconvolution, Work, brightest
@@ -34,6 +36,7 @@ _APART, _FARTHER = 0.005, 4  # of the index of the sample, and how often it is c
 _SURE = 2.5  # standard errors, by which another PSF agrees better
 _OPEN = -1.0, 4.0  # standard errors between which the other half decides, too
 _WALKS = 8.0  # that are usual
+_ESTIMATED, _FLAT = Background(None), State()
 
 
 class Best(NamedTuple):
@@ -87,26 +90,80 @@ class _Half(PoissonCounts):
         return step - self.best.steps >= _PATIENCE
 
 
+class Halves:
+    """Counts (planes, height, width) divided between two halves: one is restored, the other says how well."""
+
+    def __init__(self, values: Values, camera: Noise, limit: float = math.inf) -> None:
+        gain = np.asarray(1.0 if camera.white is None else camera.white)
+        spread = np.asarray(camera.read) ** 2
+        recorded = values.astype(np.float64)
+        with np.errstate(invalid="ignore"):
+            known = np.isfinite(recorded) & (recorded < limit)
+        given = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
+        whole = np.maximum(np.rint(given), 0.0)
+        draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
+        self.parts = [
+            np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
+            for each in (draw, whole - draw)
+        ]
+        self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
+
+    def walked(
+        self, blur: PlaneOperator, told: Callable[[int, float, float], object], *, fold: int = 0,
+        background: Background = _ESTIMATED, start: State = _FLAT, steps: int = _STEPS,
+        course: list[Move] | None = None,
+    ) -> Best:  # fmt: skip
+        """Restore a half, and return the step that agrees best with the other one."""
+        half = _Half(self.parts[fold], self.parts[1 - fold], self.noise)
+        walk = Iteration(blur, half, course, background=background)
+        walk.start_from(start)
+        walk.enough = lambda step, _: half.past(step, walk)
+        walk.solve(RichardsonLucy(steps=steps, target=0.0), told)
+        return half.best
+
+
+def enough(
+    method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
+) -> Callable[[int, float], bool] | None:
+    """Return the rule that ends an iteration at the step that agreed best with held-out photons, None without one.
+
+    Nor before its discrepancy is what noise may leave; methods with a target below 1 go on to that.
+    """
+    if not (isinstance(method, RichardsonLucy) and method.target >= 1.0 and steps):
+        return None
+    most = max(method.target, 1.0 + counted.slack)
+    return lambda step, discrepancy: step >= steps and discrepancy <= most
+
+
+def highest_level(free: Best, walked: Callable[[Background, State, int], Best]) -> float:
+    """Return the background of the counts: the highest that held-out photons agree with.
+
+    Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began with.
+    Less background than there is leaves a floor of light, which agrees little worse; more is contradicted by dark
+    voxels. From the `free` walk, which estimated it with the specimen, the background is raised by what is taken from
+    the specimen everywhere, and a few steps follow: `walked` takes the background, the state and their number.
+    """
+    places: list[float] = []
+    losses: list[float] = []
+    for raised in range(_LEVELS + 1):
+        places.append(free.level * (1.0 + _RISE) ** raised)
+        start = free.state.less(places[-1] - free.level)
+        losses.append(walked(Background(places[-1]), start, _SETTLE).loss)
+        most = min(losses) + _WITHIN
+        if losses[-1] > most:
+            # Between the last two.
+            share = (most - losses[-2]) / (losses[-1] - losses[-2])
+            return 2.0 * (places[-2] + share * (places[-1] - places[-2]))
+    return 2.0 * places[-1]
+
+
 class HeldOut(TrialDeconvolution):
     """A part of a stack in two halves."""
 
     def __init__(self, context: StackContext, tell: Tell, *, side: int = SIDE) -> None:
         super().__init__(context, brightest(context.stack, side, context.saturation))
         self._model, self._work = context.model, Work(tell, _WALKS * _USUAL)
-        camera = self._camera
-        gain = np.asarray(1.0 if camera.white is None else camera.white)
-        spread = np.asarray(camera.read) ** 2
-        values = self._values.astype(np.float64)
-        with np.errstate(invalid="ignore"):
-            known = np.isfinite(values) & (values < context.saturation)
-        given = np.where(known, gain * (values - camera.offset) + spread, 0.0)
-        whole = np.maximum(np.rint(given), 0.0)
-        draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
-        self._halves = [
-            np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
-            for each in (draw, whole - draw)
-        ]
-        self._noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
+        self._halves = Halves(self._values, self._camera, context.saturation)
 
     @property
     def plain(self) -> bool:
@@ -118,40 +175,17 @@ class HeldOut(TrialDeconvolution):
 
         With the `course` of another PSF steps are extrapolated as far as with that: lnL is then smooth in the index.
         """
-        return self._walked(words, model, fold, Background(None), State(), _STEPS, course)
-
-    def _walked(
-        self, words: str, model: DepthModel, fold: int, background: Background, start: State, steps: int,
-        course: list[Move] | None = None,
-    ) -> Best:  # fmt: skip
-        half = _Half(self._halves[fold], self._halves[1 - fold], self._noise)
-        walk = Iteration(self.blur(model, len(self._values)), half, course, background=background)
-        walk.start_from(start)
-        walk.enough = lambda step, _: half.past(step, walk)
-        told = self._work(f"held-out photons, {words}", min(steps, _USUAL))
-        walk.solve(RichardsonLucy(steps=steps, target=0.0), told)
-        return half.best
+        told = self._work(f"held-out photons, {words}", _USUAL)
+        return self._halves.walked(self.blur(model, len(self._values)), told, fold=fold, course=course)
 
     def level(self, free: Best) -> float:
-        """Return the background of the stack: the highest that held-out photons agree with.
+        """Return the background of the stack, of a `free` walk that estimated it with the specimen."""
 
-        Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began
-        with. Less background than there is leaves a floor of light, which agrees little worse; more is contradicted
-        by dark voxels. From the `free` walk, which estimated it with the specimen, the background is raised by what
-        is taken from the specimen everywhere, and a few steps follow.
-        """
-        places: list[float] = []
-        losses: list[float] = []
-        for raised in range(_LEVELS + 1):
-            places.append(free.level * (1.0 + _RISE) ** raised)
-            start = free.state.less(places[-1] - free.level)
-            losses.append(self._walked("background", self._model, 0, Background(places[-1]), start, _SETTLE).loss)
-            most = min(losses) + _WITHIN
-            if losses[-1] > most:
-                # Between the last two.
-                share = (most - losses[-2]) / (losses[-1] - losses[-2])
-                return 2.0 * (places[-2] + share * (places[-1] - places[-2]))
-        return 2.0 * places[-1]
+        def walked(background: Background, start: State, steps: int) -> Best:
+            blur, told = self.blur(self._model, len(self._values)), self._work("held-out photons, background", steps)
+            return self._halves.walked(blur, told, background=background, start=start, steps=steps)
+
+        return highest_level(free, walked)
 
     def finding(self, own: Best) -> Finding | None:
         """Return what held-out photons say of the PSF: of other indices of the sample, of which `own` has the given.

@@ -30,7 +30,7 @@ from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
-from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, estimated_held_out_steps
+from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, enough, estimated_held_out_steps
 from lommel.microscopy.projections import Projecting, Projections
 from lommel.microscopy.refinement import (
     PARAMETERS,
@@ -1185,9 +1185,7 @@ class _Job:
         made = iteration_of(
             method, blur, counted, course, background=background, aspect=aspect, threads=self._threads
         )
-        if isinstance(method, RichardsonLucy) and method.target >= 1.0 and self._steps:
-            steps, most = self._steps, max(method.target, 1.0 + counted.slack)
-            made.enough = lambda step, discrepancy: step >= steps and discrepancy <= most
+        made.enough = enough(method, self._steps, counted)
         return made
 
     def _solved(self, iteration: Iteration, tell: Tell, *, alone: bool) -> tuple[int, str, Array]:

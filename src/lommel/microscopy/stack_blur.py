@@ -70,7 +70,11 @@ class StackBlur(LinearBlur):
         return np.ascontiguousarray(np.moveaxis(made, 0, 2), self.dtype).reshape(image.shape)
 
 
-def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
+Kernel = tuple[Array, tuple[int, int, int]]
+"""Shares of the light of a point in voxels, and the voxel of the point."""
+
+
+def kernel_of(psf: PSF) -> Kernel:
     """Return the share of the light of a point in each voxel, which sums to 1, and the voxel of the point."""
     validation.instance("psf", psf, PSF)
     z = stage(psf)
@@ -114,7 +118,7 @@ class TiledBlur(PlaneOperator):
 
     def __init__(
         self,
-        psf: PSF | Iterable[PSF | Array],
+        psf: PSF | Iterable[PSF | Array | Kernel],
         shape: tuple[int, int, int],
         margin: tuple[int, int],
         *,
@@ -332,10 +336,12 @@ class TiledBlur(PlaneOperator):
         )
 
 
-def _kernel(given: PSF | Array) -> tuple[Array, tuple[int, int, int]]:
+def _kernel(given: PSF | Array | Kernel) -> Kernel:
     """Return a kernel and the voxel of the point: the middle one of an array, which is taken as it is."""
     if isinstance(given, PSF):
         return kernel_of(given)
+    if isinstance(given, tuple):
+        return given
     return given, (given.shape[0] // 2, given.shape[1] // 2, given.shape[2] // 2)
 
 

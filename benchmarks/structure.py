@@ -50,7 +50,7 @@ def lines_of(path: Path) -> Counter[str]:
 
 
 def imports() -> dict[str, set[str]]:
-    """Return the modules that each module is imported by."""
+    """Return the modules that each module is imported by, and the stub of public names."""
     import organisation
 
     importers: dict[str, set[str]] = {name: set() for name in organisation.modules()}
@@ -58,6 +58,10 @@ def imports() -> dict[str, set[str]]:
         for _, other in organisation.imported(tree):
             if other != name and other in importers:
                 importers[other].add(name)
+    for node in ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8")).body:
+        name = (getattr(node, "module", None) or "").removeprefix("lommel.").replace(".", "/")
+        if name in importers:
+            importers[name].add("__init__.pyi")
     return importers
 
 

@@ -11,7 +11,7 @@ import pytest
 
 import lommel as lm
 from lommel.base import validation
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.base.encoding import clipped_share
 from lommel.core import engine
 from lommel.io import psf_files

@@ -27,8 +27,8 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.arrays import Index as ArrayIndex
+from lommel.base.atomic import checksum, crc32, plain, sealed
 from lommel.base.cached import cached_property
-from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.optional import library, version
 from lommel.base.options import near
 from lommel.blur.blurs import blurs_from_dicts

@@ -7,8 +7,7 @@ import pytest
 
 import lommel as lm
 import simulated_fields as simulated
-from lommel.estimation.distortion import Places, displaced, fit_distortion
-from lommel.estimation.field_sensor import Sensor
+from lommel.estimation.distortion import Places, Sensor, displaced, fit_distortion
 from lommel.estimation.field_signs import monomials
 from lommel.lensfiles.tables import read_csv
 

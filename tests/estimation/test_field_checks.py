@@ -11,9 +11,9 @@ import lommel as lm
 from lommel.blur.mixtures import Shape
 from lommel.estimation import field_fit
 from lommel.estimation.field_checks import negated
+from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT
 from lommel.estimation.star_images import Unknowns
 from lommel.estimation.star_readout import OTHER_BLURS, StarReadout
-from lommel.estimation.uneven_light import FOLDS, SHIFT, SLANT
 from lommel.fit.score_tests import ScoreTest
 from tests.world.camera import Camera
 from tests.world.optics import Telescope

@@ -1,4 +1,7 @@
-"""Images of a search from samples of the pupil: near to those that are certified, for any aperture."""
+"""Images of a search from samples of the pupil: near to those that are certified, for any aperture.
+
+And derivatives by uneven light of a pupil, against differences of images by plain sums over many points.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.estimation.sampled_pupil import SampledPupil
+from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OVAL, SHIFT, SLANT, SampledPupil, UnevenLight, changes_of
 from lommel.optics.grid import Grid
 from lommel.optics.wavefront.wavefront import Wavefront
 
@@ -20,6 +23,11 @@ APERTURES = {
     ),
     "vignetted": lm.Pupil(vignetting=lm.CatEye((0.4, 0.0)), wavelength=500e-9, f_number=4.0),
 }
+SIDE, PITCH = 25, 0.45
+AT = 1.05 * ((np.arange(1000) + 0.5) / 500 - 1)
+X, Y = np.meshgrid(AT, AT)
+RHO, THETA = np.hypot(X, Y), np.arctan2(Y, X)
+COMA = 0.8 * (3 * RHO**3 - 2 * RHO) * np.cos(THETA) + 0.4 * RHO**2 * np.cos(2 * THETA)
 
 
 @pytest.mark.parametrize("name", APERTURES)
@@ -40,3 +48,56 @@ def test_slopes_alone_are_the_same():
     whole, alone = sampled.images(EDGE, [3]), sampled.images(EDGE, [3], values=False)
     assert len(alone) == 1
     np.testing.assert_array_equal(whole[1], alone[0])
+
+
+def image(clear, inside, defocus, taller=0.0, off=(0.0, 0.0)):
+    """Return the image of an aperture of the stated light of an annulus; `clear` is an amplitude."""
+    places = np.pi * PITCH * (np.arange(SIDE) - SIDE // 2)
+    down, across = (np.exp(-1j * np.multiply.outer(places * scale, AT)) for scale in (1 - taller, 1 + taller))
+    blocked = np.hypot(Y - off[0], X - off[1]) < inside
+    field = down @ (clear * ~blocked * np.exp(1j * (defocus * (2 * RHO**2 - 1) + COMA))) @ across.T
+    return np.abs(field * (AT[1] - AT[0]) ** 2 * PITCH / 2) ** 2 / (np.pi * (1 - inside**2))
+
+
+def changed(name, way, inside, defocus):
+    """Return the derivative of an image by a change along rows, or along columns; by cosine, or by sine."""
+    size = {SHIFT: 0.02, OVAL: 0.01}.get(name, 0.01)
+    turn = (np.cos, np.sin)[way]
+    made = []
+    for step in (size, -size):
+        clear, options = RHO < 1, {}
+        if name == SLANT:
+            clear = clear * np.exp(-step * (Y, X)[way])
+        elif name in FOLDS:
+            n = 2 + FOLDS.index(name)
+            clear = clear * (1 + step * RHO**n * turn(n * THETA))
+        elif name == SHIFT:
+            options = {"off": ((step, 0.0), (0.0, step))[way]}
+        elif name == OVAL:
+            clear = 1 + step * turn(2 * THETA) > RHO
+        else:
+            options = {"taller": step}
+        made.append(image(clear, inside, defocus, **options))
+    return (made[0] - made[1]) / (2 * size)
+
+
+@pytest.mark.parametrize(("inside", "defocus"), [(0.0, 0.6), (0.3, 0.6), (0.3, 8.0)])
+def test_derivatives_are_differences_of_images(inside, defocus):
+    wavefront = lm.Wavefront.zernike({(2, 0): defocus, (3, 1): 0.8, (2, 2): 0.4}, normalization="edge")
+    pupil = lm.Pupil(wavefront, obscuration=inside)
+    terms = sorted(wavefront.edge_terms())
+    edge = np.array([[wavefront.edge_terms()[term] for term in terms]])
+    made = UnevenLight(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge).images()
+    changes = changes_of(pupil)
+    assert changes == {SLANT: 2, **dict.fromkeys(FOLDS, 2), **({SHIFT: 2} if inside else {}), OVAL: 2, ASPECT: 1}
+    values = np.asarray(lm.psf(pupil, SIDE, PITCH, integrate=False).values)
+    assert np.abs(image(RHO < 1, inside, defocus) - values).max() < 2e-3 * values.max()
+    expected = [(name, way) for name, count in changes.items() for way in range(count)]
+    for found, (name, way) in zip(made, expected, strict=True):
+        true = changed(name, way, inside, defocus)
+        assert np.abs(found[0] - true).max() < 0.1 * np.abs(true).max(), (name, way)
+
+
+def test_apertures_that_are_not_round_have_no_such_changes():
+    assert changes_of(lm.Pupil(spider=lm.Spider(0.05, (0.0, 1.0)))) == {}
+    assert changes_of(lm.Pupil(mask=lm.Mask(np.ones((64, 64))))) == {}

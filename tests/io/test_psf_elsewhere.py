@@ -21,7 +21,7 @@ from astropy.wcs import WCS
 from scipy.io.matlab import matfile_version
 
 import lommel as lm
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.io import psf_files
 from lommel.io.psf_files import FileError
 

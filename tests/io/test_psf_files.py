@@ -12,7 +12,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.io import psf_files
 
 EXACT = [

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.io import registry
 from lommel.io.registry import Format
 

@@ -14,7 +14,7 @@ import pytest
 
 import lommel as lm
 from lommel import stacks
-from lommel.base.checksums import crc32, sealed
+from lommel.base.atomic import crc32, sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import FileError
 from lommel.io.zarr_folders import Layout

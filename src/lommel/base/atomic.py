@@ -16,6 +16,7 @@ import shutil
 import stat
 import sys
 import time
+import zlib
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -24,10 +25,10 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import reading
 from lommel.base.arrays import Json, Values
-from lommel.base.checksums import checksum, crc32, plain, sealed
 from lommel.base.validation import line
 
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
@@ -439,3 +440,44 @@ def _opened(place: Path, room: Path) -> Unfinished | None:
         why = f"it lacks {_MARK}" if isinstance(error, FileNotFoundError) else reading.reason(error)
         raise ValueError(f"{line(room)} holds no unfinished result: {why}; move or remove it") from None
     return Unfinished(place, room, said)
+
+
+def plain(description: Mapping[str, object]) -> Json:
+    """Return a description as JSON holds it."""
+    found: Json = json.loads(json.dumps(description))
+    return found
+
+
+def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
+    """Return a description with the checksum of the arrays of a file and of all else that it says."""
+    return description | {"checksum": checksum(description, arrays)}
+
+
+def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> str:
+    """Return the checksum of arrays by name, and of all that is said of them."""
+    return f"crc32 {crc32(description, arrays):08x}"
+
+
+def of_bytes(data: bytes) -> str:
+    """Return the size and the checksum of what a file holds."""
+    return f"{len(data)} bytes, crc32 {zlib.crc32(data):08x}"
+
+
+def of_file(path: Path) -> str:
+    """Return the size and the checksum of a file; OSError if there is none."""
+    size, total = reading.size(path), 0  # lest it be a pipe
+    with path.open("rb") as file:
+        while part := file.read(2**20):
+            total = zlib.crc32(part, total)
+    return f"{size} bytes, crc32 {total:08x}"
+
+
+def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> int:
+    """Return the number of :func:`checksum`."""
+    said = {key: value for key, value in description.items() if key != "checksum"}
+    total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
+    for name in sorted(arrays):
+        values = arrays[name]
+        plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
+        total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
+    return total

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import highest_degree, monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
 from lommel.fit import goodness_of_fit
@@ -269,3 +268,36 @@ class _PlaceModel:
 def displaced(found: Distortion, u: Array, v: Array) -> Array:
     """Return displacements (..., 2), pixels, at relative positions."""
     return np.asarray(monomials(u, v, found.degree) @ found.coefficients.T)
+
+
+@dataclass(frozen=True)
+class Sensor:
+    """Rows and columns of a sensor, in whose middle the axis is, and its pixel pitch."""
+
+    shape: tuple[int, int]
+    pixel: float
+
+    @property
+    def axis(self) -> tuple[float, float]:
+        """Row and column of the middle."""
+        rows, columns = self.shape
+        return (rows - 1) / 2.0, (columns - 1) / 2.0
+
+    def positions(self, places: Array) -> tuple[Array, Array]:
+        """Return x and y of rows and columns (n, 2)."""
+        y, x = ((places[:, i] - self.axis[i]) * self.pixel for i in (0, 1))
+        return np.asarray(x), np.asarray(y)
+
+    def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Return positions over the sensor, from -1 to 1."""
+        row, column = (part / self.pixel + at for part, at in zip((y, x), self.axis, strict=True))
+        v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
+        return np.asarray(u), np.asarray(v)
+
+    def grid(self, count: int) -> tuple[Array, Array]:
+        """Return x and y of so many positions from edge to edge."""
+        y, x = (
+            (np.linspace(-0.5, side - 0.5, count) - at) * self.pixel
+            for side, at in zip(self.shape, self.axis, strict=True)
+        )
+        return np.asarray(x), np.asarray(y)

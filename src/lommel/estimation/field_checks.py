@@ -11,10 +11,10 @@ from lommel.base.arrays import Array
 from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
+from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT, changes_of
 from lommel.estimation.star_checks import BLURS, Lacking
 from lommel.estimation.star_images import Unknowns, label, next_terms
 from lommel.estimation.star_readout import OTHER_BLURS
-from lommel.estimation.uneven_light import FOLDS, SHIFT, SLANT, changes_of
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 

@@ -19,10 +19,17 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape, isotropic
 from lommel.estimation.cosmic_rays import sharpness, struck
-from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
+from lommel.estimation.distortion import (
+    POSES,
+    Distortion,
+    Sensor,
+    checked_ideal,
+    displaced,
+    fit_distortion,
+    places_of,
+)
 from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
-from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings

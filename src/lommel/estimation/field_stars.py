@@ -16,11 +16,10 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
-from lommel.estimation.sampled_pupil import SampledPupil
+from lommel.estimation.sampled_pupil import SampledPupil, UnevenLight, changes_of
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
-from lommel.estimation.uneven_light import UnevenLight, changes_of
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import output_type

@@ -14,9 +14,9 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
 from lommel.estimation.star_images import StarImages, Unknowns, changes, label, next_terms, slants, uncertainty
 from lommel.estimation.star_readout import StarReadout
-from lommel.estimation.uneven_light import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import (
     Candidate,

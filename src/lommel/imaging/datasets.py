@@ -24,7 +24,7 @@ import numpy as np
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Json, Values
-from lommel.base.checksums import of_bytes, of_file, plain
+from lommel.base.atomic import of_bytes, of_file, plain
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
 from lommel.base.options import shares

@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.io import psf_files, psf_formats, registry, zarr_folders
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format

@@ -14,7 +14,7 @@ import numpy as np
 
 from lommel.base import atomic, display, reading, validation
 from lommel.base.arrays import Values
-from lommel.base.checksums import checksum, sealed
+from lommel.base.atomic import checksum, sealed
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_formats, registry
@@ -129,7 +129,7 @@ def describe(psf: PSFLike) -> Description:
     Returns
     -------
     dict
-        Everything but the values; ``lommel.base.checksums.sealed`` adds the checksum.
+        Everything but the values; ``lommel.base.atomic.sealed`` adds the checksum.
     """
     # Only where needed, so that most files stay as older versions wrote them.
     beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}

@@ -17,7 +17,7 @@ import numpy as np
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Values
-from lommel.base.checksums import sealed
+from lommel.base.atomic import sealed
 from lommel.io import fits_images
 from lommel.io.registry import DAMAGED, Arrays, Description
 from lommel.measures.psf_like import ColourPSFLike, PSFLike

@@ -107,7 +107,7 @@ class Format:
     - "zernike": (settings, terms), both by name, to text; bytes to (ZernikeTable or None, list of errors)
 
     Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.
-    A description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the
+    A description is a dictionary of plain types, written as JSON after ``lommel.base.atomic.sealed`` has added the
     checksum of the arrays.
     """
 

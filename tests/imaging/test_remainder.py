@@ -18,7 +18,7 @@ from lommel.imaging.bank import (
     reach_of,
     smooth_transforms,
 )
-from lommel.imaging.linear import folded, gathered
+from lommel.imaging.linear import folded, without_copies
 from lommel.imaging.sensor_light import SensorLight, shares_used
 
 PIXEL = 6e-6
@@ -216,4 +216,4 @@ def test_mirrors_fold_what_leaves_as_they_unfold_what_is_seen(beyond, count):
 def test_copies_give_what_they_took_to_what_they_are_copies_of(places):
     taken = np.random.default_rng(0).integers(0, 99, (len(places), 4)).astype(np.float64)
     wanted = np.eye(3)[:, places] @ taken
-    assert np.array_equal(gathered(taken, np.array(places), 3), wanted)
+    assert np.array_equal(without_copies(taken, np.array(places), np.arange(4), (3, 4)), wanted)

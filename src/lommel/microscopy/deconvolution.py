@@ -146,7 +146,7 @@ def deconvolve(
 
 def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> tuple[Background, int]:
     """Return the flat background that photons held out agree with, and the number of steps."""
-    halves = Halves(recorded, noise)
+    halves = Halves(recorded, noise.poisson)
 
     def walked(background: Background, start: State, steps: int) -> Best:
         return halves.walked(blur(), _silent, background=background, start=start, steps=steps)

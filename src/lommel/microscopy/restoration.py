@@ -382,9 +382,10 @@ def restore(
     validation.choice("modality", modality, MODALITIES)
     if validation.truth("per_plane", per_plane) and modality not in SPREADING:
         raise ValueError(f"per_plane must be False for modality={modality!r}, which records what is in focus alone")
+    way = RichardsonLucy(target=1.0) if method is None else method
     options = _Options(
-        noise, saturation, direction, slabs, refine, method or RichardsonLucy(target=1.0), background, margin, tile,
-        memory, threads, per_plane, diagnosis,
+        noise, saturation, direction, slabs, refine, way, background, margin, tile, memory, threads, per_plane,
+        diagnosis,
     )  # fmt: skip
     validation.function("progress", progress, required=False)
     lens, given = _objective(objective)

@@ -111,6 +111,15 @@ def test_points_between_voxels_keep_their_light_and_the_background_is_found(seed
         assert found.background == pytest.approx(20.0, rel=level)
 
 
+def test_a_window_that_cuts_off_the_cone_of_light_is_said():
+    found = lm.microscopy.deconvolve(record(beads()), PSF, NOISE)
+    told = found.findings.get("untested")
+    rim = 1.0 - PSF.values[:, 1:-1, 1:-1].sum() / PSF.values.sum()
+    assert (told.severity, told.numbers["rim"]) == ("note", pytest.approx(rim, rel=1e-4))
+    assert told.text.startswith("7% of the light of the PSF is on the rim of its window")
+    assert found.reliable
+
+
 def test_an_uneven_background_is_found_beside_beads():
     rising = np.linspace(15.0, 45.0, 44)  # electrons from one side to the other, of the specimen and around it
     stack = record(beads(0.0) + rising)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Values
-from lommel.fit.findings import Findings
+from lommel.fit.findings import Finding, Findings
 from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.iterations import Background, State, iteration_of
 from lommel.imaging.poisson_counts import PoissonCounts
@@ -28,6 +28,7 @@ FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # how many points each side has, whose levels are estimated
 
 _LEAST_PLANES = 8  # of the margin, where the PSF has so many
+_RIM = 0.02  # of the light, on the outermost pixels of the window of the PSF: more is a cone that is cut off
 
 
 def deconvolve(
@@ -72,7 +73,8 @@ def deconvolve(
     diagnosis : bool, default True
         Whether some photons are held out, as :func:`lommel.microscopy.restore` does, to find a flat background, and
         when to stop where the target is 1 or more: of stacks of up to 500 000 voxels, in some 80 more steps. Without,
-        and of larger stacks, all light that has no detail counts as specimen but for that of the darkest parts.
+        of larger stacks, and where more than 2 % of the light of the PSF is on the rim of its window, all light that
+        has no detail counts as specimen but for that of the darkest parts.
     progress : callable, optional
         As of :func:`lommel.imaging.restore_with`.
 
@@ -95,9 +97,10 @@ def deconvolve(
     The steps of :class:`lommel.imaging.RichardsonLucy`, on as many threads as there are processors. Memory besides
     the stack: about three times that of the stack with its margin in float32, and once its own. With total variation
     it is once more: steps are in closed form for each voxel, and none raises the objective (De Pierro 1995,
-    doi:10.1109/42.370409). Where planes and pixels are narrow enough for it, the light of a point is spread over the
-    nearest voxels as a B-spline of degree 2 or 3, as wherever it lies between them its image is then one of positive
-    voxels (Magain et al. 1998, doi:10.1086/305187).
+    doi:10.1109/42.370409). Where planes and pixels are narrow enough for it, and no more than 2 % of the light of the
+    PSF is on the rim of its window, the light of a point is spread over the nearest voxels as a B-spline of degree 2
+    or 3, as wherever it lies between them its image is then one of positive voxels (Magain et al. 1998,
+    doi:10.1086/305187).
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
     given = stack.only("stack") if isinstance(stack, Recording) else stack
@@ -115,8 +118,11 @@ def deconvolve(
     counted = PoissonCounts(recorded, noise)
     shape = recorded.shape[0], recorded.shape[1], recorded.shape[2]
     light, point = kernel_of(psf)
-    # Points are anywhere between voxels: the light of each is a B-spline, as wide as the PSF lets it be.
-    kernel = narrowed(light, *spline_degrees(light)), point
+    # Points are anywhere between voxels: the light of each is a B-spline, as wide as the PSF lets it be. One that
+    # ends at the rim of its window, as no light does, has no such splines there.
+    rim = 1.0 - float(light[:, 1:-1, 1:-1].sum())
+    whole = rim < _RIM
+    kernel = narrowed(light, *spline_degrees(light)) if whole else light, point
 
     def blur_of() -> TiledBlur:
         return TiledBlur([kernel], shape, (planes, pixels))
@@ -127,7 +133,8 @@ def deconvolve(
     aspect = float(psf.grid.side / pupil.magnification / np.diff(stage(psf))[0])
     way = method or RichardsonLucy(target=1.0)
     held_out = 0
-    if diagnosis and level == Background(None) and recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack:
+    sparse = recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack
+    if diagnosis and whole and sparse and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
     walk = iteration_of(way, blur, counted, background=level, aspect=aspect)
     walk.enough = enough(way, held_out, counted)
@@ -137,10 +144,17 @@ def deconvolve(
     finding = counted.finding(stopped, steps, found)
     if finding is not None:
         stopped = f"misfit: {finding}"
+    findings = [] if finding is None else [finding]
+    if not whole:
+        text = (
+            f"{rim:.0%} of the light of the PSF is on the rim of its window, which cuts off its cone: what is beyond "
+            "counts as background or as a floor of light; take a wider window, or microscopy.restore"
+        )
+        findings.append(Finding("untested", "note", text, {"rim": rim, "most": _RIM}))
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(
         values, values, found, tuple(map(float, each)), before, steps, stopped, walk.strength, unknown,
-        background=counted.background, findings=Findings([] if finding is None else [finding]),
+        background=counted.background, findings=Findings(findings),
     )  # fmt: skip
 
 

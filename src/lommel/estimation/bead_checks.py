@@ -22,6 +22,7 @@ from lommel.fit.score_tests import (
     Candidate,
     Marginal,
     ScoreTest,
+    favoured,
     log_bayes_factor,
     marginalized,
     other_explanation,
@@ -106,13 +107,12 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
         if group:
             candidates.append(Candidate(name, tuple(map(names.index, group)), size))
     tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
-    names_favoured = {test.name for test in tests if test.log_bayes > 0.0}
-    favoured = [one for one in candidates if one.name in names_favoured]
-    for one in favoured:
+    likely = [one for one in candidates if one.name in favoured(tests)]
+    for one in likely:
         if one.known:  # a prior that is too narrow
             information, slope = one.widened(information, slope)
-    lacking = [one for one in favoured if not one.known]
-    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if favoured else None
+    lacking = [one for one in likely if not one.known]
+    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if likely else None
     shown = {label(name): at for at, name in enumerate(images.solved)}
     unseen = untested(information, unknowns, shown, held, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}

@@ -22,6 +22,7 @@ from lommel.fit.score_tests import (
     Candidate,
     Marginal,
     ScoreTest,
+    favoured,
     marginalized,
     other_explanation,
     score_tests,
@@ -216,7 +217,7 @@ def unseen(
     """
     parts = dict.fromkeys((*NUISANCES, *others), 1.0)
     parts |= dict.fromkeys(_CONSTANTS, _KNOWN) | dict.fromkeys(_TRAILS.values(), _KEPT)
-    parts |= {test.name: 1.0 for test in tests if test.log_bayes > 0.0}
+    parts |= dict.fromkeys(favoured(tests), 1.0)
     return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
 
 

@@ -199,6 +199,11 @@ def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float)
     return found
 
 
+def favoured(tests: Sequence[ScoreTest]) -> set[str]:
+    """Return the names of candidates that the data favour, beyond chance or not: Bayes factors above 1."""
+    return {test.name for test in tests if test.log_bayes > 0.0}
+
+
 def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
     """Return the best candidate, if the data want it beyond chance, and its rivals."""
     if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):

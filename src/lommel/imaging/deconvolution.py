@@ -17,6 +17,11 @@ NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise
 # Takes the number of a step, its discrepancy, and about how many seconds are left.
 Tell = Callable[[int, float, float], object]
 
+
+def silent(*_: object) -> None:
+    """Say nothing of progress."""
+
+
 EARLIEST = 20  # steps after which a misfit can be told
 
 

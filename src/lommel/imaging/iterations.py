@@ -21,6 +21,7 @@ from lommel.imaging.deconvolution import (
     Tell,
     TotalVariation,
     search,
+    silent,
 )
 from lommel.imaging.linear import Made, PlaneOperator, Take
 from lommel.imaging.poisson_counts import PhotographCounts, PoissonCounts, at_least
@@ -473,6 +474,6 @@ def iterated(
     light = counts.operator.image(iteration.inside(0, 0))
 
     def alike(other: PhotographCounts) -> Values:
-        return iterated(method, other, lambda *_: None, iteration.course).light
+        return iterated(method, other, silent, iteration.course).light
 
     return Solution(light, steps, stopped, alike, iteration.strength)

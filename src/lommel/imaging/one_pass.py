@@ -23,7 +23,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
-from lommel.imaging.deconvolution import ONE_PASS, Tell
+from lommel.imaging.deconvolution import ONE_PASS, Tell, silent
 from lommel.imaging.focal_engine import processors
 from lommel.imaging.focal_tables import SharpTables, Taps
 from lommel.imaging.iterations import Solution
@@ -123,7 +123,7 @@ class OnePass:
             done = _believed(observed, done, near, [texture.noise for texture in textures])
         tell(1, math.nan, 0.0)
         same = replace(self, textures=textures)
-        return Solution(done, 1, ONE_PASS, lambda other: same.solve(other, lambda *_: None).light)
+        return Solution(done, 1, ONE_PASS, lambda other: same.solve(other, silent).light)
 
     def _tables(self, model: FocalModel) -> SharpTables:
         """Return filters of the lowest degree that comes near to Wiener's; ValueError if none does."""

@@ -42,6 +42,7 @@ from lommel.imaging.deconvolution import (
     RichardsonLucy,
     Tell,
     TotalVariation,
+    silent,
 )
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.iterations import Solution, iterated
@@ -507,7 +508,7 @@ def _by_tiles(
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
     middle = min(tiles, key=from_middle)
     central = observed(middle[1])
-    first = solve(method, central, _silent)
+    first = solve(method, central, silent)
     share, stopped = judged(central, first, method)
     known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
     after, before = np.zeros((2, *known.shape))
@@ -548,10 +549,6 @@ def _findings(stopped: str, discrepancy: float) -> Findings:
     return Findings()
 
 
-def _silent(*_: object) -> None:
-    return None
-
-
 def _checked(method: object, progress: object) -> Method:
     """Return a method, Richardson-Lucy for None; TypeError if it is none, or `progress` cannot be called."""
     validation.function("progress", progress, required=False)
@@ -571,7 +568,7 @@ def shown(progress: Tell | None) -> Iterator[Tell]:
     """Give what is called at each step: `progress`, or else a line on standard error, where that is a terminal."""
     validation.function("progress", progress, required=False)
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():
-        yield progress or _silent
+        yield progress or silent
         return
     line, due = sys.stderr, time.monotonic() + _QUIET
 

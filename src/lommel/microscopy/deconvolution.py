@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Values
 from lommel.fit.findings import Finding, Findings
-from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation
+from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation, silent
 from lommel.imaging.iterations import Background, State, iteration_of
 from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.imaging.restoration import Restoration, shown
@@ -163,14 +163,10 @@ def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> 
     halves = Halves(recorded, noise.poisson)
 
     def walked(background: Background, start: State, steps: int) -> Best:
-        return halves.walked(blur(), _silent, background=background, start=start, steps=steps)
+        return halves.walked(blur(), silent, background=background, start=start, steps=steps)
 
-    free = halves.walked(blur(), _silent)
+    free = halves.walked(blur(), silent)
     return Background(highest_level(free, walked)), free.steps
-
-
-def _silent(*_: object) -> None:
-    """Say nothing of progress."""
 
 
 def background_of(given: float | str) -> Background:

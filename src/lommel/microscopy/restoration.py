@@ -22,7 +22,7 @@ from lommel.base.optional import version
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation
+from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation, silent
 from lommel.imaging.iterations import Background, Iteration, Move, iteration_of
 from lommel.imaging.linear import PlaneOperator
 from lommel.imaging.photograph import tiles_of
@@ -422,7 +422,7 @@ def restore(
         )
         left = _mask_of(mask, hidden, opened.shape)
         target = held.enter_context(_begun(out, (len(chosen), *opened.shape[1:]), described))
-        made = _by_channel(opened, chosen, models, options, left, target, notes, progress or _silent)
+        made = _by_channel(opened, chosen, models, options, left, target, notes, progress or silent)
         values = target.finish(" ".join(notes), len(made))
     findings = Findings(
         each if len(chosen) == 1 else replace(each, text=f"{name}: {each.text}")
@@ -506,10 +506,6 @@ def _mask_of(
             )
         out = out | given
     return np.broadcast_to(out, shape) if np.any(out) else None
-
-
-def _silent(*_: object) -> None:
-    return None
 
 
 def _listed(name: str, given: object) -> list[str]:

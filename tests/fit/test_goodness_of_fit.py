@@ -1,6 +1,7 @@
 """What chi2 noise alone explains, beside draws of chi2 and of counts of few electrons.
 
-And the score test of excess noise: right on a register's counts, silent where means or noise are otherwise wrong.
+And the score test of excess noise: right on a register's counts, silent where means or noise are otherwise wrong. And
+of stripes: as rare as stated without them, and of the right kind, size, period and direction.
 """
 
 from __future__ import annotations
@@ -104,3 +105,64 @@ def test_causes_are_named_unless_what_the_data_favour_explains_more_than_half_of
         found = goodness_of_fit.chi2_findings(1.2, spread, causes)[0]
         assert found.text == "noise alone stays below 1.17" + (f"; {causes}" if causes else "")
     assert causes_of_misfit("pixel is wrong", 1.2, spread, []) == "pixel is wrong"
+
+
+def residuals(images: int, seed: int, added: np.ndarray | float = 0.0, read: float = 2.0):
+    """Noise of stars on a sky of 8 electrons, with something added, and its variance."""
+    draw, mean = np.random.default_rng(seed), np.broadcast_to(spot(3.0), (images, *X.shape))
+    return draw.poisson(mean) - mean + draw.normal(size=mean.shape) * read + added, mean + read**2
+
+
+def test_noise_alone_has_stripes_as_seldom_as_is_stated():
+    told = [goodness_of_fit.stripe_findings(*residuals(3, seed)) for seed in range(2000)]
+    assert sum(map(bool, told)) <= 6  # of 2 that are expected
+    # A threshold of 2 % instead is passed by as many: the chance is one.
+    draws = [residuals(2, seed, read=0.0) for seed in range(300)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(goodness_of_fit, "SURE", 0.1)
+        share = np.mean([bool(goodness_of_fit.stripe_findings(*one)) for one in draws])
+    assert 0.03 < share < 0.14
+
+
+WAVES = [
+    (np.sin(2 * np.pi * X / 7 + 1), 7.0, "along x"), (np.sin(2 * np.pi * Y / 3.5), 3.5, "along y"),
+    (np.cos(2 * np.pi * (X / 7 + 2 * Y / 21)), 5.8, "34 deg from x to y"),
+    (np.cos(2 * np.pi * (X / 7 - 2 * Y / 21)), 5.8, "-34 deg from x to y"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("wave", "period", "way"), WAVES)
+def test_stripes_are_found_with_size_period_and_direction(wave, period, way):
+    (found,) = goodness_of_fit.stripe_findings(*residuals(6, 5, 1.5 * wave))
+    assert (found.code, found.severity) == ("pattern", "doubt")
+    assert found.numbers["period"] == pytest.approx(period, rel=0.01)
+    assert found.numbers["size"] == pytest.approx(1.5, rel=0.15)
+    assert way in found.text
+    assert found.numbers["chance"] < 1e-6
+
+
+def test_every_second_column_is_found_with_its_offset():
+    noise, variance = (each[:, :, :20] for each in residuals(3, 5, (-1.0) ** X))
+    (found,) = goodness_of_fit.stripe_findings(noise, variance)
+    assert found.numbers["period"] == 2.0
+    assert found.numbers["size"] == pytest.approx(1.0, rel=0.2)
+
+
+@pytest.mark.parametrize(("axis", "kind"), [(2, "rows"), (1, "columns")])
+@pytest.mark.parametrize("excess", [1.0, 2.0])
+def test_offsets_of_rows_or_columns_are_found_with_their_size(axis, kind, excess):
+    draw = np.random.default_rng(2)
+    added = np.expand_dims(draw.normal(size=(40, 21)), axis)
+    (found,) = goodness_of_fit.stripe_findings(*residuals(40, 5, added), excess)
+    assert found.text.startswith(f"the residuals have a pattern: {kind} of pixels have offsets")
+    assert found.numbers["size"] == pytest.approx(excess * added.std(), rel=0.15)
+
+
+def test_slopes_unknown_pixels_and_small_windows_are_no_stripes():
+    noise, variance = residuals(4, 9, 1.5 * np.sin(2 * np.pi * X / 21))
+    assert goodness_of_fit.stripe_findings(noise, variance) == []
+    noise, variance = residuals(4, 9, 3.0 * np.sin(2 * np.pi * X / 7))
+    assert goodness_of_fit.stripe_findings(np.full(noise.shape, np.nan), variance) == []
+    assert goodness_of_fit.stripe_findings(noise[:, :5], variance[:, :5]) == []
+    noise[:, 4:9, 2:] = np.nan
+    assert goodness_of_fit.stripe_findings(noise, variance)[0].numbers["size"] == pytest.approx(3.0, rel=0.15)

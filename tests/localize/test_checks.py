@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 import simulated_movies as simulated
-from lommel.localize import Table, localize_blocks, localize_movie
+from lommel.localize import Table, checks, localize_blocks, localize_movie
 
 CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
 
@@ -42,7 +42,8 @@ def mean(table) -> np.ndarray:
 
 def test_a_movie_that_is_as_stated_is_reliable(table, mean):
     found = localize_movie(CAMERA.record(mean, 1), table, noise=CAMERA)
-    assert (found.converged, found.reliable, found.status, tuple(found.findings)) == (True, True, "converged", ())
+    assert (found.converged, found.reliable, found.status) == (True, True, "converged")
+    assert [each.code for each in found.findings] == ["untested"]
     assert found.summary.startswith(f"{found.kept.sum()} molecules in 20 frames, median discrepancy ")
     told = found.to_dict()
     assert told["converged"] is True
@@ -63,6 +64,36 @@ def test_the_right_sign_of_the_astigmatism_is_the_likelier(depth):
     assert numbers["log_likelihood"] > 4.0 * numbers["error"] > 0.0
     assert 300 < numbers["molecules"] <= 480
     assert "opposite_astigmatism" not in localize_movie(frames, wrong, flat=True).findings.codes
+
+
+@pytest.mark.parametrize(
+    ("term", "size", "biased"), [(8, 0.2, "column"), (7, -0.2, "row"), (11, 0.15, "z"), (9, 0.03, "")]
+)
+def test_a_term_that_the_table_lacks_is_named(term, size, biased, table):
+    """And what it moves: little of what is small."""
+    other = table_of(aberrations=simulated.ASTIGMATISM + lm.Wavefront.zernike({term: size}, order="noll"))
+    found = localize_movie(CAMERA.record(light(other, photons=2000.0), 3), table, noise=CAMERA)
+    told = found.findings.get("other_explanation")
+    assert told.severity == ("doubt" if biased else "note")
+    name = next(iter(told.numbers))
+    assert name.startswith(f"noll {term} ")
+    assert told.numbers[name]["size"][0] == pytest.approx(size, rel=0.2)
+    bias = told.numbers["bias"]
+    assert max(bias, key=bias.get) == biased or max(bias.values()) < 0.5
+    assert "tilted_background" not in found.findings.codes
+
+
+def test_changes_by_a_term_are_differences_of_tables(table):
+    changes, h = checks.TermImages(table, None), 1e-3
+    places = np.array([7.3, 6.1]), np.array([6.6, 8.2]), np.array([-0.35e-6, 0.41e-6])
+    made = changes(*places)
+    for k, (n, m) in enumerate(checks._TERMS):
+        ends = [
+            table_of(aberrations=simulated.ASTIGMATISM + lm.Wavefront.zernike({(n, m): step}))(*places)
+            for step in (h, -h)
+        ]
+        difference = (ends[0].astype(float) - ends[1]) / (2 * h)
+        np.testing.assert_allclose(made[:, k], difference, rtol=0, atol=0.01 * np.abs(difference).max())
 
 
 @pytest.mark.parametrize("shift", [-0.8e-6, 0.8e-6])

@@ -23,6 +23,8 @@ class Camera:
         Share that is lost at `full` electrons, growing with the square of the light.
     rows : float
         Noise of whole rows, electrons rms.
+    stripes : float
+        Amplitude of pick-up, electrons: waves of 12.6 pixels along rows, of another phase in each image.
     warm : map or None
         Dark electrons of each pixel, as of hot pixels. dead : map of bool, pixels that do not respond.
     rays : float
@@ -37,6 +39,7 @@ class Camera:
     register: float = 0.0
     bend: float = 0.0
     rows: float = 0.0
+    stripes: float = 0.0
     warm: np.ndarray | None = None
     dead: np.ndarray | None = None
     rays: float = 0.0
@@ -63,6 +66,9 @@ class Camera:
             electrons = np.where(electrons > 0, draw.gamma(shape, self.register), 0.0) / self.register
         electrons += draw.normal(size=electrons.shape) * self.read
         electrons += draw.normal(size=electrons.shape[:-1])[..., None] * self.rows
+        if self.stripes:
+            phase = draw.uniform(0, 2 * np.pi, (*electrons.shape[:-2], 1, 1))
+            electrons += self.stripes * np.sin(np.arange(electrons.shape[-1]) / 2 + phase)
         if np.ndim(self.gain) == 0 and self.gain == 0:
             return electrons
         counts = np.rint(electrons / self.gain + self.offset)

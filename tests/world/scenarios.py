@@ -91,16 +91,16 @@ def stars(blur: Blur, flux: float, waves: Waves, telescope: Telescope, slope: fl
 
 def field(
     seed: int, blur: Blur, flux: float, *, waves: Waves = COMA, terms: int = 5, slope: float = 0.0,
-    messy: bool = False, trail: float = 0.0, **telescope: float,
+    messy: bool = False, trail: float = 0.0, stripes: float = 0.0, **telescope: float,
 ) -> Trial:  # fmt: skip
     """Fit a field of 12 stars, the same wavefront all over it, of a telescope that may be another than is stated."""
     mean = stars(blur, flux, waves, Telescope(600e-9, 8.0, 0.3, **telescope), slope)
-    mean, recorder = camera.trailed(mean, trail), STARS
+    mean, recorder = camera.trailed(mean, trail), STARS.but(stripes=stripes)
     if messy:
         mean = mean.copy()
         for k, (row, column) in enumerate(((2, 3), (-3, 2))):  # doubles
             mean[k] += 0.4 * np.roll(mean[k] - 50.0, (row, column), (0, 1))
-        recorder = STARS.but(rays=0.5)
+        recorder = recorder.but(rays=0.5)
     windows = recorder.record(mean, seed)
     if messy:
         windows[5, :, 9] = np.nan
@@ -195,7 +195,7 @@ def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callab
 # One star, pixels of half a lambda N.
 def star(
     seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0, missing: Waves = (), slope: float = 0.0,
-    sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, **another: float,
+    sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, recorder: Camera = STARS, **another: float,
 ) -> Trial:  # fmt: skip
     """Retrieve six terms from images of a star at known defoci, each seed with another wavefront.
 
@@ -212,7 +212,7 @@ def star(
         transfer = transfer.times(air.gaussian(transfer.radius, sigma))
         sky = 10.0 + slope * np.arange(33.0)
         mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + sky)
-    images = STARS.record(camera.trailed(np.array(mean), trail), seed)
+    images = recorder.record(camera.trailed(np.array(mean), trail), seed)
     found, seconds = timed(
         lm.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
         terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=bool(fwhm),
@@ -286,7 +286,7 @@ def table(sign: float, shift: float) -> lm.localize.Table:
 
 
 @cache
-def movie_light(photons: float, dense: bool) -> tuple[np.ndarray, np.ndarray]:
+def movie_light(photons: float, dense: bool, waves: Waves) -> tuple[np.ndarray, np.ndarray]:
     """Return 25 frames of 64 x 64 without background, and frame, row, column, depth, photons of each molecule."""
     draw, focus = np.random.default_rng(33), OIL.brightest(1e-6)
     frames, rows = np.zeros((25, 64, 64)), []
@@ -296,7 +296,7 @@ def movie_light(photons: float, dense: bool) -> tuple[np.ndarray, np.ndarray]:
             depth = draw.uniform(0.6e-6, 1.4e-6)
             rows.append((frame, *place, depth, photons))
             first = np.rint(place).astype(int) - 9
-            transfer = OIL.transfer(depth, focus, ASTIGMATIC)
+            transfer = OIL.transfer(depth, focus, waves)
             image = transfer.image(19, SAMPLE_PIXEL, *(place - first))
             frames[frame, first[0] : first[0] + 19, first[1] : first[1] + 19] += photons * image
     return frames, np.array(rows)
@@ -304,10 +304,10 @@ def movie_light(photons: float, dense: bool) -> tuple[np.ndarray, np.ndarray]:
 
 def movie(
     seed: int, *, photons: float = 1500.0, dense: bool = False, slope: float = 0.0, sign: float = 1.0,
-    shift: float = 0.0, recorder: Camera = SCMOS, noise: lm.Noise | None = None,
+    shift: float = 0.0, waves: Waves = ASTIGMATIC, recorder: Camera = SCMOS, noise: lm.Noise | None = None,
 ) -> Trial:  # fmt: skip
     """Localise the molecules of a movie on 15 electrons, or a background that slopes along columns."""
-    light, truth = movie_light(photons, dense)
+    light, truth = movie_light(photons, dense, waves)
     frames = recorder.record(light + 15.0 + slope * (np.arange(64) - 31.5), seed)
     known = noise or lm.Noise(white=0.46, read=1.6, offset=100.0)
     images = table(sign, shift)
@@ -517,6 +517,8 @@ def _fields() -> list[Scenario]:
         for fwhm in (1.0, 3.0):
             run = partial(field, blur=_k(fwhm), flux=5e4, **more)
             add(f"{row}{fwhm:.0f}", f'{name}, Kolmogorov {fwhm:g}"', run, "RT", OTHER)
+    run = partial(field, blur=_k(1.0), flux=5e4, stripes=2.0)
+    add("21j", 'pick-up of 2 e, Kolmogorov 1"', run, "RT", ("pattern", *OTHER))
     for row, kind, size in (("21f", "", 0.0), ("21g", "cubic", 0.1), ("21h", "bump", 0.2), ("21i", "bump", 0.1)):
         add(
             row,
@@ -544,6 +546,12 @@ def _retrievals() -> list[Scenario]:
     told["2 % of the charge late"] = {"trail": 0.02}
     for row, (name, more) in zip("bcdefghi", told.items(), strict=True):
         add(f"24{row}", f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
+    for row, name, more in (
+        ("24j", "pick-up of 1.5 e", {"stripes": 1.5}),
+        ("24k", "rows 1.5 e apart", {"rows": 1.5}),
+    ):
+        run = partial(star, defocus=(0.0, 3.0), recorder=STARS.but(**more))
+        add(row, f"two foci, {name}", run, "RT", ("pattern", *OTHER))
     return made
 
 
@@ -566,6 +574,8 @@ def _beads() -> list[Scenario]:
     add("29b", "planes reversed", run, "T", ("reversed_z", "reversed_planes"))
     run = partial(bead, waves=SLIGHT, drift=0.04)
     add("30", "drift of 0.04 px a plane", run, "T", ("drift", "moved", *OTHER))
+    run = partial(bead, waves=SLIGHT, recorder=SCMOS.but(stripes=1.5))
+    add("30b", "pick-up of 1.5 e", run, "RT", ("pattern", *OTHER))
     run = partial(bead, waves=SLIGHT, beside=12.0)
     add("31", "neighbour of 30 % at 12 px", run, "T", ("neighbour", "misfit", *OTHER))
     return made
@@ -587,6 +597,9 @@ def _movies() -> list[Scenario]:
     wrong = ("astigmatism_reversed", "opposite_astigmatism", "misfit", "psf_doubtful", *OTHER)
     add("37a", "astigmatism of the other sign", partial(movie, sign=-1.0), "T", wrong)
     add("37b", "depth off by 1 um", partial(movie, shift=1e-6), "T", wrong)
+    for row, name, j, size in (("37d", "coma", 8, 0.3), ("37e", "coma", 8, 0.1), ("37f", "spherical", 11, 0.3)):
+        run = partial(movie, waves=_with(ASTIGMATIC, **{f"_{j}": size}))
+        add(row, f"{name} of {size:g} rad not in the table", run, "RT", OTHER)
     add("37c", "the same, 60 e over 64 px", partial(movie, shift=1e-6, slope=0.94), "T", wrong)
     return made
 

@@ -37,6 +37,7 @@ from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_de
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
+from lommel.fit.goodness_of_fit import stripe_findings
 from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -454,6 +455,7 @@ def fit_field(
     obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each; what the stars favour
     within chance (Bayes factors above 1) is marginalized over all the size that its test allows; `model` is without.
     The known defocus of one focus, and an f-number that blur hides, are named, with what they change ("untested").
+    Stripes, and offsets of rows or columns, that noise leaves in one of 1000 fits are in doubt ("pattern").
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
     another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").
@@ -691,6 +693,7 @@ def _build_field_fit(
     blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
     findings += _blur_findings(stars, outcome.shapes)
     table, model = _fitted_stars(search, found, lost, polynomials, places, noise.excess)
+    findings += _stripe_findings(stars, model, table.used, noise.excess)
     chi2 = float(found.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
@@ -751,6 +754,15 @@ def _fitted_stars(
     used = np.isin(every, found.model.chosen)
     table = FittedStars(places, centers, excess * own[:, 2], excess * own[:, 3], each.chi2, used)
     return table, stars.expected(psf, own)
+
+
+def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], excess: float) -> list[Finding]:
+    """Return the finding of stripes in the windows of the stars that were used, for expected electrons."""
+    counted, _, read, valid = stars.star.reshape(4, stars.count, -1, *stars.shape)[:, used]
+    mean = model.reshape(stars.count, *counted.shape[1:])[used]
+    off = np.where(valid > 0.0, counted - mean, np.nan)
+    off, variance = (one.reshape(-1, *stars.shape) for one in (off, np.maximum(mean, 0.0) + read))
+    return stripe_findings(off, variance, excess)
 
 
 def _sign_findings(started: bool, defocused: bool) -> list[Finding]:

@@ -81,7 +81,8 @@ class Retrieval(FitReport):
         of the phase may have the other sign, and neither `pupil` nor a known defocus decides; "too_dim" where the
         errors of the phase of an image exceed 0.25 radians rms, for then other wavefronts may fit as well;
         "errors_change" where a standard error changes by more than an eighth within one standard deviation;
-        "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
+        "other_explanation"; "pattern" where residuals have stripes, or rows or columns offsets; "too_quiet".
+        Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
@@ -331,7 +332,8 @@ def retrieve(
     0.3 %, 0.25 % of the charge, f-numbers by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one
     standard deviation each, are marginalized: `coefficients` and their errors allow for them; `model` is without.
     What the images favour within chance (Bayes factors above 1) is marginalized over all the size that its test
-    allows; beyond chance it is named, and the answer is in doubt ("other_explanation"). The known defocus of one
+    allows; beyond chance it is named, and the answer is in doubt ("other_explanation"), as it is where residuals have
+    stripes, or rows or columns offsets, that noise leaves in one of 1000 fits ("pattern"). The known defocus of one
     focus, and an f-number that blur hides, are named with what they change ("untested"). A wrong sign of all known
     defoci negates the even terms, and nothing tells it.
 
@@ -510,10 +512,13 @@ def _build_retrieval(
     missing = missing_findings(tests)
     causes = causes_of_misfit(_CAUSES, chi2, spread, tests)
     found = goodness_of_fit.chi2_findings(chi2, spread, causes)
+    variance = model.variance(mean)
+    off = residual * np.sqrt(variance)
+    stripes = goodness_of_fit.stripe_findings
+    found += stripes(off.reshape(counts.values.shape), variance.reshape(counts.values.shape), noise.excess)
     found += [*dark, *_sign_findings(model, x), *missing, *untested]
     if "misfit" in Findings(found).codes and not missing:
         read = model.read.reshape(residual.shape)
-        off = residual * np.sqrt(model.variance(mean))
         found[:0] = goodness_of_fit.excess_test(off, mean, read).findings(noise.excess)
     if not settled:
         found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))

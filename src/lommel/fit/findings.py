@@ -32,6 +32,7 @@ CODES: Mapping[str, str] = {
     "not_settled": "the steps of the search did not settle",
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "something that the model does not have, or another constant, explains the data better",
+    "pattern": "residuals have stripes, or offsets of rows or columns, as of pick-up or readout",
     "pixel_pitch": "the pixel pitch is not that of the camera",
     "psf_compared": "other PSFs were compared with the one that was used, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",

@@ -1,4 +1,4 @@
-r"""The verdict on a fit: which values of chi2 noise explains, and whether the variance is that of photons.
+r"""The verdict on residuals: which chi2 noise explains, whether the variance is that of photons, and stripes in them.
 
 Pearson's chi2 over its expectation, with a standard deviation s, follows closely a gamma distribution of that mean
 and standard deviation: the chi2 distribution of 2 / s^2 degrees of freedom over their number (Satterthwaite 1946,
@@ -10,10 +10,16 @@ the mean m of a pixel in electrons, the variance v = m + read^2 that was taken, 
 slope of the log-likelihood by the share f, of a variance ``v + f m``, is half of ``sum s (r^2 / v - 1)``, which has
 the variance ``sum s^2 (2 + 1 / v)`` of Poisson numbers. A wrong mean makes large residuals, too, but where there is
 much light: the test asks that these are as large where there is little.
+
+The score test of a wave of wave vector k that is added to an image, of any phase, is of ``F(k) = sum r exp(-i k x) /
+v``, whose mean square is ``W(0)`` and whose square has the mean ``W(2 k)``, where W is the transform of 1 / v. The
+squares of real and imaginary part over their covariance follow chi2 of two degrees of freedom (of one where F is
+real), those of several images add up. Dim pixels count most: a wrong PSF is seen by chi2 long before.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -34,6 +40,8 @@ _RANGE = 0.8, 1.4  # of the share: that of a register of high gain is 1, and a m
 _CELLS = 8  # of pixels ordered by their light
 _FLAT = 0.3  # largest difference of a cell's share from that of all, besides five of its standard deviations
 _OF_LIGHT = 0.1  # s, from which on a pixel says something of the variance of light
+_REAL = 1e-6  # of the variance of both parts: what is less is of a transform that is real
+_LEAST_SIDE = 6  # pixels of windows in which stripes are looked for
 
 
 def most(spread: Any, probability: float = BY_CHANCE) -> Array:
@@ -146,3 +154,54 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     share = float(shares[0])
     slack = _FLAT * max(share, 1.0) + 5.0 * (1.0 + max(share, 0.0)) * errors[1:]
     return ExcessTest(share, float(errors[0]), bool((np.abs(shares[1:] - share) <= slack).all()))
+
+
+def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> list[Finding]:
+    """Return the finding of stripes, or of rows or columns with offsets, in residuals beyond chance.
+
+    Parameters
+    ----------
+    residual, variance : ndarray, shape (images, height, width)
+        Electrons and their squares, over `excess`; pixels of a residual that is NaN do not count.
+    excess : float, default 1
+        Factor of the variance of an electron-multiplying camera.
+    """
+    weight = np.where(np.isfinite(residual) & (variance > 0.0), 1.0 / np.maximum(variance, 1e-9), 0.0)
+    seen = weight.sum(axis=(1, 2)) > 0.0
+    weight, residual = weight[seen], residual[seen]
+    height, width = residual.shape[1:]
+    if not len(weight) or min(height, width) < _LEAST_SIDE:
+        return []
+    half = width // 2 + 1  # of opposite wave vectors one is enough
+    pull, both = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
+    total = both[:, :1, :1].real
+    twice = both[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(half) % width]
+    spread = total**2 - np.abs(twice) ** 2
+    real = spread < _REAL * total**2
+    parts = 2.0 * (total * np.abs(pull) ** 2 - (pull**2 * twice.conj()).real) / np.where(real, 1.0, spread)
+    squares = np.where(real, np.abs(pull) ** 2 / total, parts).sum(axis=0)
+    freedom = np.where(real, 1.0, 2.0).sum(axis=0)
+    alone = special.gammaincc(0.5 * freedom, 0.5 * squares)
+    alone[:2, :2] = alone[-1, :2] = 1.0  # as wide as the window are backgrounds and their slopes
+    i, j = np.unravel_index(int(alone.argmin()), alone.shape)
+    power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
+    chances = {"stripes": float(alone[i, j]) * height * half}
+    for name, at, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:half], width)):
+        found, of = float(squares[at].sum()), float(freedom[at].sum())
+        chances[name] = float(special.gammaincc(0.5 * of, 0.5 * found))
+        power[name] = found - of, 2.0 * len(squares[at]) / side
+    kind = min(chances, key=chances.__getitem__)
+    if (chance := len(chances) * chances[kind]) >= SURE:
+        return []
+    beyond, share = power[kind]
+    size = excess * math.sqrt(beyond / (share * float(total.sum())))
+    numbers: dict[str, float] = {"size": size, "chance": chance}
+    text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
+    if kind == "stripes":
+        up, across = float(np.fft.fftfreq(height)[i]), j / width
+        period, angle = 1.0 / math.hypot(up, across), math.degrees(math.atan2(up, across))
+        numbers |= {"period": period, "angle": angle}
+        way = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
+        text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {way}"
+    text = f"the residuals have a pattern: {text}, as of pick-up, readout or fringes: subtract it before the fit"
+    return [Finding("pattern", "doubt", text, numbers)]

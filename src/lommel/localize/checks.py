@@ -1,0 +1,484 @@
+"""Checks of the localisations of a movie: noise, background, wavefront, other tables, crowds, recurring spots."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cached_property, partial
+from itertools import chain
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import ndimage, special
+
+from lommel.base.arrays import Array, Json
+from lommel.base.units import format_length, with_error
+from lommel.estimation.star_images import label
+from lommel.fit.findings import Finding, Findings, Severity
+from lommel.fit.goodness_of_fit import excess_test
+from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
+from lommel.localize.detection import DEFECT, Spots
+from lommel.localize.fitting import Molecules, in_electrons
+from lommel.localize.localizations import DOUBTFUL, Localizations, Recording
+from lommel.localize.table import Table, Waves
+from lommel.optics.layers.objective import brightest
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+from lommel.recorded.counts import Counts, flat_tops
+from lommel.recorded.noise import Noise
+from lommel.special import zernike
+
+TILTED = 5.0
+"""Standard deviations, from which on backgrounds are tilted."""
+_MOLECULES = 1000  # that are looked at for noise, sign and background
+_LEAST_FRAMES, _OFTEN = 20, 0.3  # of a movie, and the share of its frames in which a molecule is not again and again
+_WIDEST, _PER_UNIT = 50, 100  # of the histogram of discrepancies
+_FINE = 0.1  # of Nyquist's pixel
+_DARK = 0.75  # of the counts: half are below where there is no light
+_DISCREPANT, _MISFIT = 0.3, 1.0  # smaller ones are of imperfections that every PSF has
+_BY_CHANCE, _CROWDED = 0.01, 0.05  # shares of molecules
+_MANY = 0.1  # of the spots
+_LEAST_TRIED = 10  # molecules, of which the spread is known
+_DEEPER = 0.4e-6  # by which depths in focus are moved
+# Terms that an image may show, the radians rms that they may have, and how many molecules are looked at for them.
+_TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) not in ((2, 0), (3, 0))), (6, 0))
+_TERM, _LOOKED = 0.1, 300
+_BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
+_TURN, _PARTS = 0.5, 3  # radians between planes of these images, and parts of a pixel
+_BETTER = 1.5  # times the gain of other tables, from which on terms alone are named
+_BIASED = 0.5  # standard errors, rms, by which estimates are off, from which on they are in doubt
+_LIKELIER = 10.0  # log-likelihood, by which one of two wavefronts must be the likelier to be spoken of
+
+
+class Checks:
+    """What blocks of frames tell, one after the other."""
+
+    def __init__(self, recording: Recording, table: Table, again: partial[Molecules], background: str) -> None:
+        self._recording, self._table, self._again, self._background = recording, table, again, background
+        self._noise: Noise = again.keywords["noise"]
+        self._once: dict[str, Finding] = {}
+        self._counts = np.zeros((recording.rows, recording.columns), np.int64)
+        self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
+        self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
+        self._residuals: list[tuple[Array, ...]] = []
+        self._excess: list[Finding] = []
+        self._rivals = {} if recording.along == "none" else rivals(table, again.keywords["threads"])
+        self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
+        self._tried = 0
+        self._wavefront = WavefrontTest(table, again.keywords["threads"])
+        pupil, pixel = table.pupil, recording.pixel
+        if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _FINE > pixel:
+            text = (
+                f"a pixel is {format_length(pixel, digits=3)} in the sample, far below Nyquist's "
+                f"{format_length(finest, digits=3)}: `pixel` is that of the camera, before magnification"
+            )
+            self._add_once("pixel_pitch", "doubt", text, pixel=pixel, nyquist=finest)
+        terms = {} if pupil.aberrations is None else pupil.aberrations.amplitudes()
+        if recording.along != "none" and not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in terms):
+            text = (
+                "the wavefront has no even term besides defocus, such as astigmatism: images above and below focus "
+                "are nearly alike, and z may have the wrong sign; `flat` gives x and y alone"
+            )
+            self._add_once("sign_open", "doubt", text)
+
+    def _add_once(self, code: str, severity: Severity, text: str, **numbers: Any) -> None:
+        self._once.setdefault(code, Finding(code, severity, text, numbers))
+
+    def first(self, counts: Counts) -> None:
+        """Look at the counts of the first block."""
+        dark = float(np.mean(counts.values < self._noise.offset))
+        if dark > _DARK:
+            text = f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check `offset`"
+            self._add_once("below_offset", "doubt", text, share=dark)
+        if words := flat_tops([counts], self._noise, "movie"):
+            self._add_once("flat_top", "note", words)
+        if counts.assumed:
+            self._add_once("saturation_assumed", "note", counts.assumed)
+
+    def tilt(self, spots: Spots, found: Molecules, *, fitted: bool) -> float:
+        """Test the wavefront of the table and, unless it was `fitted`, the slope of the background, and the noise.
+
+        Returns the standard deviations of the slope, 0 where it was fitted.
+        """
+        if fitted and self._wavefront.done:
+            return 0.0
+        score = scored(spots, found, self._table, self._noise, self._wavefront.images)
+        if score is None:
+            return 0.0
+        self._wavefront.add(score)
+        if fitted:
+            return 0.0
+        score = score.beside(self._wavefront.sizes)
+        if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
+            self._residuals.append((score.residual, score.mean, score.read))
+            residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
+            self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
+        sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
+        if sigmas > TILTED:
+            slope, error = slope * self._noise.excess, error * self._noise.excess
+            flat = self._background == "flat"
+            text = (
+                f"the background is tilted, by {slope:.2g} +- {error:.1g} electrons from pixel to pixel "
+                f"({sigmas:.0f} standard deviations)"
+            )
+            text += ': positions are shifted; `background` "tilted" or "auto" fits it' if flat else ": it was fitted"
+            numbers = {"slope": slope, "error": error, "sigmas": sigmas}
+            self._add_once("tilted_background", "doubt" if flat else "note", text, **numbers)
+        return sigmas
+
+    def compare(self, spots: Spots, background: str) -> None:
+        """Compare the fits of the first molecules, on a flat or tilted background, with those of other tables."""
+        kept = slice(_MOLECULES - self._tried)
+        if not self._rivals or self._tried >= _MOLECULES or not len(spots):
+            return
+        self._tried += len(spots)
+        again = partial(self._again, images=spots.images[kept], corners=spots.corners[kept], background=background)
+        one = again(self._table)
+        for name, table in self._rivals.items():
+            other = again(table)
+            # Crowded molecules tell nothing of the PSF.
+            both = one.converged & other.converged & (np.minimum(one.discrepancy, other.discrepancy) < DOUBTFUL)
+            self._gains[name] += (other.log_likelihood - one.log_likelihood)[both].tolist()
+
+    def count(self, part: Localizations) -> None:
+        """Add the localisations of a block."""
+        at = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
+        places = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
+        np.add.at(self._counts, tuple(places), 1)
+        kept = part.table["discrepancy"][part.kept]
+        for name in self._sums:
+            self._sums[name] += int((kept >= DOUBTFUL).sum()) if name == "doubtful" else getattr(part, name)
+        at = np.round(np.clip(kept, -_WIDEST, _WIDEST) * _PER_UNIT).astype(np.int64) + _WIDEST * _PER_UNIT
+        self._discrepancies += np.bincount(at, minlength=self._discrepancies.size)
+
+    @property
+    def molecules(self) -> int:
+        """Number of those that converged."""
+        return int(self._discrepancies.sum())
+
+    @property
+    def median(self) -> float:
+        """Median of the discrepancies, but for those that are far above it, as of molecules beside others."""
+        sums = np.cumsum(self._discrepancies)
+        middle = int(np.searchsorted(sums, 0.5 * self.molecules)) + int(DOUBTFUL * _PER_UNIT)
+        middle = int(np.searchsorted(sums, 0.5 * sums[min(middle, sums.size - 1)]))
+        return middle / _PER_UNIT - _WIDEST if self.molecules else 0.0
+
+    @property
+    def summary(self) -> str:
+        """Number of molecules and median discrepancy."""
+        n, frames = self.molecules, self._recording.frames
+        median = f", median discrepancy {self.median:.2g}" if n else ""
+        return f"{n} molecule{'s' * (n != 1)} in {frames} frame{'s' * (frames != 1)}{median}"
+
+    @property
+    def findings(self) -> Findings:
+        """What was found so far."""
+        waves, tables = self._wavefront, self._of_rivals()
+        gains = (math.fsum(each) / max(len(each), 1) for each in self._gains.values())
+        if waves.gain > _BETTER * max(gains, default=0.0):
+            tables = iter(())  # which look like what the wavefront lacks
+        each = self._excess, tables, waves.findings, self._of_fits(), self._once.values(), self._of_spots()
+        return Findings(chain(*each))
+
+    def _of_rivals(self) -> Iterator[Finding]:
+        """Yield the table with which molecules are far likelier.
+
+        A thousand tell the sign of an astigmatism on the cover glass with 500 photons each: there one molecule alone
+        is likelier with the right sign by 0.1.
+        """
+        likelier: dict[str, tuple[float, int, float]] = {}
+        for name, each in self._gains.items():
+            gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
+            if len(each) >= _LEAST_TRIED and gain > max(_LIKELIER, 4.0 * error):
+                likelier[name] = gain, len(each), error
+        if not likelier:
+            return
+        name, (gain, count, error) = max(likelier.items(), key=lambda one: one[1])
+        numbers: Json = {"molecules": count, "log_likelihood": gain, "error": error}
+        subject = f"{count} molecules of the first frames are likelier"
+        text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
+        if name == "sign":
+            text = (
+                f"{subject} with astigmatism of the opposite sign {text}, and z is then reversed: check the sign of "
+                "the astigmatism and the direction of the movie's rows"
+            )
+            yield Finding("opposite_astigmatism", "error", text, numbers)
+        else:
+            shift = float(name)
+            way = "deeper" if shift > 0.0 else "nearer to the cover glass"
+            text = (
+                f"{subject} {format_length(abs(shift))} {way} {text}: check the depth, the indices and the spherical "
+                "aberration"
+            )
+            yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
+
+    def _of_fits(self) -> Iterator[Finding]:
+        sums, n = self._sums, self.molecules
+        if not sums["spots"]:
+            text = "no spot is above `threshold`: check `offset`, `white` and `read`, or lower it"
+            yield Finding("no_light", "error", text)
+        elif not n:
+            yield Finding("not_settled", "error", f"none of {sums['spots']} fits converged within the table")
+        if not n:
+            return
+        median, error = self.median, math.sqrt(0.5 * math.pi / n)
+        numbers = {"median": median, "error": error}
+        text = f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the "
+        if median > max(_DISCREPANT, 4.0 * error):
+            text += "PSF (sign of the astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
+            yield Finding("misfit", "error" if median > _MISFIT else "doubt", text, numbers)
+        elif median < -max(_DISCREPANT, 4.0 * error):
+            text += "gain or the offset may be wrong: check `white` and `offset`"
+            yield Finding("too_quiet", "doubt", text, numbers)
+        if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
+            share = sums["doubtful"] / n
+            text = (
+                f"{sums['doubtful']} of {n} molecules have images that noise does not explain, as with another "
+                f"molecule within their box: leave out those of a discrepancy of {DOUBTFUL:g} or more"
+            )
+            numbers = {"doubtful": sums["doubtful"], "molecules": n}
+            yield Finding("crowded", "doubt" if share > _CROWDED else "note", text, numbers)
+        if self._recording.along != "none":
+            text = (
+                "not tested: light that is uneven across the pupil, or clipped on one side of it, which moves "
+                "molecules sideways in proportion to z: beads at several foci show it"
+            )
+            yield Finding("untested", "note", text)
+
+    def _of_spots(self) -> Iterator[Finding]:
+        sums = self._sums
+        words = {"saturated": "saturated", "left_out": "NaN, infinite or masked"}
+        if counts := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
+            text = f"pixels of boxes that do not count: {', '.join(counts)}"
+            yield Finding("left_out", "note", text, {name: sums[name] for name in words})
+        if places := self._recurring():
+            row, column, count = places[0]
+            many = "a spot is" if len(places) == 1 else f"{len(places)} spots are"
+            text = (
+                f"{many} in the same place in many frames, the first in {count} of {self._recording.frames} at row "
+                f"{row}, column {column}: a bead, or a hot pixel, which `mask`, or a map by `read` with {DEFECT:g} "
+                "electrons there, leaves out"
+            )
+            yield Finding("recurring", "note", text, {"places": places})
+        if self._recording.along != "none" and sums["ends"] > _MANY * sums["spots"]:
+            ends, spots = sums["ends"], sums["spots"]
+            text = f"{ends} of {spots} spots are at an end of the range of z: a wider one may hold them"
+            yield Finding("z_range", "note", text, {"ends": ends, "spots": spots})
+
+    def _recurring(self) -> list[tuple[int, int, int]]:
+        """Return row, column and number of spots within a pixel where they are in many frames, most first."""
+        counts, often = self._counts, _OFTEN * self._recording.frames
+        if self._recording.frames < _LEAST_FRAMES or counts.sum() < often:
+            return []
+        near = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
+        row, column = np.nonzero((near >= often) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
+        order = np.argsort(-near[row, column], kind="stable")
+        return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
+
+
+class TermImages:
+    """Changes of the images of a table by the Zernike terms of `_TERMS`, over radians rms, anywhere in its range."""
+
+    def __init__(self, table: Table, threads: int | None) -> None:
+        self._table, waves = table, Waves(table.pupil, table.along)
+        low, high = table.z
+        planes = max(4, math.ceil((high - low) * waves.rate / _TURN) + 1)
+        self._per_plane = (planes - 1) / (high - low)
+        height, width = (_PARTS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
+        shape = height, width
+        self._middle = [side // 2 for side in shape]
+        made = psf(
+            waves.at(np.linspace(low, high, planes)), shape, table.pixel / _PARTS, tol=1e-2, integrate=True,
+            derivatives=_TERMS, threads=threads,
+        )  # fmt: skip
+        whole = (_PARTS**2 * ndimage.uniform_filter(made.derivatives[term], (0, _PARTS, _PARTS)) for term in _TERMS)
+        rms = (zernike.rms_factor(*term) for term in _TERMS)
+        self._splines = [ndimage.spline_filter(each * factor) for each, factor in zip(whole, rms, strict=True)]
+
+    def __call__(self, row: Array, column: Array, z: Array) -> Array:
+        """Return the images of molecules at places in their boxes, as of the table, (n, terms, height, width)."""
+        height, width = self._table.shape
+        at = np.empty((3, len(row), height, width))
+        at[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
+        at[1] = self._middle[0] + _PARTS * (np.arange(height) - row[:, None])[:, :, None]
+        at[2] = self._middle[1] + _PARTS * (np.arange(width) - column[:, None])[:, None, :]
+        return np.stack([ndimage.map_coordinates(one, at, prefilter=False) for one in self._splines], axis=1)
+
+
+class Score(NamedTuple):
+    """Slopes and information of two ramps and terms beside all unknowns, residuals, and where molecules are.
+
+    `bias` is what a term changes row, column, z and photons by, in their standard errors (n, 4, terms).
+    """
+
+    slope: Array
+    information: Array
+    bias: Array
+    row: Array
+    column: Array
+    residual: Array
+    mean: Array
+    read: Array
+
+    def beside(self, sizes: Array) -> Score:
+        """Return the score of ramps alone, beside terms of these sizes."""
+        if not sizes.any():
+            return self
+        return self._replace(slope=self.slope - self.information[:, :, 2 : 2 + len(sizes)] @ sizes)
+
+    def tilt(self, shape: tuple[int, int]) -> tuple[float, float, float]:
+        """Return how far slopes that flat fits leave out are beyond 0, and the largest and its standard error.
+
+        All molecules together, and each of 4 x 4 parts of the frame; that which is less by chance.
+        """
+        place = np.clip((4 * self.row / shape[0]).astype(int), 0, 3) * 4
+        place += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
+        tests = []
+        for parts in (np.zeros_like(place), place):
+            chosen = (parts == np.unique(parts)[:, None]).astype(float)
+            slopes, information = chosen @ self.slope[:, :2], np.tensordot(chosen, self.information[:, :2, :2], 1)
+            sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
+            errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
+            most = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
+            chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
+            tests.append((chance, abs(float(sizes[most])), float(errors[most])))
+        chance, size, error = min(tests)
+        return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
+
+
+def scored(
+    spots: Spots, found: Molecules, table: Table, camera: Noise, by_terms: TermImages | None = None
+) -> Score | None:
+    """Return score tests of slopes of the background, and of terms, in the boxes of fits, all unknowns eliminated."""
+    height, width = table.shape
+    at = np.column_stack([found.row, found.column]) - spots.corners
+    middle = np.array([height // 2, width // 2])
+    good = found.converged & (np.abs(at - middle) < table.reach).all(axis=1)
+    if not good.any():
+        return None
+    # Neighbours look like slopes.
+    kept = np.flatnonzero(good & (found.discrepancy < np.median(found.discrepancy[good]) + DOUBTFUL))[:_MOLECULES]
+    light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
+    places = at[kept, 0], at[kept, 1], found.z[kept]
+    values, slopes = table(*places, derivatives=True)
+    photons, level = (each[kept, None, None] / camera.excess for each in (found.photons, found.background))
+    ramps = np.mgrid[:height, :width] - 0.5 * np.array([height - 1, width - 1])[:, None, None]
+    z = "depth" if "depth" in slopes else "z"
+    own = [slopes["row"], slopes["column"], slopes[z] * _MICRON, values, np.ones_like(values)]
+    columns = np.stack([*own, *(np.broadcast_to(one, values.shape) for one in ramps)], axis=1, dtype=float)
+    columns[:, :3] *= photons[:, None]
+    if by_terms is not None:
+        columns = np.concatenate([columns, photons[:, None] * by_terms(*places)], axis=1)
+    mean = np.maximum(photons * values + level, 0.01)
+    weight = np.where(np.isfinite(light), 1.0 / (mean + read), 0.0)
+    score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
+    flat = columns.reshape(len(kept), columns.shape[1], -1)
+    information = (flat * weight.reshape(len(kept), 1, -1)) @ flat.swapaxes(1, 2)
+    taken = np.linalg.solve(information[:, :5, :5], information[:, :5, 5:])
+    left = information[:, 5:, 5:] - information[:, 5:, :5] @ taken
+    slope = score[:, 5:] - np.einsum("nki,nk->ni", taken, score[:, :5])
+    errors = [getattr(found.errors, name)[kept] for name in _BIASES]
+    errors[2], errors[3] = errors[2] / _MICRON, errors[3] / camera.excess
+    bias = taken[:, :4, 2:] / np.stack(errors, axis=1)[:, :, None]
+    # Fits make residuals smaller; those of images that noise does not explain tell nothing of noise.
+    pixels = np.isfinite(light).sum(axis=(1, 2))
+    residual = (light - mean) * np.sqrt(pixels / np.maximum(pixels - 5, 1))[:, None, None]
+    read = np.broadcast_to(read, mean.shape)
+    return Score(slope, left, bias, found.row[kept], found.column[kept], residual, mean, read)
+
+
+class WavefrontTest:
+    """Score tests of the terms of `_TERMS`, of the first molecules together, whose backgrounds may slope."""
+
+    def __init__(self, table: Table, threads: int | None) -> None:
+        self._table, self._threads = table, threads
+        self._square, self._pull = np.zeros((len(_TERMS), len(_TERMS))), np.zeros(len(_TERMS))
+        self._bias = np.zeros((0, len(_BIASES), len(_TERMS)))
+
+    @property
+    def done(self) -> bool:
+        """Whether enough molecules were looked at."""
+        return len(self._bias) >= _LOOKED
+
+    @cached_property
+    def _images(self) -> TermImages:
+        return TermImages(self._table, self._threads)
+
+    @property
+    def images(self) -> TermImages | None:
+        """Images by terms; None where nothing was seen of them, and no more is looked for."""
+        return None if self.done and not self.sizes.any() else self._images
+
+    def add(self, score: Score) -> None:
+        """Add the molecules of a block."""
+        if self.done or score.bias.shape[-1] == 0:
+            return
+        ramps, mixed = score.information[:, :2, :2], score.information[:, :2, 2:]
+        taken = np.linalg.solve(ramps, mixed)
+        self._square = self._square + (score.information[:, 2:, 2:] - mixed.swapaxes(1, 2) @ taken).sum(axis=0)
+        self._pull = self._pull + score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
+        self._bias = np.concatenate([self._bias, score.bias])
+
+    @property
+    def tests(self) -> tuple[ScoreTest, ...]:
+        """Tests of all terms, each by itself."""
+        each = [Candidate(label(term), (k,), _TERM) for k, term in enumerate(_TERMS)]
+        return score_tests(self._square, self._pull, (), each) if len(self._bias) else ()
+
+    @property
+    def sizes(self) -> Array:
+        """What all terms are together, radians rms, where one of them is seen; else 0."""
+        if not seen(self.tests):
+            return np.zeros(len(_TERMS))
+        return np.asarray(np.linalg.solve(self._square + np.eye(len(_TERMS)) / _TERM**2, self._pull))
+
+    @property
+    def gain(self) -> float:
+        """By how much a molecule is likelier with these terms, at first order."""
+        return 0.5 * float(self.sizes @ self._pull) / max(len(self._bias), 1)
+
+    @property
+    def findings(self) -> list[Finding]:
+        """The finding of terms that the images have and the table has not."""
+        likely = seen(self.tests)
+        if not likely:
+            return []
+        off = np.sqrt(np.square(self._bias @ self.sizes).mean(axis=0))
+        words = [f"{test.name} = {' +- '.join(with_error(test.size[0], test.errors[0]))} rad" for test in likely]
+        found = other_explanation(likely, [f"{words[0]} beside the wavefront of the table", *words[1:]])
+        worst = _BIASES[int(off.argmax())]
+        text = f"{found.text}: {worst} is off by {off.max():.2g} standard errors rms: fit the wavefront to beads"
+        numbers = {**found.numbers, "bias": dict(zip(_BIASES, off.tolist(), strict=True))}
+        severity: Severity = "doubt" if off.max() >= _BIASED else "note"
+        return [Finding(found.code, severity, text, numbers)]
+
+
+def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
+    """Return tables that a wrong statement would hide, kept with the table: by what is other in them."""
+    kept: dict[str, Table] = vars(table).setdefault("_rivals", {})
+    if not kept:
+        made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
+        for name, pupil, shift in _others(table.pupil, table):
+            low, high = (max(0.0, end + shift) if shift else end for end in table.z)
+            kept[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **made)
+    return kept
+
+
+def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
+    """Yield pupils with the opposite astigmatism and other depths in focus, and by how much the range of z moves."""
+    wave = pupil.aberrations
+    if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
+        edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(wave.terms, wave.edge.T, strict=True)}
+        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, wave.error)), 0.0
+    moving = table.along == "depth"
+    depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
+    for way in (-1.0, 1.0):
+        shift = max(way * _DEEPER, -depth)
+        if abs(shift) >= 0.5 * _DEEPER:
+            focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest
+            focus = focus - brightest(pupil.layers, depth).brightest
+            deeper = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
+            yield f"{shift:+.1e}", deeper, shift if moving else 0.0

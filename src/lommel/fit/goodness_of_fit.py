@@ -167,11 +167,18 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         Factor of the variance of an electron-multiplying camera.
     """
     weight = np.where(np.isfinite(residual) & (variance > 0.0), 1.0 / np.maximum(variance, 1e-9), 0.0)
-    seen = weight.sum(axis=(1, 2)) > 0.0
+    seen = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
     weight, residual = weight[seen], residual[seen]
     height, width = residual.shape[1:]
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
+    # Backgrounds that slope are no stripes: a plane is taken from each window.
+    plane = np.stack(
+        [np.ones((height, width)), *(np.mgrid[:height, :width] - np.array([[[height]], [[width]]]) / 2.0)]
+    )
+    normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
+    pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
+    residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
     half = width // 2 + 1  # of opposite wave vectors one is enough
     pull, both = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
     total = both[:, :1, :1].real

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from itertools import chain
@@ -422,18 +422,21 @@ class WavefrontTest:
         self._pull = self._pull + score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
         self._bias = np.concatenate([self._bias, score.bias])
 
-    @property
-    def tests(self) -> tuple[ScoreTest, ...]:
-        """Tests of all terms, each by itself."""
-        each = [Candidate(label(term), (k,), _TERM) for k, term in enumerate(_TERMS)]
-        return score_tests(self._square, self._pull, (), each) if len(self._bias) else ()
+    def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
+        """Tests of all terms, each by itself, `beside` some of them."""
+        each = [Candidate(label(term), (k,), _TERM) for k, term in enumerate(_TERMS) if k not in beside]
+        return score_tests(self._square, self._pull, beside, each) if len(self._bias) else ()
 
     @property
     def sizes(self) -> Array:
-        """What all terms are together, radians rms, where one of them is seen; else 0."""
-        if not seen(self.tests):
-            return np.zeros(len(_TERMS))
-        return np.asarray(np.linalg.solve(self._square + np.eye(len(_TERMS)) / _TERM**2, self._pull))
+        """Sizes of the terms that are seen, each beside those that are clearer, radians rms; 0 of the others."""
+        sizes, chosen = np.zeros(len(_TERMS)), list[int]()
+        names = [label(term) for term in _TERMS]
+        while likely := seen(self.tests(chosen)):
+            chosen.append(names.index(likely[0].name))
+        if chosen:
+            sizes[chosen] = np.linalg.solve(self._square[np.ix_(chosen, chosen)], self._pull[chosen])
+        return sizes
 
     @property
     def gain(self) -> float:
@@ -443,7 +446,7 @@ class WavefrontTest:
     @property
     def findings(self) -> list[Finding]:
         """The finding of terms that the images have and the table has not."""
-        likely = seen(self.tests)
+        likely = seen(self.tests())
         if not likely:
             return []
         off = np.sqrt(np.square(self._bias @ self.sizes).mean(axis=0))

@@ -453,7 +453,8 @@ def test_a_search_ends_where_three_starts_agree_on_the_lowest_minimum_though_chi
     high = light + residual * np.sqrt((1.0 + 3.5 * spread) / found.chi2)
     again = lm.retrieve(high, lm.Pupil(), defocus=DEFOCUS, **ASKED)
     assert again.starts == 3
-    assert again.reliable
+    assert again.converged
+    assert "rare_chi2" in again.findings.codes
     assert "noise alone exceeds this chi2 in 0.0" in again.message
     # Beyond what noise explains, starts that agree prove nothing about the images: all are tried, and it is a misfit.
     wrong = light + residual * np.sqrt((1.0 + 9.0 * spread) / found.chi2)

@@ -32,6 +32,8 @@ def _calls(name: str, tree: ast.Module) -> Iterator[tuple[str, set[str]]]:
         for one in ast.walk(node):
             if isinstance(one, ast.Name) and one.id in known:
                 found.add(known[one.id])
+            elif isinstance(one, ast.Constant) and str(one.value).startswith("load "):
+                found.add(".read")  # what lommel.base.display calls by its name
             elif isinstance(one, ast.Call) and isinstance(one.func, ast.Attribute) and one.func.attr == "read":
                 found.add(".read")
             elif isinstance(one, ast.Attribute) and isinstance(one.value, ast.Name):

@@ -468,8 +468,6 @@ class NonuniformFFT(Method[Pupil]):
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         grid.require_one_axis()
         if grid.integrate:
-            from lommel.methods.nonuniform_fft import averaged_apertures
-
             made = averaged_apertures(pupil, grid, self.tol, wanted)
             if made is not None:
                 return made

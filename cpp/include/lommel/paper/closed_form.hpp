@@ -33,7 +33,7 @@ struct PhasePieces {
 
 // x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] from starts[i] to starts[i + 1], the last piece without end; before the
 // first, `terms` terms of the power series.
-struct BesselPieces {
+struct BesselExponentials {
     const double* starts;
     const std::complex<double>* coefficients;  // three per piece
     std::size_t count, terms;
@@ -50,7 +50,7 @@ void chirp_moments(const FresnelForm& form, double a, const double* b, const dou
                    std::complex<double>* out);
 
 // Computes U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR at ascending v: out[pupil * count + i].
-void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselPieces& bessel, const FresnelForm& form,
+void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
 // Computes U at ascending v, out[pupil * n + i], from polynomials in x, from -1 to 1, with `terms` coefficients on each of
@@ -71,7 +71,7 @@ LOMMEL_INLINE double largest_lane(V v) {
 template <class Auxiliary>
 class ClosedFormField {
    public:
-    ClosedFormField(const BesselPieces& bessel, const Auxiliary& auxiliary)
+    ClosedFormField(const BesselExponentials& bessel, const Auxiliary& auxiliary)
         : bessel_(bessel), auxiliary_(auxiliary), series_(bessel.terms, 1.0) {
         for (std::size_t m = 1; m < series_.size(); ++m) {
             series_[m] = series_[m - 1] / static_cast<double>(m * m);
@@ -183,7 +183,7 @@ class ClosedFormField {
         }
     }
 
-    BesselPieces bessel_;
+    BesselExponentials bessel_;
     const Auxiliary& auxiliary_;
     std::vector<double> series_;  // 1 / m!^2
     const Rule<6> few_;
@@ -240,7 +240,7 @@ LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* 
     });
 }
 
-LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselPieces& bessel,
+LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel,
                                     const FresnelForm& form, const double* v, std::size_t count, int threads,
                                     std::complex<double>* out) {
     constexpr std::size_t block = 128;

@@ -85,13 +85,15 @@ struct PixelTaps {
     }
 };
 
-// Lower bound on the largest average of a pixel of pitch `step` in v over the peak of I. f = 2 I - M, M the peak, is of
-// exponential type 2 along a line through it and at most M in modulus, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer): at a
-// distance s <= pi/2 from the peak I >= M cos(s)^2. The pixel around the peak contains a disc whose radius is half its pitch.
+// Lower bound on the largest pixel average over the peak of I, for pixels of pitch `step` in v that may lie anywhere.
+//
+// f = 2 I - M, M the peak, is of exponential type 2 along a line through it and at most M in modulus, so f'^2 + 4 f^2 <= 4 M^2
+// (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2 from the peak I >= M cos(s)^2. The
+// pixel around the peak contains a disk whose radius is half the pitch.
 inline double least_average(double step) {
-    constexpr double quarter = 1.5707963267948966;
-    const double r = std::min(0.5 * step, quarter), sine = std::sin(r);
-    return quarter * (r * r + r * std::sin(2.0 * r) - sine * sine) / (step * step);
+    constexpr double half_pi = 1.5707963267948966;
+    const double r = std::min(0.5 * step, half_pi), sine = std::sin(r);
+    return half_pi * (r * r + r * std::sin(2.0 * r) - sine * sine) / (step * step);
 }
 
 }  // namespace lommel

@@ -84,7 +84,7 @@ def test_a_term_that_the_table_lacks_is_named(term, size, biased, table):
 
 
 def test_changes_by_a_term_are_differences_of_tables(table):
-    changes, h = checks.TermImages(table, None), 1e-3
+    changes, h = checks.ChangeImages(table, None), 1e-3
     places = np.array([7.3, 6.1]), np.array([6.6, 8.2]), np.array([-0.35e-6, 0.41e-6])
     made = changes(*places)
     for k, (n, m) in enumerate(checks._TERMS):

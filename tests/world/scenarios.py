@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
 from typing import Any
 
@@ -64,14 +64,7 @@ def through(transfer: Transfer, blur: Blur, focal: float = FOCAL, pixel: float =
 def seen(blur: Blur, waves: Waves, telescope: Telescope) -> Transfer:
     """Return the transfer function of a telescope and the air above it."""
     if blur and blur[0][0] == "zone":
-        share, rho, theta = telescope.aperture
-        made = np.exp(-(((rho - 0.7) / 0.08) ** 2))
-        # What the terms of a fit could have taken up is left out: these stay as they are.
-        every = np.stack([zernike(j, rho, theta) for j in range(1, 9)], axis=-1)
-        weight = np.sqrt(share)
-        made -= every @ np.linalg.lstsq(weight.ravel()[:, None] * every.reshape(-1, 8), (weight * made).ravel())[0]
-        made *= blur[0][1] / np.sqrt((share * made**2).sum() / share.sum())
-        return through(telescope.transfer(waves, screen=made), blur[1:])
+        return through(telescope.transfer(waves, screen=zones(telescope, blur[0][1], range(1, 9))), blur[1:])
     if blur and blur[0][0] == "screens":
         small = Telescope(telescope.wavelength, telescope.f_number, telescope.obscuration, side=64)
         ratio = FOCAL / 8.0 / (air.WIDTH * 600e-9 / (blur[0][1] * air.ARCSECOND))
@@ -79,6 +72,17 @@ def seen(blur: Blur, waves: Waves, telescope: Telescope) -> Transfer:
         each = [small.transfer(waves, screen=screen) for screen in phases]
         return Transfer(np.mean([one.values for one in each], axis=0), each[0].frequency)
     return through(telescope.transfer(waves), blur)
+
+
+@cache
+def zones(telescope: Telescope, size: float, terms: Iterable[int], rings: float = 0.0) -> np.ndarray:
+    """Return phases of a zone, or of so many rings to the edge, radians rms, without what terms of a fit take up."""
+    share, rho, theta = telescope.aperture
+    made = np.cos(2 * np.pi * rings * rho + 1.0) if rings else np.exp(-(((rho - 0.7) / 0.08) ** 2))
+    every = np.stack([zernike(j, rho, theta) for j in terms], axis=-1)
+    weight, flat = np.sqrt(share), every.reshape(-1, every.shape[-1])
+    made -= every @ np.linalg.lstsq(weight.ravel()[:, None] * flat, (weight * made).ravel())[0]
+    return np.asarray(made * size / np.sqrt((share * made**2).sum() / share.sum()))
 
 
 @cache
@@ -195,7 +199,8 @@ def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callab
 # One star, pixels of half a lambda N.
 def star(
     seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0, missing: Waves = (), slope: float = 0.0,
-    sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, recorder: Camera = STARS, **another: float,
+    sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, ringed: float = 0.0, recorder: Camera = STARS,
+    **another: float,
 ) -> Trial:  # fmt: skip
     """Retrieve six terms from images of a star at known defoci, each seed with another wavefront.
 
@@ -205,8 +210,9 @@ def star(
     draw, names = np.random.default_rng(seed), (4, 5, 6, 7, 8, 11)
     waves = tuple(zip(names, (draw.normal(size=6) * 0.25).tolist(), strict=True))
     telescope, mean = Telescope(**another), []
+    screen = zones(telescope, ringed, (1, 2, 3, *names), 2.5) if ringed else 0.0
     for known in defocus:
-        transfer = telescope.transfer((*waves, *missing), defocus=2 * known * longer)
+        transfer = telescope.transfer((*waves, *missing), defocus=2 * known * longer, screen=screen)
         if fwhm:
             transfer = transfer.times(air.kolmogorov(transfer.radius, fwhm))
         transfer = transfer.times(air.gaussian(transfer.radius, sigma))
@@ -286,9 +292,9 @@ def table(sign: float, shift: float) -> lm.localize.Table:
 
 
 @cache
-def movie_light(photons: float, dense: bool, waves: Waves) -> tuple[np.ndarray, np.ndarray]:
+def movie_light(photons: float, dense: bool, waves: Waves, stage: float) -> tuple[np.ndarray, np.ndarray]:
     """Return 25 frames of 64 x 64 without background, and frame, row, column, depth, photons of each molecule."""
-    draw, focus = np.random.default_rng(33), OIL.brightest(1e-6)
+    draw, focus = np.random.default_rng(33), OIL.brightest(1e-6) + stage
     frames, rows = np.zeros((25, 64, 64)), []
     for frame in range(25):
         for k in range(4):
@@ -304,10 +310,11 @@ def movie_light(photons: float, dense: bool, waves: Waves) -> tuple[np.ndarray, 
 
 def movie(
     seed: int, *, photons: float = 1500.0, dense: bool = False, slope: float = 0.0, sign: float = 1.0,
-    shift: float = 0.0, waves: Waves = ASTIGMATIC, recorder: Camera = SCMOS, noise: lm.Noise | None = None,
+    shift: float = 0.0, stage: float = 0.0, waves: Waves = ASTIGMATIC, recorder: Camera = SCMOS,
+    noise: lm.Noise | None = None,
 ) -> Trial:  # fmt: skip
     """Localise the molecules of a movie on 15 electrons, or a background that slopes along columns."""
-    light, truth = movie_light(photons, dense, waves)
+    light, truth = movie_light(photons, dense, waves, stage)
     frames = recorder.record(light + 15.0 + slope * (np.arange(64) - 31.5), seed)
     known = noise or lm.Noise(white=0.46, read=1.6, offset=100.0)
     images = table(sign, shift)
@@ -544,7 +551,8 @@ def _retrievals() -> list[Scenario]:
     told["aperture squeezed by 2 %"] = {"squeezed": 0.02}
     told["light that falls by a tenth from edge to edge"] = {"slanted": 0.026}
     told["2 % of the charge late"] = {"trail": 0.02}
-    for row, (name, more) in zip("bcdefghi", told.items(), strict=True):
+    told["rings of a mirror, 0.05 rad"] = {"ringed": 0.05}
+    for row, (name, more) in zip("bcdefghil", told.items(), strict=True):
         add(f"24{row}", f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
     for row, name, more in (
         ("24j", "pick-up of 1.5 e", {"stripes": 1.5}),
@@ -600,6 +608,7 @@ def _movies() -> list[Scenario]:
     for row, name, j, size in (("37d", "coma", 8, 0.3), ("37e", "coma", 8, 0.1), ("37f", "spherical", 11, 0.3)):
         run = partial(movie, waves=_with(ASTIGMATIC, **{f"_{j}": size}))
         add(row, f"{name} of {size:g} rad not in the table", run, "RT", OTHER)
+    add("37g", "stage 50 nm from where it was stated", partial(movie, stage=50e-9), "N", ("untested",))
     add("37c", "the same, 60 e over 64 px", partial(movie, shift=1e-6, slope=0.94), "T", wrong)
     return made
 

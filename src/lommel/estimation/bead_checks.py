@@ -42,6 +42,8 @@ _TERM = 0.1  # radians rms: the size that a missing term may have
 _AMPLITUDE = "apodization_2"  # of the terms of the amplitude that are not estimated
 _TRIED, _LIKELY = 4, 0.4  # candidates that are solved for, and the least of ln of the Bayes factor over the largest
 _WIDER = 3.0  # times its standard deviation, that a constant with a prior may be off
+_CONTRADICTED = 3.5  # standard deviations of both, by which the beads contradict a prior
+_NEVER = "wavelength", "dye that does not radiate alike in all directions"  # which look like other constants
 _NEIGHBOR = 0.3  # of the light of a bead, that one beside it may have
 _BESIDE = 2.0  # Rayleigh distances: a nearer one is another shape of the bead
 _JUMP = 4.0  # times the median of the planes, that a plane that moved is off
@@ -118,7 +120,7 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     errors = {test.name: float(test.errors.max()) for test in tests}
     priors = [one.name for one in candidates if 0.0 < one.known < errors.get(one.name, math.inf)]
     sizes = {one.name: f"{_size(one.name, one.scale)} of it" for one in held}
-    notes = untested_findings(unseen, sizes, priors, ["wavelength"])
+    notes = untested_findings(unseen, sizes, priors, _NEVER)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
@@ -165,7 +167,10 @@ def missing_findings(
     """
     likely = seen(tests)
     if not likely:
-        return [], None
+        # Of few constants with priors the chance of these is small, though all candidates together may be as likely.
+        against = [test for test in tests if test.name in joint.priors and abs(test.sigmas) > _CONTRADICTED]
+        words = [f"{_in_words(test, joint, stated, None)}, against its prior" for test in against]
+        return [other_explanation(against, words)] if against else [], None
     least = min(_LIKELY * tests[0].log_bayes, likely[-1].log_bayes)
     likely = tuple(test for test in tests[:_TRIED] if test.log_bayes >= least)
     ends = [_refit_with_free(joint, found, test.name, stated) for test in likely]

@@ -13,7 +13,7 @@ from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT, changes_of
 from lommel.estimation.star_checks import BLURS, Lacking
-from lommel.estimation.star_images import Unknowns, label, next_terms
+from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
@@ -74,7 +74,9 @@ def missing_tests(
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
     waves, fit = stars.one.unknowns, (matrix, estimated)
     means = [j * m for j in range(k)]
-    untested = star_checks.untested_constants(stars.lens, stars.known, missing, tests, fit, waves, means)
+    # Stars whose light is not that of the middle of a wide filter have another wavelength, and images in colours.
+    spectrum = ("spectrum of the stars within the filter",) if stars.widths and stars.lens.wavelength else ()
+    untested = star_checks.untested_constants(stars.lens, stars.known, missing, tests, fit, waves, means, spectrum)
     return tests, marginal, untested
 
 
@@ -97,13 +99,15 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
 def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     """Return candidates of effects that the model of the stars lacks, polynomials of higher degrees aside."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
-    terms = next_terms(stars.one.unknowns.edge, ())
+    terms, fine = next_terms(stars.one.unknowns.edge, ()), ripple_terms(stars.one.unknowns.edge)
     constants = star_checks.lacking_constants(stars.one.pupil, stars.known, ())
-    every = *terms, *constants
+    every = *terms, *constants, *fine
     made = stars.having(further=every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     image, *by = [flux * each for each in made]
-    found = [*star_checks.lacking_phases(terms, constants, by[: len(every)], stars.one.pupil, stars.known)]
+    coarse = len(every) - len(fine)
+    found = [*star_checks.lacking_phases(terms, constants, by[:coarse], stars.one.pupil, stars.known)]
+    found += star_checks.lacking_ripples(fine, by[coarse : len(every)])
     changes = changes_of(stars.lens)
     blurred = by[len(every) + sum(changes.values()) :]
     found += star_checks.lacking_uneven_light(changes, by[len(every) : len(by) - len(blurred)])

@@ -323,19 +323,19 @@ def retrieve(
     answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
 
     What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders (spherical ones up to four), blur, backgrounds that slope, a gain that is not linear, another
-    f-number, obscuration or amplitude at the edge of the pupil, light that is uneven across it (a slope, two to four
-    folds), an obscuration off the middle, an edge that is not round, scales along x and y that differ, charge that
-    arrives late, terms that change from image to image, defoci longer by a share, of three images and more another
-    defocus of each. Of these, slopes of the background, uneven light (2 % of the amplitude at the edge, 1 % in
-    folds), obscurations off the middle by 0.01 radii, semi-axes of the edge longer and shorter by 0.5 %, scales by
-    0.3 %, 0.25 % of the charge, f-numbers by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one
-    standard deviation each, are marginalized: `coefficients` and their errors allow for them; `model` is without.
-    What the images favour within chance (Bayes factors above 1) is marginalized over all the size that its test
-    allows; beyond chance it is named, and the answer is in doubt ("other_explanation"), as it is where residuals have
-    stripes, or rows or columns offsets, that noise leaves in one of 1000 fits ("pattern"). The known defocus of one
-    focus, and an f-number that blur hides, are named with what they change ("untested"). A wrong sign of all known
-    defoci negates the even terms, and nothing tells it.
+    to two radial orders (spherical ones up to four), zones and ripples finer than these, blur, backgrounds that
+    slope, a gain that is not linear, another f-number, obscuration or amplitude at the edge of the pupil, light that
+    is uneven across it (a slope, two to four folds), an obscuration off the middle, an edge that is not round, scales
+    along x and y that differ, charge that arrives late, terms that change from image to image, defoci longer by a
+    share, of three images and more another defocus of each. Of these, slopes of the background, uneven light (2 % of
+    the amplitude at the edge, 1 % in folds), obscurations off the middle by 0.01 radii, semi-axes of the edge longer
+    and shorter by 0.5 %, scales by 0.3 %, 0.25 % of the charge, zones and ripples of 0.02 radians rms each, f-numbers
+    by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each, are marginalized:
+    `coefficients` and their errors allow for them; `model` is without. What the images favour within chance (Bayes
+    factors above 1) is marginalized over all the size that its test allows; beyond chance it is named, and the answer
+    is in doubt ("other_explanation"), as it is where residuals have stripes, or rows or columns offsets, that noise
+    leaves in one of 1000 fits ("pattern"). The known defocus of one focus, and an f-number that blur hides, are named
+    with what they change ("untested"). A wrong sign of all known defoci negates the even terms, and nothing tells it.
 
     Examples
     --------

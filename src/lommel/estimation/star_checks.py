@@ -15,7 +15,16 @@ from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
-from lommel.estimation.star_images import StarImages, Unknowns, changes, label, next_terms, slants, uncertainty
+from lommel.estimation.star_images import (
+    StarImages,
+    Unknowns,
+    changes,
+    label,
+    next_terms,
+    ripple_terms,
+    slants,
+    uncertainty,
+)
 from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import (
@@ -43,6 +52,7 @@ _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relativ
 # Amplitude at the edge; radii; share of the scale.
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
+_RIPPLES, _POLISHED = 0.1, 0.2  # radians rms of all ripples together; the share of these that is there unseen
 _KNOWN, _KEPT = 0.5, 0.25  # of sizes, to which constants are known at least, and within which charge is where it was
 _ONE = 0.01  # share of a stated number, of which the effect is said
 _CHANGED = 0.03  # radians rms, by which a term may change from the middle image to the last
@@ -63,6 +73,7 @@ _TRAILS = {
     name: f"charge that arrives late in {name}"
     for name in ("higher rows", "lower rows", "higher columns", "lower columns")
 }
+_ZONES, _FINE = "zones of the wavefront", "ripples of the wavefront"
 NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
 """What no fit estimates, and moves its answers unseen."""
 _GAIN = "non-linear gain"
@@ -76,6 +87,8 @@ _WORDS = {
     _HALO: ("a halo of the blur: share of light that is blurred four times as far", ""),
     _UNEVEN: ("blur that varies over the field: variance per half of it, columns and rows", " pixels^2"),
     GRADIENT: ("backgrounds that slope", ""),
+    _ZONES: ("zones of the wavefront, as of polishing in rings", ""),
+    _FINE: ("ripples of the wavefront, finer than the terms that are tested", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
     SLANT: ("light that slopes across the pupil: by exp(-a y - b x), a, b", ""),
     SHIFT: ("an obscuration off the middle by (rows, columns)", " radii"),
@@ -128,6 +141,15 @@ def lacking_phases(
         if 2 < len(known) <= _MOST_FOCI:  # of two, either is what the other is
             for k, one in enumerate(_alone(len(known), slope)):
                 yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
+
+
+def lacking_ripples(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[Lacking]:
+    """Yield zones and other ripples of the wavefront, of derivatives of electrons by radians at the edge."""
+    for name, round_ in ((_ZONES, True), (_FINE, False)):
+        each = zip(terms, slopes, strict=True)
+        images = tuple(slope * zernike.rms_factor(*term) for term, slope in each if (term[1] == 0) == round_)
+        if images:
+            yield Lacking(name, _RIPPLES / len(images) ** 0.5, images)
 
 
 def lacking_changes(terms: Sequence[Term], slopes: Iterable[Array], exposures: int) -> Iterator[Lacking]:
@@ -216,7 +238,11 @@ def unseen(
     has a part of it.
     """
     parts = dict.fromkeys((*NUISANCES, *others), 1.0)
-    parts |= dict.fromkeys(_CONSTANTS, _KNOWN) | dict.fromkeys(_TRAILS.values(), _KEPT)
+    parts |= (
+        dict.fromkeys(_CONSTANTS, _KNOWN)
+        | dict.fromkeys((_ZONES, _FINE), _POLISHED)
+        | dict.fromkeys(_TRAILS.values(), _KEPT)
+    )
     parts |= dict.fromkeys(favoured(tests), 1.0)
     return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
 
@@ -229,10 +255,12 @@ def untested_constants(
     fit: tuple[Array, Sequence[int]],
     waves: Unknowns,
     places: Sequence[int],
+    never: Sequence[str] = (),
 ) -> list[Finding]:
     """Return the finding of stated numbers that the images do not test.
 
-    `fit` has the information and the columns that are estimated, `places` those of the terms of `waves` among them.
+    `fit` has the information and the columns that are estimated, `places` those of the terms of `waves` among them;
+    `never` is what no image tests.
     """
     names = [label(name) for name in waves.terms]
     scale = _ONE * float(pupil.f_number or 1.0)
@@ -244,7 +272,7 @@ def untested_constants(
         j = int(shares.argmax())
         by = _ONE * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
         found["known defocus"] = names[j], float(by)
-    return untested_findings(found, dict.fromkeys(found, f"{_ONE:.0%} of it"))
+    return untested_findings(found, dict.fromkeys(found, f"{_ONE:.0%} of it"), never=never)
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
@@ -273,11 +301,13 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     light = model.per_image(x)[0]
     flux = light[-2][:, None, None]
     known = model.base[:, 0] - model.fixed[0]
-    terms = next_terms(unknowns.edge, ())
+    terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
     constants = lacking_constants(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
-    _, further = model.images(x, fast=True, by=(*terms, *constants))
-    lacking = [*lacking_phases(terms, constants, [flux * slope.values for slope in further], pupil, known)]
+    _, further = model.images(x, fast=True, by=(*terms, *constants, *ripples))
+    by = [flux * slope.values for slope in further]
+    lacking = [*lacking_phases(terms, constants, by[: len(by) - len(ripples)], pupil, known)]
+    lacking += lacking_ripples(ripples, by[len(by) - len(ripples) :])
     lacking += lacking_changes(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:

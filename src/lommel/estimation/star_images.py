@@ -37,6 +37,7 @@ _NODES = 256  # degree of a rule whose nodes fill the aperture
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
 _LEAST = 0.05  # electrons squared: the smallest variance of reading
 _ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
+_RIPPLE_ORDERS, _ZONES = 4, 20  # radial orders of ripples, and the last one of zones
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -114,6 +115,16 @@ def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ..
     orders = range(2, last + _ORDERS + 1)
     every = ((n, m) for n in orders for m in range(-n, n + 1, 2) if n <= last or m == 0)
     return tuple(term for term in every if term not in solved and term not in others)
+
+
+def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
+    """Return the terms of radial orders beyond :func:`next_terms`: ripples of polishing, and zones of a mirror."""
+    if not solved:
+        return ()
+    last = max(n for n, _ in solved) + _ORDERS
+    fine = ((n, m) for n in range(last + 1, last + 1 + _RIPPLE_ORDERS) for m in range(-n, n + 1, 2))
+    zones = ((n, 0) for n in range(2, _ZONES + 1, 2) if n > last + _ORDERS)
+    return tuple(dict.fromkeys(term for term in (*fine, *zones) if term[1] or term[0] > last + _ORDERS))
 
 
 def label(name: Name) -> str:

@@ -188,6 +188,8 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     parts = 2.0 * (total * np.abs(pull) ** 2 - (pull**2 * twice.conj()).real) / np.where(real, 1.0, spread)
     squares = np.where(real, np.abs(pull) ** 2 / total, parts).sum(axis=0)
     freedom = np.where(real, 1.0, 2.0).sum(axis=0)
+    # Where the noise is larger than stated, all wave vectors have more.
+    squares /= max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
     alone = special.gammaincc(0.5 * freedom, 0.5 * squares)
     alone[:2, :2] = alone[-1, :2] = 1.0  # as wide as the window are backgrounds and their slopes
     i, j = np.unravel_index(int(alone.argmin()), alone.shape)
@@ -210,5 +212,5 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         numbers |= {"period": period, "angle": angle}
         way = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
         text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {way}"
-    text = f"the residuals have a pattern: {text}, as of pick-up, readout or fringes: subtract it before the fit"
+    text = f"the residuals have a pattern: {text}, as of pick-up, readout, fringes, or light that is not in the model"
     return [Finding("pattern", "doubt", text, numbers)]

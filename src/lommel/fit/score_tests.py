@@ -175,7 +175,7 @@ def untested_findings(
     """
     each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
     if priors:
-        each.append(f"{', '.join(priors)} ({'as their priors say' if len(priors) > 1 else 'as its prior says'})")
+        each.append(f"{', '.join(priors)} ({'known by their priors' if len(priors) > 1 else 'known by its prior'})")
     numbers: dict[str, dict[str, float]] = {name: {term: by} for name, (term, by) in changes.items()}
     numbers |= {name: {} for name in (*priors, *never)}
     text = f"not tested: {', '.join((*each, *never))}"

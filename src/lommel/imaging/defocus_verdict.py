@@ -144,6 +144,8 @@ class DefocusVerdict(FitReport):
             "a shift of all foci or of one",
             "other blur of one image, as of motion",
             "colours that focus elsewhere",
+            "aberrations that the lenses do not state, such as spherical",
+            "light that one image has more of, as of glare or vignetting",
         ]
         off = min(abs(each - 1.0) / math.hypot(scale_error, stated) for each in (scale, *others))
         of = f"{scale:.2f} +- {scale_error:.2f}"

@@ -126,7 +126,7 @@ class PoissonCounts:
         """Return what is wrong with a stack, of which a method stopped after so many steps."""
         numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
-            parts = "wavelength, depth, direction of z, steps of z, pixels"
+            parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
             return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
         if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
             text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"

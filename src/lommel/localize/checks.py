@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import partial
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -42,13 +42,23 @@ _BY_CHANCE, _CROWDED = 0.01, 0.05  # shares of molecules
 _MANY = 0.1  # of the spots
 _LEAST_TRIED = 10  # molecules, of which the spread is known
 _DEEPER = 0.4e-6  # by which depths in focus are moved
-# Terms that an image may show, the radians rms that they may have, and how many molecules are looked at for them.
-_TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) not in ((2, 0), (3, 0))), (6, 0))
+# What the images may show beside the table: Zernike terms, of so many radians rms, and constants that are off by so
+# much; and how many molecules are looked at for them.
+_TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
 _TERM, _LOOKED = 0.1, 300
+_CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
+_UNITS = {"depth": " m", "wavelength": " of it"}
+_STEP, _STATED = 0.25, 0.5  # of these sizes: steps of differences, and errors of what is stated that are spoken of
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
 _TURN, _PARTS = 0.5, 3  # radians between planes of these images, and parts of a pixel
 _BETTER = 1.5  # times the gain of other tables, from which on terms alone are named
 _BIASED = 0.5  # standard errors, rms, by which estimates are off, from which on they are in doubt
+# What no image of a molecule tells, or that of no single one.
+_UNTESTED = (
+    "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
+    "molecules that do not turn freely, or move while they shine",
+    "drift of the focus",
+)
 _LIKELIER = 10.0  # log-likelihood, by which one of two wavefronts must be the likelier to be spoken of
 
 
@@ -67,7 +77,7 @@ class Checks:
         self._rivals = {} if recording.along == "none" else rivals(table, again.keywords["threads"])
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
         self._tried = 0
-        self._wavefront = WavefrontTest(table, again.keywords["threads"])
+        self._changes = TableTest(table, again.keywords["threads"])
         pupil, pixel = table.pupil, recording.pixel
         if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _FINE > pixel:
             text = (
@@ -102,15 +112,15 @@ class Checks:
 
         Returns the standard deviations of the slope, 0 where it was fitted.
         """
-        if fitted and self._wavefront.done:
+        if fitted and self._changes.done:
             return 0.0
-        score = scored(spots, found, self._table, self._noise, self._wavefront.images)
+        score = scored(spots, found, self._table, self._noise, self._changes.images)
         if score is None:
             return 0.0
-        self._wavefront.add(score)
+        self._changes.add(score)
         if fitted:
             return 0.0
-        score = score.beside(self._wavefront.sizes)
+        score = score.beside(self._changes.sizes)
         if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
             residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
@@ -176,11 +186,11 @@ class Checks:
     @property
     def findings(self) -> Findings:
         """What was found so far."""
-        waves, tables = self._wavefront, self._of_rivals()
+        changes, tables = self._changes, self._of_rivals()
         gains = (math.fsum(each) / max(len(each), 1) for each in self._gains.values())
-        if waves.gain > _BETTER * max(gains, default=0.0):
-            tables = iter(())  # which look like what the wavefront lacks
-        each = self._excess, tables, waves.findings, self._of_fits(), self._once.values(), self._of_spots()
+        if changes.gain > _BETTER * max(gains, default=0.0):
+            tables = iter(())  # which look like these changes
+        each = self._excess, tables, changes.findings, self._of_fits(), self._once.values(), self._of_spots()
         return Findings(chain(*each))
 
     def _of_rivals(self) -> Iterator[Finding]:
@@ -242,11 +252,13 @@ class Checks:
             numbers = {"doubtful": sums["doubtful"], "molecules": n}
             yield Finding("crowded", "doubt" if share > _CROWDED else "note", text, numbers)
         if self._recording.along != "none":
-            text = (
-                "not tested: light that is uneven across the pupil, or clipped on one side of it, which moves "
-                "molecules sideways in proportion to z: beads at several foci show it"
-            )
-            yield Finding("untested", "note", text)
+            untested = self._changes.untested
+            stated = [
+                f"{name} ({_shown(name, size)} changes {what} by {by:.2g} standard errors)"
+                for name, (size, what, by) in untested.items()
+            ]
+            sizes: Json = {name: {"error": size, what: by} for name, (size, what, by) in untested.items()}
+            yield Finding("untested", "note", f"not tested: {', '.join((*stated, *_UNTESTED))}", sizes)
 
     def _of_spots(self) -> Iterator[Finding]:
         sums = self._sums
@@ -279,8 +291,32 @@ class Checks:
         return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
 
 
-class TermImages:
-    """Changes of the images of a table by the Zernike terms of `_TERMS`, over radians rms, anywhere in its range."""
+def _shown(name: str, size: float) -> str:
+    """Return the size of an error of a constant in words."""
+    if name == "depth":
+        return format_length(size, digits=2)
+    return f"{100.0 * size:.2g} % of it" if name == "wavelength" else f"{size:.2g} of it"
+
+
+def _changed(pupil: ObjectivePupil, along: str, name: str, by: float) -> ObjectivePupil:
+    """Return planes of a pupil with another constant; a depth along the stage, along the depth what is in focus."""
+    if name == "wavelength":
+        return pupil.in_light(pupil.wavelength * (1.0 + by))
+    if name == "depth":
+        return replace(pupil, focus=pupil.focus + by) if along == "depth" else replace(pupil, depth=pupil.depth + by)
+    return replace(pupil, layers=replace(pupil.layers, **{name: getattr(pupil.layers, name) + by}))
+
+
+class ChangeImages:
+    """Changes of the images of a table by Zernike terms, radians rms, and by constants, anywhere in its range.
+
+    Attributes
+    ----------
+    names : list of str
+        Labels of the terms, and names of the constants.
+    scales : ndarray
+        The size that each may have.
+    """
 
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, waves = table, Waves(table.pupil, table.along)
@@ -288,18 +324,31 @@ class TermImages:
         planes = max(4, math.ceil((high - low) * waves.rate / _TURN) + 1)
         self._per_plane = (planes - 1) / (high - low)
         height, width = (_PARTS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
-        shape = height, width
-        self._middle = [side // 2 for side in shape]
-        made = psf(
-            waves.at(np.linspace(low, high, planes)), shape, table.pixel / _PARTS, tol=1e-2, integrate=True,
-            derivatives=_TERMS, threads=threads,
-        )  # fmt: skip
-        whole = (_PARTS**2 * ndimage.uniform_filter(made.derivatives[term], (0, _PARTS, _PARTS)) for term in _TERMS)
-        rms = (zernike.rms_factor(*term) for term in _TERMS)
-        self._splines = [ndimage.spline_filter(each * factor) for each, factor in zip(whole, rms, strict=True)]
+        self._middle = height // 2, width // 2
+        image = partial(
+            psf, shape=(height, width), pixel=table.pixel / _PARTS, tol=1e-3, integrate=True, threads=threads
+        )
+        pupil = waves.at(np.linspace(low, high, planes))
+        slopes = image(pupil, derivatives=_TERMS).derivatives
+        changes = [slopes[term] * zernike.rms_factor(*term) for term in _TERMS]
+        layers, self.names, scales = pupil.layers, [label(term) for term in _TERMS], [_TERM] * len(_TERMS)
+        for name, size in _CONSTANTS.items():
+            step = _STEP * size
+            if name == "immersion" and layers.immersion == 1.0:
+                continue
+            if name in ("immersion", "NA") and layers.NA + 2.0 * step >= layers.immersion:
+                continue  # no such microscope
+            shallow = float(pupil.depth.min()) < step and name == "depth" and table.along != "depth"
+            ends = [image(_changed(pupil, table.along, name, by)).values for by in (step, 0.0 if shallow else -step)]
+            changes.append((ends[0] - ends[1]) / (step if shallow else 2.0 * step))
+            self.names.append(name)
+            scales.append(size)
+        self.scales = np.array(scales)
+        whole = (_PARTS**2 * ndimage.uniform_filter(each, (0, _PARTS, _PARTS)) for each in changes)
+        self._splines = [ndimage.spline_filter(each) for each in whole]
 
     def __call__(self, row: Array, column: Array, z: Array) -> Array:
-        """Return the images of molecules at places in their boxes, as of the table, (n, terms, height, width)."""
+        """Return the changes of molecules at places in their boxes, as of the table, (n, changes, height, width)."""
         height, width = self._table.shape
         at = np.empty((3, len(row), height, width))
         at[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
@@ -350,7 +399,7 @@ class Score(NamedTuple):
 
 
 def scored(
-    spots: Spots, found: Molecules, table: Table, camera: Noise, by_terms: TermImages | None = None
+    spots: Spots, found: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
 ) -> Score | None:
     """Return score tests of slopes of the background, and of terms, in the boxes of fits, all unknowns eliminated."""
     height, width = table.shape
@@ -370,8 +419,8 @@ def scored(
     own = [slopes["row"], slopes["column"], slopes[z] * _MICRON, values, np.ones_like(values)]
     columns = np.stack([*own, *(np.broadcast_to(one, values.shape) for one in ramps)], axis=1, dtype=float)
     columns[:, :3] *= photons[:, None]
-    if by_terms is not None:
-        columns = np.concatenate([columns, photons[:, None] * by_terms(*places)], axis=1)
+    if changes is not None:
+        columns = np.concatenate([columns, photons[:, None] * changes(*places)], axis=1)
     mean = np.maximum(photons * values + level, 0.01)
     weight = np.where(np.isfinite(light), 1.0 / (mean + read), 0.0)
     score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
@@ -390,73 +439,101 @@ def scored(
     return Score(slope, left, bias, found.row[kept], found.column[kept], residual, mean, read)
 
 
-class WavefrontTest:
-    """Score tests of the terms of `_TERMS`, of the first molecules together, whose backgrounds may slope."""
+class TableTest:
+    """Score tests of what the images of the first molecules, whose backgrounds may slope, have beside a table."""
 
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, self._threads = table, threads
-        self._square, self._pull = np.zeros((len(_TERMS), len(_TERMS))), np.zeros(len(_TERMS))
-        self._bias = np.zeros((0, len(_BIASES), len(_TERMS)))
+        self._square, self._pull, self._bias = np.zeros((0, 0)), np.zeros(0), np.zeros((0, len(_BIASES), 0))
 
     @property
     def done(self) -> bool:
         """Whether enough molecules were looked at."""
         return len(self._bias) >= _LOOKED
 
-    @cached_property
-    def _images(self) -> TermImages:
-        return TermImages(self._table, self._threads)
+    @property
+    def _images(self) -> ChangeImages:
+        kept = vars(self._table)
+        if "_changes" not in kept:
+            kept["_changes"] = ChangeImages(self._table, self._threads)
+        made: ChangeImages = kept["_changes"]
+        return made
 
     @property
-    def images(self) -> TermImages | None:
-        """Images by terms; None where nothing was seen of them, and no more is looked for."""
+    def images(self) -> ChangeImages | None:
+        """Images of the changes; None where nothing was seen of them, and no more is looked for."""
         return None if self.done and not self.sizes.any() else self._images
 
     def add(self, score: Score) -> None:
         """Add the molecules of a block."""
-        if self.done or score.bias.shape[-1] == 0:
+        if self.done:
             return
         ramps, mixed = score.information[:, :2, :2], score.information[:, :2, 2:]
         taken = np.linalg.solve(ramps, mixed)
-        self._square = self._square + (score.information[:, 2:, 2:] - mixed.swapaxes(1, 2) @ taken).sum(axis=0)
-        self._pull = self._pull + score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
-        self._bias = np.concatenate([self._bias, score.bias])
+        square = (score.information[:, 2:, 2:] - mixed.swapaxes(1, 2) @ taken).sum(axis=0)
+        pull = score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
+        if len(self._bias):
+            square, pull = square + self._square, pull + self._pull
+            self._bias = np.concatenate([self._bias, score.bias])
+        else:
+            self._bias = score.bias
+        self._square, self._pull = square, pull
 
     def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
-        """Tests of all terms, each by itself, `beside` some of them."""
-        each = [Candidate(label(term), (k,), _TERM) for k, term in enumerate(_TERMS) if k not in beside]
-        return score_tests(self._square, self._pull, beside, each) if len(self._bias) else ()
+        """Tests of all changes, each by itself, `beside` some of them."""
+        if not len(self._bias):
+            return ()
+        names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
+        each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in beside]
+        return score_tests(self._square, self._pull, beside, each)
 
     @property
     def sizes(self) -> Array:
-        """Sizes of the terms that are seen, each beside those that are clearer, radians rms; 0 of the others."""
-        sizes, chosen = np.zeros(len(_TERMS)), list[int]()
-        names = [label(term) for term in _TERMS]
+        """Sizes of the changes that are seen, each beside those that are clearer; 0 of the others."""
+        sizes, chosen = np.zeros(len(self._pull)), list[int]()
         while likely := seen(self.tests(chosen)):
-            chosen.append(names.index(likely[0].name))
+            chosen.append(self._images.names.index(likely[0].name))
         if chosen:
             sizes[chosen] = np.linalg.solve(self._square[np.ix_(chosen, chosen)], self._pull[chosen])
         return sizes
 
     @property
     def gain(self) -> float:
-        """By how much a molecule is likelier with these terms, at first order."""
+        """By how much a molecule is likelier with these changes, at first order."""
         return 0.5 * float(self.sizes @ self._pull) / max(len(self._bias), 1)
 
     @property
     def findings(self) -> list[Finding]:
-        """The finding of terms that the images have and the table has not."""
+        """The finding of changes that the images have and the table has not."""
         likely = seen(self.tests())
         if not likely:
             return []
         off = np.sqrt(np.square(self._bias @ self.sizes).mean(axis=0))
-        words = [f"{test.name} = {' +- '.join(with_error(test.size[0], test.errors[0]))} rad" for test in likely]
-        found = other_explanation(likely, [f"{words[0]} beside the wavefront of the table", *words[1:]])
+        words = [
+            f"{test.name} {'off by' if test.name in _CONSTANTS else '='} "
+            f"{' +- '.join(with_error(test.size[0], test.errors[0]))}{_UNITS.get(test.name, '')}"
+            + ("" if test.name in _CONSTANTS else " rad")
+            for test in likely
+        ]
+        found = other_explanation(likely, [f"{words[0]} beside what the table states", *words[1:]])
         worst = _BIASES[int(off.argmax())]
-        text = f"{found.text}: {worst} is off by {off.max():.2g} standard errors rms: fit the wavefront to beads"
+        text = f"{found.text}: this moves {worst} by {off.max():.2g} standard errors rms; fit the pupil to beads"
         numbers = {**found.numbers, "bias": dict(zip(_BIASES, off.tolist(), strict=True))}
         severity: Severity = "doubt" if off.max() >= _BIASED else "note"
         return [Finding(found.code, severity, text, numbers)]
+
+    @property
+    def untested(self) -> dict[str, tuple[float, str, float]]:
+        """Errors of constants that the molecules do not exclude; what these change, by how many standard errors."""
+        errors, found = {test.name: float(test.errors[0]) for test in self.tests()}, {}
+        for name, size in _CONSTANTS.items():
+            if not len(self._bias) or name not in self._images.names:
+                continue
+            left = min(2.0 * errors.get(name, np.inf), _STATED * size)  # what the molecules do not exclude
+            off = left * np.sqrt(np.square(self._bias[:, :, self._images.names.index(name)]).mean(axis=0))
+            if off.max() > _BIASED:
+                found[name] = left, _BIASES[int(off.argmax())], float(off.max())
+        return found
 
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import lommel as lm
 import plane_waves
-from lommel.estimation.bead_checks import possible
+from lommel.estimation.bead_checks import _NEVER, missing_findings, possible
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed
+from lommel.estimation.bead_search import Prior
+from lommel.fit.score_tests import ScoreTest
 from lommel.special import zernike
 from objectives import OIL, oil
 
@@ -238,7 +241,7 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
 def test_what_is_held_and_not_tested_is_named():
     found = lm.fit_beads(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
     told = found.findings.get("untested")
-    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", "wavelength"])
+    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", *_NEVER])
     assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
     bright = [
         lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
@@ -252,7 +255,7 @@ def test_unknowns_that_are_as_their_priors_say_are_named():
     images, _ = recorded(3, waves(3, 0.1), changed(OIL, "sample", 1.345), light=3e3)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
     told = found.findings.get("untested")
-    assert told.text.endswith("sample, depth (as their priors say), wavelength")
+    assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER)}")
     assert told.numbers["sample"] == {}
 
 
@@ -526,3 +529,20 @@ def test_a_bead_beside_is_named():
     assert not found.reliable
     first = next(iter(found.findings.get("other_explanation").numbers))
     assert first.startswith("a neighbor of bead 0 by 0 rows and 10 columns"), found.message
+
+
+def test_a_prior_that_the_beads_contradict_is_named():
+    """Though all candidates together may be as likely by chance, the few that have priors are not."""
+    setup = Setup(OIL, WAVE, lm.Dipole(0.0, 0.0, wobble=1.0), PIXEL, 0.1e-6)
+    joint = SimpleNamespace(priors={"sample": Prior(OIL.sample, 3e-3)}, depths=())
+
+    def found(sigmas):
+        size = np.array([sigmas * 3.2e-3])
+        test = ScoreTest("sample", size, np.array([1e-3]), sigmas, 2.0)
+        held = ScoreTest("NA", size, np.array([1e-3]), 4.0, 2.0)
+        return missing_findings(joint, None, (held, test), setup)[0]
+
+    assert found(3.4) == []
+    (told,) = found(-3.6)
+    assert (told.code, told.severity) == ("other_explanation", "doubt")
+    assert re.search(r"the data favour sample = 1\.\d+ \+- 0\.001\d*, stated 1\.33 .*, against its prior$", told.text)

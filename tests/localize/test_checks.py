@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -83,17 +85,45 @@ def test_a_term_that_the_table_lacks_is_named(term, size, biased, table):
     assert "tilted_background" not in found.findings.codes
 
 
-def test_changes_by_a_term_are_differences_of_tables(table):
-    changes, h = checks.ChangeImages(table, None), 1e-3
+CHANGED = {
+    "depth": lambda pupil, by: replace(pupil, depth=pupil.depth + by),
+    "wavelength": lambda pupil, by: pupil.in_light(pupil.wavelength * (1.0 + by)),
+    **{
+        name: lambda pupil, by, name=name: replace(
+            pupil, layers=replace(pupil.layers, **{name: getattr(pupil.layers, name) + by})
+        )
+        for name in ("sample", "immersion", "NA")
+    },
+}
+
+
+def test_changes_are_differences_of_tables(table):
+    made = checks.ChangeImages(table, None)
     places = np.array([7.3, 6.1]), np.array([6.6, 8.2]), np.array([-0.35e-6, 0.41e-6])
-    made = changes(*places)
-    for k, (n, m) in enumerate(checks._TERMS):
-        ends = [
-            table_of(aberrations=simulated.ASTIGMATISM + lm.Wavefront.zernike({(n, m): step}))(*places)
-            for step in (h, -h)
-        ]
-        difference = (ends[0].astype(float) - ends[1]) / (2 * h)
-        np.testing.assert_allclose(made[:, k], difference, rtol=0, atol=0.01 * np.abs(difference).max())
+    images = made(*places)
+    for k, name in enumerate(made.names):
+        if k < len(checks._TERMS):
+            step, (n, m) = 1e-3, checks._TERMS[k]
+            waves = [simulated.ASTIGMATISM + lm.Wavefront.zernike({(n, m): by}) for by in (step, -step)]
+            pupils = [simulated.pupil(aberrations=wave) for wave in waves]
+        else:
+            step = 0.02 * checks._CONSTANTS[name]
+            pupils = [CHANGED[name](simulated.pupil(), by) for by in (step, -step)]
+        ends = [Table(pupil, 15, 6.5e-6, z=table.z, tol=1e-4)(*places).astype(float) for pupil in pupils]
+        difference = (ends[0] - ends[1]) / (2 * step)
+        np.testing.assert_allclose(
+            images[:, k], difference, rtol=0, atol=0.03 * np.abs(difference).max(), err_msg=name
+        )
+    assert made.names[len(checks._TERMS) :] == list(checks._CONSTANTS)
+
+
+def test_a_depth_that_molecules_do_not_tell_is_named(table, mean):
+    """With the error that they leave, and what that changes."""
+    few = localize_movie(CAMERA.record(mean[:3], 1), table, noise=CAMERA).findings.get("untested")
+    assert 0.0 < few.numbers["depth"]["error"] <= 0.1e-6
+    assert few.numbers["depth"]["z"] > 0.5
+    assert f"depth ({few.numbers['depth']['error'] * 1e9:.2g} nm changes z by " in few.text
+    assert "drift of the focus" in few.text
 
 
 @pytest.mark.parametrize("shift", [-0.8e-6, 0.8e-6])

@@ -460,7 +460,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Return the light of each part from n angles: steady light, decay rates, decaying light, and derivatives by ln k."""
+    """Return the light of each part from n angles: steady, decay rates, decaying, and derivatives by ln k."""
     parts = len(model.orders)
     steady, steady_change = np.zeros(parts), np.zeros(parts)
     fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))

@@ -30,21 +30,21 @@ from lommel.show import drawing
 from lommel.show.pupils import across
 from lommel.special import zernike
 
-_TILES = 4  # of a stack that are shown
-_WINDOW = 1024  # pixels a side that are looked at
-_MANY = 2**21  # values that are looked at
+_TILES = 4  # largest number of images of a stack that are shown
+_WINDOW = 1024  # largest side, pixels, that is used
+_MANY = 2**21  # largest number of values that are used
 _TERMS = 8
-_SIDE = 160  # pixels of a picture
+_SIDE = 160  # side of a picture, pixels
 _RASTER = 80
 _ROOT = "the square root of the values"
-_SUMS = 100 * _RASTER**2  # values of terms that are added up
+_SUMS = 100 * _RASTER**2  # largest number of values of terms that are added up
 
 Row = tuple[str, str | Callable[[], str] | None]
 
 
 @display.html.register(PSFLike)
 def psf(psf: PSFLike) -> str:
-    """Return the values of a PSF, or of some of a stack, and how they were made."""
+    """Return the values of a PSF, or of some of a stack, and how they were computed."""
     stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
     seen = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
     whole = psf.values.size <= _MANY
@@ -131,7 +131,7 @@ def wavefront(thing: Wavefront) -> str:
 
 @display.html.register(BasePupil)
 def pupil(thing: Pupil | ObjectivePupil) -> str:
-    """Return the phase across a pupil, and what there is to say about its light."""
+    """Return the phase across a pupil, and a description of its light."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
         rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
@@ -159,7 +159,7 @@ def lens(thing: Lens) -> str:
 
 
 def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
-    """Return the first of the images, shape (n, height, width), its model, and what was found."""
+    """Return the first of the images, shape (n, height, width), its model, and rows of results."""
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
@@ -210,7 +210,7 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
 
 
 def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
-    """Return the values of one of a stack, of large windows those about the axis."""
+    """Return the values of one of a stack; for large windows those about the axis."""
     values = psf.values[index]
     center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
@@ -231,12 +231,12 @@ def emitter(thing: Emitter) -> str:
 
 
 def _sample(psf: PSFLike) -> float:
-    """Return what lengths on the sensor are multiplied by: a microscope's are those in the sample."""
+    """Return the factor of lengths on the sensor: for a microscope, to those in the sample."""
     return 1.0 / psf.pupil.magnification if isinstance(psf.pupil, ObjectivePupil) else 1.0
 
 
 def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
-    """Return the pitch of columns once values have been averaged to fewer."""
+    """Return the pitch of columns after values were averaged to fewer."""
     return float(psf.grid.pitch[1] * _sample(psf)) * int(values.shape[1] // smaller.shape[1])
 
 
@@ -291,7 +291,7 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
 
 
 def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
-    """Return the largest Zernike terms, waves rms; of a stack the largest of each, and no more than eight."""
+    """Return the largest Zernike terms, waves rms, at most eight; for a stack the largest of each term."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
     largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
@@ -305,7 +305,7 @@ def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
 
 
 def _rms(thing: Pupil) -> list[Row]:
-    """Return the rms where it takes no time: over full discs, whose terms are orthogonal, else of few terms."""
+    """Return the rms where it is fast: over full discs, whose terms are orthogonal, or of few terms."""
     wave = thing.wavefront
     if thing.circular and not thing.obscuration and thing.illumination.uniform:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])

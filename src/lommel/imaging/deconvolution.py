@@ -157,7 +157,7 @@ class TotalVariation:
 
 
 def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:
-    """Return the discrepancy nearest to the target and its strength: `settle` returns that of a strength.
+    """Return the discrepancy closest to the target and its strength; `settle` returns that of a strength.
 
     It is sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the first.
     """

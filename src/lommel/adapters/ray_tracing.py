@@ -112,7 +112,7 @@ def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
     return off if off > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_REST * rest else 0.0
 
 
-def _checked(trace: Trace, wavelength: float) -> Trace:
+def _checked_trace(trace: Trace, wavelength: float) -> Trace:
     """Return a trace whose phases agree with its rays; ValueError for a field where they do not."""
 
     def made(hx: float, hy: float, x: Array, y: Array) -> TracedField:
@@ -202,7 +202,7 @@ def single_pupil(
     """Return the pupil at one point of the field, with the f-number there."""
     round_ = validation.truth("circular", circular)
     hx, hy = _point("field", field)
-    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     if not round_:
         return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
@@ -215,7 +215,7 @@ def polarized_pupils(
 ) -> list[Pupil]:
     """Return a pupil of each component of the electric field that has light, with its amplitude as a mask."""
     hx, hy = _point("field", field)
-    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
     assert traced.field is not None
     _, matrix = _zernike(traced.x, traced.y, degree)
@@ -260,7 +260,7 @@ def field_map(
     positions are then these, and tilts move the light to where chief rays meet the sensor.
     """
     round_ = validation.truth("circular", circular)
-    points, trace = sample_points(degree, tol), _checked(trace, wavelength)
+    points, trace = sample_points(degree, tol), _checked_trace(trace, wavelength)
     if fields is None:
         return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=round_)
     if ideal is not None:

@@ -242,13 +242,13 @@ class BeadImages:
 
         Without `ball`, of the middle of the bead, with a blur of its width: for differences.
         """
-        return np.asarray(self._made(setup, waves, place, stack, ball=ball, by=None)[0])
+        return np.asarray(self._images_and_slopes(setup, waves, place, stack, ball=ball, by=None)[0])
 
     def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
         """Return derivatives by the waves, focus (1 / metres), row, column and `amplitudes`, (k, planes, ...)."""
-        return self._made(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
+        return self._images_and_slopes(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
 
-    def _made(
+    def _images_and_slopes(
         self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
         """Return images and, unless `by` is None, their slopes, also by these amplitudes."""

@@ -115,7 +115,7 @@ class BeadModel:
         """Return the columns of the parameters of a bead, after the `shared` ones."""
         return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
 
-    def _known(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
+    def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
         """Yield the priors, each with its column and the present value of its constant."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
@@ -131,7 +131,7 @@ class BeadModel:
         images; where the aberrations are too strong; or where there is no such microscope.
         """
         light, values = [], []
-        total = sum(prior.pull(at)[0] for _, prior, at in self._known(state, self.names))
+        total = sum(prior.pull(at)[0] for _, prior, at in self._prior_terms(state, self.names))
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
@@ -159,7 +159,7 @@ class BeadModel:
             at = [*range(k), *self.columns(j, k)]
             information[np.ix_(at, at)] += parts[-1].information.sum(axis=0)
             slope[at] += parts[-1].slope.sum(axis=0)
-        for column, prior, value in self._known(state, names):
+        for column, prior, value in self._prior_terms(state, names):
             _, pull, square = prior.pull(value)
             slope[column] += pull
             information[column, column] += square

@@ -43,7 +43,7 @@ def missing_tests(
     flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
     edge = stars.one.unknowns.edge
     lacking = [*star_checks.lacking_changes(edge, (flux * slope for slope in slopes), stars.exposures)]
-    lacking += _lacking(model, x, places)
+    lacking += _lacking_effects(model, x, places)
     images = [image for one in lacking for image in one.images]
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
@@ -94,7 +94,7 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
     )
 
 
-def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
+def _lacking_effects(model: WholeField, x: Array, places: Array) -> list[Lacking]:
     """Return candidates of effects that the model of the stars lacks, apart from polynomials of higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms = next_terms(stars.one.unknowns.edge, ())

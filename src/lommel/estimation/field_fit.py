@@ -509,7 +509,7 @@ def fit_field(
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
-    begun = given if start is None else _begun(start, given, chip, x, y)
+    begun = given if start is None else _start_pupils(start, given, chip, x, y)
     target = _target(targets, size, pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
@@ -591,7 +591,7 @@ def _noll(term: Term) -> int:
     return int(zernike.index_of(term[0], term[1], "noll"))
 
 
-def _begun(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
+def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
     """Return the pupils of a map at the places of stars, in the given aperture."""
     if start.unit != pupil.unit:
         raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
@@ -680,7 +680,7 @@ def _build_field_fit(
     findings = list[Finding]()
     if one.sign_ambiguous:
         other, signs = search.twin(coefficients)
-        if _swapped(search, found, coefficients, other):
+        if _twin_is_nearer(search, found, coefficients, other):
             polynomials, _ = search.twin(polynomials)
             coefficients, other = other, coefficients
             turned = np.kron(signs, np.eye(m))
@@ -873,7 +873,7 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
-def _swapped(search: Search, found: Found, one: Array, other: Array) -> bool:
+def _twin_is_nearer(search: Search, found: Found, one: Array, other: Array) -> bool:
     """Return whether the other of two fields is to be given."""
     basis, stars = found.model.basis, search.stars
     near = stars.start[found.model.chosen]

@@ -126,7 +126,9 @@ class Information:
         stack = self.matrix.shape[:-2]
         width = max(len(str(name)) for name in self.names)
         errors = self.errors.items()
-        lines = [f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}" for name, value in errors]
+        lines = [
+            f"{name!s:{width}} {_errors_in_words(np.asarray(value), self.units[name])}" for name, value in errors
+        ]
         return "\n  ".join([f"<{type(self).__name__}{f' of a stack of {stack}' if stack else ''}", *lines]) + ">"
 
 
@@ -138,7 +140,7 @@ def _over_deviations(covariance: Array) -> Array:
     return np.asarray(np.where(np.eye(found.shape[-1], dtype=bool), 1.0, found))
 
 
-def _shown(errors: Array, unit: str) -> str:
+def _errors_in_words(errors: Array, unit: str) -> str:
     """Return the smallest and largest standard error of a stack as text."""
     known = errors[np.isfinite(errors)]
     missing = errors.size - known.size

@@ -146,7 +146,7 @@ class UnevenLight:
         folds = [rho**n * turn(n * theta) for n in (2, 3, 4) for turn in (np.cos, np.sin)]
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
         self._light = (light * factors).astype(np.float32)
-        self._terms = _of(terms, rho, theta)
+        self._terms = _zernike_values(terms, rho, theta)
         self._places = [unit * places for places in (grid.y, grid.x)]
         self._waves = [_plane_waves(places, at) for places in self._places]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _ANGLES * side, endpoint=False)
@@ -165,7 +165,11 @@ class UnevenLight:
                     scale * radius * (angles[1] - angles[0]) * float(pupil.illumination.at(np.array(radius**2)))
                 )
                 self._rims.append(
-                    (_of(terms, np.full(angles.shape, radius), angles), waves, amplitude * np.stack(turns))
+                    (
+                        _zernike_values(terms, np.full(angles.shape, radius), angles),
+                        waves,
+                        amplitude * np.stack(turns),
+                    )
                 )
 
     def images(self) -> list[Values]:
@@ -185,7 +189,7 @@ class UnevenLight:
         return list(np.asarray(found, np.float32).swapaxes(0, 1))
 
 
-def _of(terms: Sequence[Term], rho: Array, theta: Array) -> Values:
+def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:
     """Return Zernike terms at points, 1 at the edge."""
     return np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
 

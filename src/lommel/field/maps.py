@@ -936,7 +936,7 @@ class OnGrid(WavefrontsOnSensor):
         from scipy.interpolate import RectBivariateSpline
 
         self.x, self.y = _rising("x", x), _rising("y", y)
-        values, self.terms = _known(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
+        values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
         # Splines of lower degree through fewer than four rows or columns.
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
@@ -981,7 +981,7 @@ class Scattered(WavefrontsOnSensor):
         if across.ndim != 1 or across.shape != down.shape:
             raise ValueError(f"x and y must be of one shape (n,), got {across.shape} and {down.shape}")
         count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
-        values, self.terms = _known(wavefront, (count,), "of x and y")
+        values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
         # Sorted by x and then y, equal positions are neighbours.
         order = np.lexsort((down, across))
         same = (np.diff(across[order]) == 0.0) & (np.diff(down[order]) == 0.0)
@@ -1030,7 +1030,7 @@ class Radial(WavefrontsOnSensor):
         from scipy.interpolate import CubicSpline
 
         self.height, self.azimuth = _heights(height), validation.real("azimuth", azimuth)
-        values, self.terms = _known(wavefront, self.height.shape, "of height")
+        values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
         # On the axis a symmetric lens has no direction: astigmatism, coma and tilt are 0.
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
@@ -1084,7 +1084,9 @@ def _span(known: Array) -> str:
     return f"{known[0]:.6g} to {known[-1]:.6g}"
 
 
-def _known(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, tuple[tuple[int, int], ...]]:
+def _coefficients_and_terms(
+    wavefront: Wavefront, shape: tuple[int, ...], what: str
+) -> tuple[Array, tuple[tuple[int, int], ...]]:
     """Return the edge coefficients of the terms, shape ``shape + (k,)``, and (n, m) of each."""
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")

@@ -412,7 +412,7 @@ def _read(file: Path) -> Any:
         return None
 
 
-def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
+def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
     """Yield the numbers and facts of pictures all of whose files exist unchanged."""
     if shard is None:
         for number in range(total):
@@ -473,7 +473,7 @@ def _missing(
     where.mkdir(exist_ok=True)
     # Copies share their photo: each file is read once for its checksum.
     there, sums = set(), cache(of_file)
-    for number, facts in _there(folder, shard, total):
+    for number, facts in _complete_pictures(folder, shard, total):
         for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
             if sums(file) != known:
                 raise ValueError(

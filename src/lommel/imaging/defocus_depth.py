@@ -322,7 +322,7 @@ def _one_of_each(photographs: Any, lenses: Sequence[Lens]) -> list[Any]:
         raise ValueError(
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
-    given = list(photographs) if isinstance(photographs, list | tuple) else _apart(photographs)
+    given = list(photographs) if isinstance(photographs, list | tuple) else _separate_photographs(photographs)
     if len(given) != len(lenses):
         count = len(given) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
@@ -433,7 +433,7 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
     return out
 
 
-def _apart(photographs: Any) -> list[Any]:
+def _separate_photographs(photographs: Any) -> list[Any]:
     """Return the photographs of one array or container, with their masks; none if it has no axis for them."""
     values, hidden = validation.parted("photographs", photographs)
     if values.ndim < 3:

@@ -223,9 +223,9 @@ class FocusPlan:
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
         """Return the linear operator at a `focus_distance` and `f_number`; ValueError if the blur is too large."""
-        return self._at(focus_distance, f_number).blur
+        return self._occlusion_at(focus_distance, f_number).blur
 
-    def _at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
+    def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
         """Return the operator with occlusion at a focus and f-number, and keep it."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
         # Sensor distance and aperture diameter determine the lens: equal ones in other words are found again.
@@ -265,7 +265,7 @@ class FocusPlan:
         """
         if out is not None:
             output(out, "image", self.shape, self.dtype)
-        occlusion = self._at(focus_distance, f_number)
+        occlusion = self._occlusion_at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
         values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
         made = _photograph(values, occlusion.blur, clipped)

@@ -150,7 +150,7 @@ class PoissonCounts:
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
         """Return counts and weights; both are 0 where nothing is known."""
         given = np.asarray(self._recorded[plane, rows, columns])
-        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
+        shift, weight = (_map_part(each, rows, columns) for each in (self._shift, self._weight))
         if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
             counts = (given + shift.astype(np.float64)).astype(self.dtype)
         else:
@@ -164,13 +164,13 @@ class PoissonCounts:
 
     def _added_at(self, rows: slice, columns: slice) -> Values:
         """Return the variance of reading, in units of light, of a part."""
-        return _at(self._added, rows, columns)
+        return _map_part(self._added, rows, columns)
 
     def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
         """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
         counts, weight = self.part(plane, rows, columns)
-        added = _at(self._added, rows, columns)
-        model = np.maximum(light + added + _at(np.asarray(self.background, np.float32), rows, columns), TINY)
+        added = _map_part(self._added, rows, columns)
+        model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
         known = np.broadcast_to(weight > 0.0, counts.shape)
         # Over the standard deviation of a Poisson count, the root of its mean in electrons.
         off = (counts - model) * np.sqrt(self.white * weight / model)
@@ -185,7 +185,7 @@ class PoissonCounts:
                 sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
                 (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
                 counts, weight = self.part(plane - planes, y, x)
-                light = np.maximum(counts - _at(self._added, y, x), 0.0)
+                light = np.maximum(counts - _map_part(self._added, y, x), 0.0)
                 out[down, across] = np.where(weight > 0.0, light, self.level)
             return out
 
@@ -260,8 +260,8 @@ class PoissonCounts:
         Voxels have there the square of the specimen's share of the model as their weight.
         """
         counts, weight = self.part(plane, rows, columns)
-        beside = _at(np.asarray(self.background, self.dtype), rows, columns)
-        other = _at(self._added, rows, columns) + beside
+        beside = _map_part(np.asarray(self.background, self.dtype), rows, columns)
+        other = _map_part(self._added, rows, columns) + beside
         # In place throughout: new memory costs more than what is done in it.
         at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
         share = light.copy() if np.any(beside) else None
@@ -307,7 +307,7 @@ def at_least(values: Values, least: float) -> Values:
     return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
 
 
-def _at(each: Values, rows: slice, columns: slice) -> Values:
+def _map_part(each: Values, rows: slice, columns: slice) -> Values:
     """Return a part of a map, or the number that holds for all pixels."""
     return each[rows, columns] if each.ndim else each
 

@@ -287,7 +287,7 @@ def restore_with(
     """
     validation.instance("blur", blur, LinearBlur)
     validation.instance("noise", noise, Noise)
-    way = _checked(method, progress)
+    way = _checked_method(method, progress)
     recorded = blur.require(light, "light", missing=True)
     limit = validation.real("saturation", saturation, infinite=True)
     observed = PhotographCounts(blur, recorded, noise, limit)
@@ -384,7 +384,7 @@ def restore(
     (dtype('uint16'), True)
     """
     settings = Settings.of(restore, options, Keywords)
-    way = _checked(method, progress)
+    way = _checked_method(method, progress)
     validation.instance("noise", noise, Noise)
     given, hidden = validation.parted("photo", photo)
     over_field = isinstance(lens, FieldMap)
@@ -560,7 +560,7 @@ def _findings(stopped: str, discrepancy: float) -> Findings:
     return Findings()
 
 
-def _checked(method: object, progress: object) -> Method:
+def _checked_method(method: object, progress: object) -> Method:
     """Return the method, Richardson-Lucy for None; TypeError if it is none, or if `progress` cannot be called."""
     validation.function("progress", progress, required=False)
     if method is None:

@@ -272,7 +272,7 @@ class TracedBlur:
         static = self._static
         xp, nodes = static.namespace.xp, lens["zernike"]
         if nodes is None or len(nodes.shape) < 3:
-            return self._made(image, distance, lens, occlusion=occlusion)
+            return self._blurred(image, distance, lens, occlusion=occlusion)
         count, across = math.prod(nodes.shape[:2]), nodes.shape[1]
         down, along = (self._hats(image, axis, nodes.shape[axis]) for axis in (0, 1))
         nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
@@ -280,7 +280,7 @@ class TracedBlur:
         def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
             share = xp.expand_dims(row, axis=-1) * column
             # Linear weights commute with the blur: each node's PSF blurs the image times the node's weight.
-            return self._made(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
+            return self._blurred(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
 
         if static.namespace.name == "jax":
             import jax
@@ -305,7 +305,7 @@ class TracedBlur:
         hats: Tensor = xp.clip(1.0 - xp.abs(at - node), 0.0, 1.0)
         return hats
 
-    def _made(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
+    def _blurred(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
         """Return the blurred image (..., channels, height, width) from checked arrays."""
         static = self._static
         xp, shape = static.namespace.xp, tuple(image.shape)

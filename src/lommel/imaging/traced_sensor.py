@@ -151,7 +151,7 @@ def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
     return xp.astype(found, like.dtype)
 
 
-def _beside(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
+def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
     """Return the sum of both neighbours along an axis, mirrored about the edge pixels."""
     count = x.shape[axis]
 
@@ -167,8 +167,8 @@ def _beside(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
 
 
 def _smooth(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
-    return 0.5 * x + 0.25 * _beside(xp, x, axis)
+    return 0.5 * x + 0.25 * _neighbour_sum(xp, x, axis)
 
 
 def _cross(xp: ArrayFunctions, x: Operand) -> Operand:
-    return 0.25 * (_beside(xp, x, -1) + _beside(xp, x, -2))
+    return 0.25 * (_neighbour_sum(xp, x, -1) + _neighbour_sum(xp, x, -2))

@@ -98,7 +98,7 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     if "camera" not in raw and ("lens" in raw or "objective" in raw):
         kind = "lens" if "lens" in raw else "objective"
         raise LensFileError(f"{validation.line(source)}: has a section [{kind}], and is not the file of a camera")
-    return toml_files.built(source, raw, text, _File, partial(_made, stem=source.stem))
+    return toml_files.built(source, raw, text, _File, partial(_camera_of_file, stem=source.stem))
 
 
 def named(path: Path) -> bool:
@@ -106,7 +106,7 @@ def named(path: Path) -> bool:
     return path.suffix.lower() != ".toml" and path.name == str(path)
 
 
-def _made(file: _File, *, stem: str) -> Camera:
+def _camera_of_file(file: _File, *, stem: str) -> Camera:
     stated = dict(file.camera)
     times = stated.pop("em_gain")
     # A register with gain multiplies the variance of the light by the excess.

@@ -248,11 +248,15 @@ def _cells(
 
 def _length(cell: Any) -> float:
     """Return a length in metres from a number or a text."""
-    return _known(cell) if isinstance(cell, str) else validation.real("a position", parse_length(cell), unit="metres")
+    return (
+        _length_from_text(cell)
+        if isinstance(cell, str)
+        else validation.real("a position", parse_length(cell), unit="metres")
+    )
 
 
 @lru_cache(maxsize=1024)  # positions on a grid repeat
-def _known(cell: str) -> float:
+def _length_from_text(cell: str) -> float:
     return validation.real("a position", parse_length(cell), unit="metres")
 
 

@@ -121,7 +121,7 @@ class DepthModel:
         if not self.spreads:
             return np.asarray(values / values.sum())
         # A taper, so that what the coarse grid takes over has no edge.
-        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._lit.sum())
+        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
 
     def kernel(self, depth: float) -> Array:
         """Return the light of an emitter that is spread over the nearest voxels as a B-spline, as :meth:`near`.
@@ -144,7 +144,7 @@ class DepthModel:
         What lies beyond these is on the outermost ones.
         """
         pitch, side = pitch_of(self.window[1]), 2 * reach + 1
-        lit = self._lit / self._lit.sum()
+        lit = self._collected_light / self._collected_light.sum()
         made = psf(self._emission(depth), _PARTS * side, self.pixel * pitch / _PARTS, integrate=False, tol=_TOL)
         at = np.asarray((np.arange(_PARTS * side) - _PARTS * side // 2) * (pitch / _PARTS), np.float64)
         values = made.values * (1.0 - taper(self.window[1], pitch, at)) * (_PARTS / pitch) ** 2
@@ -168,7 +168,7 @@ class DepthModel:
         return np.asarray((np.arange(self.window[0]) - self.window[0] // 2) * self.step)
 
     @property
-    def _lit(self) -> Array:
+    def _collected_light(self) -> Array:
         """Collected light in each plane of the window, over that in focus."""
         if self.modality != "light sheet":
             return np.ones(self.window[0])
@@ -231,7 +231,7 @@ class DepthModel:
         if slabs is not None:
             nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
-        if _apart(self.near(low), self.near(high)) < _LIKE:
+        if _relative_difference(self.near(low), self.near(high)) < _LIKE:
             return alone
         radial = self._radial(low, high)
         if radial is not None:
@@ -277,7 +277,8 @@ class DepthModel:
 
         pieces = 1
         while pieces < _MOST - 1 and any(
-            _apart(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE for k in range(pieces)
+            _relative_difference(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE
+            for k in range(pieces)
         ):
             # Doubling keeps the PSFs that are already computed.
             pieces *= 2
@@ -318,7 +319,7 @@ def _weights(depths: Array, nodes: Array) -> Array:
     return np.asarray(np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis])))
 
 
-def _apart(one: Array, *others: Array) -> float:
+def _relative_difference(one: Array, *others: Array) -> float:
     """Return half of the absolute difference of a PSF from the mean of others, over its light."""
     # Half: light that is missing in one place is too much in another.
     return float(np.abs(one - sum(others) / len(others)).sum() / one.sum()) / 2.0

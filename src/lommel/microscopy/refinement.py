@@ -70,10 +70,10 @@ def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]
     # The root keeps one bright spot from outweighing many dim ones.
     bright = uniform_filter(np.maximum(whole, 0.0) ** 0.5, min(size, height, width))
     row, column = np.unravel_index(int(bright.argmax()), bright.shape)
-    return _placed(int(row), size, height), _placed(int(column), size, width)
+    return _window_around(int(row), size, height), _window_around(int(column), size, width)
 
 
-def _placed(middle: int, size: int, side: int) -> slice:
+def _window_around(middle: int, size: int, side: int) -> slice:
     start = min(max(middle - size // 2, 0), max(side - size, 0))
     return slice(start, min(start + size, side))
 
@@ -229,13 +229,13 @@ def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> lis
                 other = model.changed(name, value)
             except ValueError:
                 return math.inf
-            return cost(other, f"another {words}: {_shown(model, name, value)}")
+            return cost(other, f"another {words}: {_value_in_words(model, name, value)}")
 
         start = _start(model, name)
         value, found = _line_search(changed, start, apart, given)
         if value != start:
             change = "smaller" if value < start else "larger"
-            explained[f"a {change} {words} (about {_shown(model, name, value)})"] = given - found
+            explained[f"a {change} {words} (about {_value_in_words(model, name, value)})"] = given - found
     most = max(explained.values(), default=0.0)
     least = max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0), _AS_GOOD * most)
     return sorted((each for each in explained if explained[each] > least), key=lambda each: -explained[each])
@@ -267,7 +267,7 @@ def _line_search(cost: Callable[[float], float], start: float, apart: float, giv
     return start, given
 
 
-def _shown(model: DepthModel, name: str, value: float) -> str:
+def _value_in_words(model: DepthModel, name: str, value: float) -> str:
     """Return the value of a parameter in words."""
     if name == "depth":
         return format_length(value, digits=3)
@@ -292,7 +292,7 @@ def refined(
     def course(trial: TrialDeconvolution, steps: int, much: float) -> Callable[[Array], list[float]]:
         def made(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
-            words = ", ".join(f"{PARAMETERS[name]} {_shown(model, name, value)}" for name, value in pairs)
+            words = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
             told = work(words, int(steps * much))
             return trial.course(_with(model, names, values), steps, lambda step, *rest: told(int(step * much), *rest))
 

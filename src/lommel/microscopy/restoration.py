@@ -421,7 +421,7 @@ def restore(
             path=opened.path,
         )
         left = _mask_of(mask, hidden, opened.shape)
-        target = held.enter_context(_begun(out, (len(chosen), *opened.shape[1:]), described))
+        target = held.enter_context(_destination(out, (len(chosen), *opened.shape[1:]), described))
         made = _by_channel(opened, chosen, models, options, left, target, notes, progress or silent)
         values = target.finish(" ".join(notes), len(made))
     findings = Findings(
@@ -785,7 +785,7 @@ def _name(at: Chunk) -> str:
 
 
 @contextmanager
-def _begun(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
+def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
     """Yield the destination of values of a shape."""
     if out is None:
         yield _Target(shape, None)
@@ -1134,7 +1134,8 @@ class _Job:
         method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
         sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
         tiles = sorted(
-            tiles_of((height, width), sides, self._model.window[1]), key=lambda tile: _off(tile[0], height, width)
+            tiles_of((height, width), sides, self._model.window[1]),
+            key=lambda tile: _distance_from_middle(tile[0], height, width),
         )
         # All chunks start from the same light.
         level = None if len(tiles) == 1 else _level(source)
@@ -1163,7 +1164,7 @@ class _Job:
             count, why, each = self._solved(iteration, told, alone=level is None)
             if course is None:
                 course, found.steps, found.strength = iteration.course, count, iteration.strength
-                found.finding = self._ended(counted, why, count, counted.mean(each))
+                found.finding = self._central_finding(counted, why, count, counted.mean(each))
                 is_misfit = found.finding is not None and found.finding.code == "misfit"
                 found.stopped = MISFIT if is_misfit else why
             if isinstance(found.background, np.ndarray):
@@ -1203,7 +1204,7 @@ class _Job:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
-    def _ended(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
+    def _central_finding(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
         """Return what is wrong with the central chunk."""
         finding = counted.finding(why, steps, discrepancy)
         is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
@@ -1298,7 +1299,7 @@ def _level(source: _Source) -> float:
     return total / max(weights, 1e-30)
 
 
-def _off(part: tuple[slice, slice], height: int, width: int) -> float:
+def _distance_from_middle(part: tuple[slice, slice], height: int, width: int) -> float:
     return math.hypot(*(at.start + at.stop - side for at, side in zip(part, (height, width), strict=True)))
 
 

@@ -259,7 +259,9 @@ class TiledBlur(PlaneOperator):
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        first, second = (
+            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
+        )
         return _spread(self._seen[plane], first, second)
 
     def weigh(self, weight: float) -> None:
@@ -269,7 +271,9 @@ class TiledBlur(PlaneOperator):
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
-        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        first, second = (
+            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
+        )
         return _spread(self._per[plane], first, second)
 
     def _jobs(
@@ -374,7 +378,7 @@ def _mirrored(kernel: Array) -> bool:
     return all(np.allclose(kernel, np.flip(kernel, axis), rtol=0.0, atol=limit) for axis in (1, 2))
 
 
-def _at(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
+def _places_of_part(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
     """Return what `TiledBlur._edges` says of an axis, of a part of it."""
     low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
     return place[part], low, max(low, high)

@@ -72,7 +72,7 @@ def psf(psf: PSFLike) -> str:
         most = 160 if len(seen) == 1 else 110
         parts = [_smaller(part, most) for part in seen]
         pitch = _pitch(psf, seen[0], parts[0])
-        return _beside([_lit(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
+        return _joined_pictures([_brightness(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
 
     caption = "square root" + (", each over its largest" if len(seen) > 1 else "")
     return _html(_count("PSF", stack), rows, picture, caption)
@@ -83,7 +83,9 @@ def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str
 
     def picture() -> str:
         made = image()
-        return _beside([_lit(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit)
+        return _joined_pictures(
+            [_brightness(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit
+        )
 
     return _html(title, rows, picture, "its PSF, square root")
 
@@ -100,7 +102,7 @@ def grid(thing: PSFGridLike) -> str:
             drawing.evenly_spaced(list(range(columns)), 7),
         )
         seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
-        parts = [[_lit(_smaller(part, 48)) for part in line] for line in seen]
+        parts = [[_brightness(_smaller(part, 48)) for part in line] for line in seen]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
         pitch = _pitch(one, seen[0][0], parts[0][0])
         words = "square roots of the values over the largest of each"
@@ -164,7 +166,7 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
         both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
-        return _beside(
+        return _joined_pictures(
             [_smaller(part) for part in both], drawing.COLOURS, "the first image as measured, and its model"
         )
 
@@ -181,7 +183,7 @@ def _phase(pupil: BasePupil) -> str:
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
     seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
     top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
-    return _beside([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
+    return _joined_pictures([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
 
 
 def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
@@ -220,7 +222,7 @@ def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
     return np.asarray(values[tuple(parts)], dtype=np.float64)
 
 
-def _lit(values: Array) -> Array:
+def _brightness(values: Array) -> Array:
     """Return the square root of values over the largest."""
     return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
 
@@ -247,7 +249,7 @@ def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
 
 
-def _beside(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
+def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
     """Return pictures side by side, in two rows from four on, with clear pixels between them.
 
     With the `pitch` of their columns they have a scale bar.

@@ -313,9 +313,9 @@ class TracedPSF:
         """Return images and bounds; in JAX always compiled, as operation by operation takes seconds."""
         if self._static.namespace.name == "jax":
             return _of_jax()(self, self._array(c))
-        return self._made(c)
+        return self._images_and_bounds(c)
 
-    def _made(self, c: Operand) -> tuple[Tensor, Tensor]:
+    def _images_and_bounds(self, c: Operand) -> tuple[Tensor, Tensor]:
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
         kind = str(self.tables[0]["size"].dtype).rpartition(".")[2]
@@ -422,7 +422,7 @@ def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
         lambda traced: ((traced.tables,), traced._static),
         lambda static, parts: TracedPSF(static, *parts),
     )
-    return jax.jit(TracedPSF._made)
+    return jax.jit(TracedPSF._images_and_bounds)
 
 
 def traced(

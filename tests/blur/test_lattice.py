@@ -11,7 +11,7 @@ import lommel as lm
 from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
 from lommel.blur.convolution import ends
-from lommel.blur.recorded import Asked, Band, Gather, Made, summed
+from lommel.blur.recorded import Band, BlurredStack, Gather, Request, summed
 from lommel.blur.turbulence import Gate
 from lommel.optics.grid import Grid
 
@@ -29,7 +29,7 @@ def on_axis(ratio: float) -> float:
 @pytest.mark.parametrize("margin", [22.0, 40.0])
 @pytest.mark.parametrize("ratio", [1.0, 3.0])
 def test_light_beyond_a_lattice_that_is_too_small_is_counted(ratio, margin):
-    asked = Asked(None, 0, 1e-11, 1e-12, margin)
+    asked = Request(None, 0, 1e-11, 1e-12, margin)
     made = summed(asked, lm.Pupil(), Grid(1, 0.5), (lm.Seeing(1.0 / ratio),))
     off = abs(float(made.values[0, 0, 0]) - on_axis(ratio))
     assert made.given is not None
@@ -39,7 +39,7 @@ def test_light_beyond_a_lattice_that_is_too_small_is_counted(ratio, margin):
 
 def test_errors_of_samples_and_of_responses_are_as_asked():
     for error in (1e-5, 1e-8):
-        made = summed(Asked(None, 0, error, error, 0.0), lm.Pupil(), Grid(3, 0.5), (lm.Jitter(0.4),))
+        made = summed(Request(None, 0, error, error, 0.0), lm.Pupil(), Grid(3, 0.5), (lm.Jitter(0.4),))
         assert made.given is not None
         assert 0.0 < float(made.response[0]) < 60.0 * error
         assert 0.0 < float(made.given[0]) < 8.0 * error
@@ -49,7 +49,7 @@ def test_errors_of_samples_and_of_responses_are_as_asked():
 @pytest.mark.parametrize("margin", [20.0, 60.0])
 @pytest.mark.parametrize("ratio", [8.0, 30.0])
 def test_light_beyond_a_lattice_that_is_gathered_is_counted(ratio, margin):
-    asked = Asked(None, 0, 1e-11, 1e-13, margin)
+    asked = Request(None, 0, 1e-11, 1e-13, margin)
     made = summed(asked, lm.Pupil(), Grid(1, 0.5), (lm.Seeing(1.0 / ratio),))
     off = on_axis(ratio) - float(made.values[0, 0, 0])
     assert off > 10.0 * float(made.given[0] + made.response[0])
@@ -148,12 +148,12 @@ def test_samples_that_are_kept_are_of_the_same_pupil_and_good_enough(sampled):
 def test_only_samples_of_the_tolerance_serve_again(sampled):
     pupil, lattice = lm.Pupil(spider=VANES), SimpleNamespace(step=1.0, first=(-6, -7), counts=(13, 15))
     for tol, count in [(1e-4, 1), (1e-4, 1), (1e-3, 1), (1e-6, 2), (1e-4, 2), (2e-7, 3)]:
-        _, values, off = recorded._on_lattice(Asked(None, 1, tol, 1e-9, 0.0), pupil, lattice)
+        _, values, off = recorded._on_lattice(Request(None, 1, tol, 1e-9, 0.0), pupil, lattice)
         assert values.shape == (1, 13, 15)
         assert float(off[0]) <= tol * pupil.amplitude**2
         assert len(sampled) == count
     part = SimpleNamespace(step=1.0, first=(-2, 3), counts=(4, 5))
-    _, values, _ = recorded._on_lattice(Asked(None, 1, 1e-6, 1e-9, 0.0), pupil, part)
+    _, values, _ = recorded._on_lattice(Request(None, 1, 1e-6, 1e-9, 0.0), pupil, part)
     exact = lm.psf(pupil, (4, 5), 1.0 / np.pi, center=(2, -3), tol=1e-10, normalize="strehl", dtype=np.float64)
     np.testing.assert_allclose(values[0], exact.values * pupil.amplitude**2, atol=2e-7)
     assert len(sampled) == 3
@@ -161,7 +161,7 @@ def test_only_samples_of_the_tolerance_serve_again(sampled):
         known, count = recorded._known(pupil.aperture, pupil.wavefront)[1.0], len(sampled)
         assert known.part(first, (4, 5)) is None
         beyond = SimpleNamespace(step=1.0, first=first, counts=(4, 5))
-        assert recorded._on_lattice(Asked(None, 1, 1e-6, 1e-9, 0.0), pupil, beyond)[1].shape == (1, 4, 5)
+        assert recorded._on_lattice(Request(None, 1, 1e-6, 1e-9, 0.0), pupil, beyond)[1].shape == (1, 4, 5)
         assert len(sampled) == count + 1
         recorded._known(pupil.aperture, pupil.wavefront)[1.0] = known
 
@@ -171,7 +171,7 @@ def test_only_samples_of_the_tolerance_serve_again(sampled):
 def test_copies_of_the_band_of_the_intensity_begin_where_that_of_the_blur_ends(monkeypatch, ratio, shared):
     lattices, of = [], recorded._on_lattice
     monkeypatch.setattr(recorded, "_on_lattice", lambda *args: lattices.append(args[2]) or of(*args))
-    asked = Asked(None, 1, 1e-8, 1e-9, 60.0, shared)
+    asked = Request(None, 1, 1e-8, 1e-9, 60.0, shared)
     summed(asked, lm.Pupil(spider=VANES), Grid(3, 2.0), (lm.Seeing(1.0 / ratio),))
     (lattice,) = lattices
     share = lattice.h / lattice.step
@@ -201,9 +201,9 @@ def test_few_lattices_are_kept(sampled):
 
 def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
     pupil, shared = lm.Pupil(obscuration=0.2, spider=VANES), []
-    of_stack = recorded._of_stack
+    of_stack = recorded._stack_images
     monkeypatch.setattr(
-        recorded, "_of_stack", lambda asked, *args: shared.append(asked.shared) or of_stack(asked, *args)
+        recorded, "_stack_images", lambda asked, *args: shared.append(asked.shared) or of_stack(asked, *args)
     )
     monkeypatch.setattr(recorded, "_outwards", lambda count: 10**4)
     assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
@@ -212,15 +212,15 @@ def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
 
 def test_shares_of_the_error_are_asked_for_until_they_fit():
     # 0.9 of what is allowed is 1 here: the parts may be at most 1.11 in all.
-    asked = Asked(None, 0, 1e-8, 1e-9, 100.0)
+    asked = Request(None, 0, 1e-8, 1e-9, 100.0)
     for parts in [(0.45, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 0.55), (0.38, 0.24, 0.495)]:
         given, response, missing = (np.array([part]) for part in parts)
-        made = Made(np.ones((1, 1, 1)), given, response, missing, lm.NijboerZernike())
-        further = recorded._again(asked, made, np.ones(1))
+        made = BlurredStack(np.ones((1, 1, 1)), given, response, missing, lm.NijboerZernike())
+        further = recorded._refined_request(asked, made, np.ones(1))
         assert further != asked
         assert (further.tol, further.error, -further.margin) <= (asked.tol, asked.error, -asked.margin)
-    made = Made(np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.NijboerZernike())
-    assert recorded._again(asked, made, np.ones(1)) == asked
+    made = BlurredStack(np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.NijboerZernike())
+    assert recorded._refined_request(asked, made, np.ones(1)) == asked
 
 
 @pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 100, 607, 3072, -5, -700])

@@ -118,7 +118,7 @@ def field_map(
 
 
 def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.Trace, float, float]:
-    """Return what traces a direction, given as fractions of `edge`; the wavelength; and the obscuration."""
+    """Return the tracer of a direction, given as fractions of `edge`; the wavelength; and the obscuration."""
     batoid = library("batoid", "this needs", "")
     if not isinstance(optic, batoid.Optic):
         raise TypeError(f"optic must be a batoid Optic, got {validation.shown(optic)}")
@@ -142,6 +142,7 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
         # |v| is the speed, 1 over the index.
         direction = rays.v / np.square(rays.v).sum(axis=1, keepdims=True)
         towards = direction[:-1] - direction[-1]
+        # Light along -z is seen mirrored from behind the sensor.
         side = math.copysign(1.0, direction[-1, 2])
         # As batoid.wavefront has it.
         rays.toCoordSys(rays.coordSys.shiftLocal(place + np.array([0.0, 0.0, radius])))

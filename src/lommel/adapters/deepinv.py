@@ -72,7 +72,7 @@ def blur_physics(blur: LinearBlur, **options: Any) -> Any:
 
 @cache
 def _linear_function() -> Callable[..., Any]:
-    """Return what applies a NumPy function to a batch, with another as its gradient."""
+    """Return a function that applies a NumPy function to a batch, with another one as its gradient."""
     import torch
 
     def mapped(images: Tensor, way: Callable[[Values], Values]) -> Any:
@@ -88,6 +88,8 @@ def _linear_function() -> Callable[..., Any]:
         @staticmethod
         def backward(ctx: Any, gradient: Tensor) -> Tensor:
             way, back = ctx.ways
+            # The gradient of a linear map is its adjoint; applied through the class, so that it can be differentiated
+            # again.
             return Linear.apply(gradient, back, way), None, None
 
     return Linear.apply  # type: ignore[no-any-return]

@@ -220,7 +220,7 @@ _PARAXIAL = 1e-3  # of the largest field: distortion is 1e-6 of that at the edge
 
 
 def _ideal(optic: Any) -> Callable[[float], float]:
-    """Return where light arrives without distortion (metres, upwards), at a fraction of the largest field."""
+    """Return the function from a fraction of the largest field to the ideal position (metres, upwards)."""
     kind = type(optic.fields.field_definition).__name__
     if kind not in ("AngleField", "ObjectHeightField", "ParaxialImageHeightField"):
         raise ValueError(f"distortion must be False for fields of the type {kind}, which say nothing of the object")
@@ -236,7 +236,7 @@ def _ideal(optic: Any) -> Callable[[float], float]:
 
 
 def _require(optic: object) -> Any:
-    """Return a lens of optiland; TypeError if it is none."""
+    """Return a lens of optiland; TypeError if it is not one."""
     library("optiland.optic", "this needs", "")
     from optiland.optic import Optic
 
@@ -246,7 +246,7 @@ def _require(optic: object) -> Any:
 
 
 def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
-    """Return what traces a field, and the wavelength in metres."""
+    """Return the tracer of a field, and the wavelength in metres."""
     lens = _require(optic)
     from optiland.wavefront import Wavefront
 
@@ -291,7 +291,7 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
 
 
 def _launched(lens: Any, field: tuple[float, float], x: Array, y: Array, micrometres: float) -> Array:
-    """Return the phase of a wave from infinity where its rays begin, less that of the chief ray; else 0."""
+    """Return the phase of a wave from infinity where its rays begin, less the chief ray's; 0 for near objects."""
     if not lens.object_surface.is_infinite:
         return np.zeros(x.size)
     # The chief ray is the last.
@@ -299,6 +299,7 @@ def _launched(lens: Any, field: tuple[float, float], x: Array, y: Array, microme
     place, direction = (
         np.stack([np.asarray(getattr(rays, name), dtype=np.float64) for name in names]) for names in ("xyz", "LMN")
     )
+    # The path from the wave's plane through the chief ray's start: the projection on the direction.
     path: Array = np.sum(direction[:, :-1] * (place[:, :-1] - place[:, -1:]), axis=0)
     index = float(np.ravel(lens.surfaces.n(micrometres))[0])
     return 2.0 * math.pi / (1e-3 * micrometres) * index * path

@@ -61,13 +61,14 @@ class TracedField:
 
 
 Trace = Callable[[float, float, Array, Array], TracedField]
-"""From a point of the field, as fractions of its edge, and points of the pupil to their rays."""
+"""From a field point, as fractions of its edge, and points of the pupil to their rays."""
 
 
 def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
     """Return x and y of pupil points that determine Zernike terms up to `degree` and show residuals."""
     validation.real("tol", tol, above=0.0)
     validation.integer("degree", degree, least=2, most=MAX_DEGREE)
+    # Gauss's rule in rho^2 and equal angles: least squares there are close to the integrals of the Zernike terms.
     nodes = gauss_legendre(degree // 2 + 4)[0]
     rho = np.sqrt(nodes)
     theta = 2.0 * math.pi / (2 * degree + 5) * np.arange(2 * degree + 5)
@@ -80,11 +81,12 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
     # A pupil that is imaged upside down, as by a relay, is rotated by half a turn.
     turn = math.copysign(1.0, slopes[0])
     terms = _terms(traced.phase, turn * traced.x, -turn * traced.y, degree, tol)
+    # f / # = 1 / (2 n sin): slopes are n sin over the pupil radius; the geometric mean of both directions.
     return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
 def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
-    """Return the slope of the phase (radians over the radius of the pupil) that places of the rays do not have.
+    """Return the slope of the phase (radians over the pupil's radius) that the rays' positions do not show.
 
     Along where a ray misses the chief ray on the sensor the phase changes by -2 pi / wavelength times that and the
     change of its direction. 0 if the difference is that of fits.
@@ -95,6 +97,7 @@ def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
     matrix = _zernike(traced.x, traced.y, degree)[1]
     fitted = np.linalg.pinv(matrix)
     rest = float(np.std(traced.phase - matrix @ (fitted @ traced.phase)))  # of too low a degree, which is told later
+    # Derivatives of polynomials by central differences.
     step = 1e-4
     largest, mean = 0.0, []
     for dx, dy in ((step, 0.0), (0.0, step)):
@@ -103,13 +106,14 @@ def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
         along = traced.missed_x * (slope @ traced.direction_x) + traced.missed_y * (slope @ traced.direction_y)
         by_rays = -2.0 * math.pi / wavelength * along
         largest = max(largest, float(np.abs(by_rays).max()))
+        # The mean slope over the pupil is a tilt.
         mean.append(float((slope @ traced.phase - by_rays).mean()))
     off = math.hypot(*mean)
     return off if off > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_REST * rest else 0.0
 
 
-def _checked(trace: Trace, wavelength: float) -> Trace:
-    """Return a trace whose phases agree with its rays; ValueError of a field where they do not."""
+def _checked_trace(trace: Trace, wavelength: float) -> Trace:
+    """Return a trace whose phases agree with its rays; ValueError for a field where they do not."""
 
     def made(hx: float, hy: float, x: Array, y: Array) -> TracedField:
         traced = trace(hx, hy, x, y)
@@ -142,7 +146,7 @@ def _slopes(traced: TracedField) -> list[float]:
 
 
 def _zernike(x: Array, y: Array, degree: int) -> tuple[list[tuple[int, int]], Array]:
-    """Return the Zernike terms up to a degree, and their values at points, a column each."""
+    """Return the Zernike terms up to a degree, and their values at points, in columns."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
     return terms, np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
@@ -178,7 +182,7 @@ def _seen_from_image(
 
 
 def _transform(traced: TracedField) -> Array:
-    """Return the matrix from points of the entrance pupil to the direction cosines that the image sees them at."""
+    """Return the matrix from points of the entrance pupil to the direction cosines at which the image sees them."""
     _slopes(traced)
     # Light travels against the place that it comes from, which is seen from behind the sensor.
     places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
@@ -198,7 +202,7 @@ def single_pupil(
     """Return the pupil at one point of the field, with the f-number there."""
     round_ = validation.truth("circular", circular)
     hx, hy = _point("field", field)
-    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     if not round_:
         return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
@@ -211,7 +215,7 @@ def polarized_pupils(
 ) -> list[Pupil]:
     """Return a pupil of each component of the electric field that has light, with its amplitude as a mask."""
     hx, hy = _point("field", field)
-    traced = _checked(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
     assert traced.field is not None
     _, matrix = _zernike(traced.x, traced.y, degree)
@@ -225,6 +229,7 @@ def polarized_pupils(
         )
     at = (2.0 * np.arange(side) + 1.0 - side) / side
     place = np.stack([part.ravel() for part in np.meshgrid(at, at)])
+    # A cell more than the radius: cells at the edge are partly inside.
     inside = np.hypot(*place) <= 1.0 + 2.0 / side
     x, y = np.linalg.solve(transform, place[:, inside])
     beyond = np.maximum(np.hypot(x, y), 1.0)  # of cells at the edge, and between the ellipse and the circle
@@ -255,7 +260,7 @@ def field_map(
     positions are then these, and tilts move the light to where chief rays meet the sensor.
     """
     round_ = validation.truth("circular", circular)
-    points, trace = sample_points(degree, tol), _checked(trace, wavelength)
+    points, trace = sample_points(degree, tol), _checked_trace(trace, wavelength)
     if fields is None:
         return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=round_)
     if ideal is not None:
@@ -285,7 +290,7 @@ def _radial_map(
     *,
     circular: bool,
 ) -> FieldMap:
-    """Return the map of a rotationally symmetric lens, by rays along y at so many image heights."""
+    """Return the map of a rotationally symmetric lens from rays along y at `heights` image heights."""
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     count = validation.integer("heights", heights, least=2, most=1000)
     shares = np.linspace(0.0, 1.0, count)
@@ -312,6 +317,7 @@ def _radial_map(
     _require_symmetry(made, terms(across), across.position, distances[-1], tol)
     if ideal is not None:
         straight = np.array([upwards * ideal(float(h)) for h in shares])
+        # A tilt of c radians at the edge moves the image by c lambda N / pi.
         tilt = -upwards * math.pi / aperture.scale * (distances - straight)
         bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
         made, distances = FieldMap.radial(straight, bent, azimuth=azimuth, aperture=aperture), straight

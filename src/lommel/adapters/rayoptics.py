@@ -135,7 +135,7 @@ def _require_version(found: str) -> None:
 
 
 def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
-    """Return what traces a field, and the wavelength in metres."""
+    """Return the tracer of a field, and the wavelength in metres."""
     library("rayoptics.optical.opticalmodel", "this needs", "")
     _require_version(metadata.version("rayoptics"))
     from rayoptics.optical.opticalmodel import OpticalModel
@@ -170,9 +170,11 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
             # From the point of the reference sphere that the ray comes from.
             past, direction = found[0][-1][0] - sphere[0], found[0][-1][1]
             along = past @ direction
+            # The intersection of the ray with the reference sphere, from a quadratic equation.
             length = along + math.sqrt(along**2 + sphere[2] ** 2 - past @ past)
             straight = (length * direction - past) / abs(sphere[2])
             towards[k] = abs(first.n_img) * (straight - chief_direction)[:2]
+            # The ray's point in the plane of the image, relative to the chief ray's.
             missed[k] = (past - past[2] / direction[2] * direction)[:2] / unit
         place = np.asarray(sphere[0], dtype=np.float64) / unit
         position = float(place[0]), float(place[1])

@@ -11,17 +11,18 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Values = NDArray[Any]
-"""Of float32 or float64, for which NumPy has no common type to calculate with."""
+"""Arrays of float32 or float64, for which NumPy has no common type."""
 Numbers = np.float64 | NDArray[np.float64]
 _Index = SupportsIndex | slice | EllipsisType | Sequence[int] | NDArray[np.integer[Any]] | NDArray[np.bool_] | None
 Index = _Index | tuple[_Index, ...]
-"""By which NumPy indexes arrays."""
+"""Index of an array, as NumPy takes it."""
 Json = dict[str, Any]
-"""A thing in plain types, as JSON has them."""
+"""Object in plain types, as JSON represents it."""
 
 
 def largest(values: Values) -> float:
-    """Return the largest value; of a single one without the cost of a reduction."""
+    """Return the largest value."""
+    # Single PSFs are frequent, and reading a value is faster than a reduction.
     return float(values.item() if values.size == 1 else values.max())
 
 

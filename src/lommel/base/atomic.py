@@ -31,10 +31,11 @@ from lommel.base import reading
 from lommel.base.arrays import Json, Values
 from lommel.base.validation import line
 
+# The prefix also says which files a later process may remove as remains of a killed one (`_sweep`).
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
 _PREFIX = ".lommel-"
 _DAY = 86400.0
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # of Windows, which else changes line ends
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # O_BINARY: Windows converts line ends
 
 
 class _Closing(Protocol):
@@ -45,7 +46,7 @@ _Open = TypeVar("_Open", bound=_Closing)
 
 
 def contents(save: Callable[..., object], *args: object, **options: object) -> bytes:
-    """Return what a function writes into the file that is its first argument."""
+    """Return the bytes that `save` writes into the file object that is its first argument."""
     file = io.BytesIO()
     save(file, *args, **options)
     return file.getvalue()
@@ -61,7 +62,7 @@ def write(target: Path, data: bytes) -> None:
 def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
     """Yield a writer of paths and contents; at the end all files move into place, or none after an error.
 
-    Until then they are in the folder of each, or in a `room`.
+    Until then they lie in the folder of each, or in `room`.
     """
     with _temporaries(room) as make:
 
@@ -74,7 +75,7 @@ def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | me
 
 @contextmanager
 def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
-    """Yield what makes an empty file for a target, and returns its path; at the end they get the names of these."""
+    """Yield a function that makes an empty temporary file for a target; at the end the files get those names."""
     # Links are followed, permissions kept; a hard link is cut, since the other name keeps the old contents. Contents
     # are on the disk before a name is given to them. Remains of a killed process are removed a day later, by the
     # next write.
@@ -94,6 +95,8 @@ def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Cal
 
     try:
         yield make
+        # First all files are on the disk, then all are renamed: an error on the way, a full disk say, leaves no
+        # target.
         for temporary, place, mode in made:
             with as_path_error(place):
                 _settle(temporary)
@@ -102,6 +105,7 @@ def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Cal
         for temporary, place, _ in made:
             with as_path_error(place):
                 _link(temporary, place) if new else temporary.replace(place)
+        # A rename survives a power cut only once the folder that holds the name is synchronised too.
         for folder in {place.parent for _, place, _ in made}:
             _settle(folder)
     finally:
@@ -129,6 +133,7 @@ def temporary_for(target: Path, *, new: bool = False) -> Iterator[Path]:
 def _link(temporary: Path, place: Path) -> None:
     """Give a file a name that nothing has."""
     try:
+        # A hard link fails where the name exists, and a rename would replace that file.
         os.link(temporary, place)
     except OSError:
         if place.exists():
@@ -137,7 +142,7 @@ def _link(temporary: Path, place: Path) -> None:
 
 
 def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a folder that `fill` makes at the path it is given, as `write_by` writes a file."""
+    """Write a folder that `fill` makes at the path it gets; the folder gets its name when it is complete."""
     with as_path_error(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
@@ -151,8 +156,10 @@ def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = Fals
 
 
 def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
-    """Move the folder `new` of a room into place; what was there is then `old` in the room, if it need not be new."""
+    """Move the folder `new` of a room into place; unless it must be `new` there, the former one becomes `old`."""
     try:
+        # A temporary folder is made readable by its owner alone; the result has the permissions of the one it
+        # replaces.
         mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
         for path in (room / "new", *(room / "new").rglob("*")):
             path.chmod(mode if path.is_dir() else mode & 0o666)
@@ -167,13 +174,13 @@ def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
 
 
 def restore_old(room: Path, place: Path) -> None:
-    """Give the folder `old` of a room its name again, if nothing has taken it."""
+    """Give the folder `old` of a room its name again, if the name is free."""
     if (room / "old").exists() and not place.exists():
         (room / "old").replace(place)
 
 
 def _place(target: Path) -> Path:
-    """Return the path that a file is to have, links followed."""
+    """Return the real path of a target, links followed."""
     place = Path(os.path.realpath(target))
     if place.exists() and not place.is_file():
         # A device, say, that is not to become a file.
@@ -184,9 +191,10 @@ def _place(target: Path) -> Path:
 
 @contextmanager
 def as_path_error(target: Path) -> Iterator[None]:
-    """Tell an error of the operating system with the name that was asked for."""
+    """Raise an error of the operating system again, with the path that the caller named."""
     try:
         yield
+    # The temporary name in the original message would mean nothing to the reader.
     except OSError as error:
         if error.errno == errno.ENOTEMPTY:  # a folder is there, which none takes the place of
             error = FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
@@ -197,14 +205,14 @@ def as_path_error(target: Path) -> Iterator[None]:
 
 @contextmanager
 def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
-    """Yield a file that gets the name of `target` at the end; errors of closing it are told with that, too."""
+    """Yield a file that gets the name of `target` at the end; errors of closing it name that path, too."""
     with temporary_for(target) as temporary, closed(lambda: temporary.open(mode, **options), target) as file:
         yield file
 
 
 @contextmanager
 def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
-    """Yield what is made to write a file, and close it; errors of both are told with the name of `target`."""
+    """Yield a writer and close it at the end; errors of both name the path of `target`."""
     with as_path_error(target):
         file = make()
     try:
@@ -218,7 +226,7 @@ def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
 
 
 def _settle(path: Path) -> None:
-    """Have what a file, or a folder of names, holds on the disk."""
+    """Synchronise a file, or the names in a folder, with the disk."""
     try:
         handle = os.open(path, os.O_RDWR if sys.platform == "win32" else os.O_RDONLY)
     except PermissionError:
@@ -235,7 +243,7 @@ def _settle(path: Path) -> None:
 
 @lru_cache(maxsize=64)
 def _sweep(folder: Path) -> None:
-    """Remove, once a process, what others left in a folder a day ago; but never the only copy of anything."""
+    """Remove files that other processes left in a folder a day ago, once a process; never the only copy of data."""
     try:
         with os.scandir(folder) as entries:
             ours = [entry for entry in entries if entry.name.startswith(_PREFIX)]
@@ -243,9 +251,11 @@ def _sweep(folder: Path) -> None:
     except OSError:
         return  # What is wrong with the folder, the write will tell.
     for path in old:
+        # A running call may still hold a young file: only those a day old are certain remains.
         if not path.is_dir():
             with suppress(OSError):  # of somebody else
                 path.unlink()
+        # `old` is what the place held before; a process killed between two renames leaves its only copy there.
         elif not (path / "old").exists():
             shutil.rmtree(path, ignore_errors=True)
 
@@ -260,10 +270,10 @@ _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.
 
 @contextmanager
 def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
-    """Hold the file by which calls write to a place, alone or shared with others; ValueError if that cannot be.
+    """Hold an exclusive or shared lock on the mark file of a place; ValueError if another call has it.
 
-    Yield whether the file system tells. Nothing is written for it, so nothing of a killed process has to be judged or
-    cleared away.
+    Yield whether the file system has locks. The lock is one of the system, not a file: it ends with its process, and
+    a killed process leaves nothing to judge or clear away.
     """
     if sys.platform == "win32" and alone:
         yield True  # nothing takes the place of a file that is open, not even who holds it
@@ -274,6 +284,7 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
     known = True
     try:
         try:
+            # Without waiting (LOCK_NB): a call that writes for hours is told at once.
             if sys.platform != "win32":
                 fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -286,13 +297,13 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
             known = False
         yield known
     finally:
-        if handle in _held:  # of this process, not of a parent
+        if handle in _held:  # opened by this process, not inherited from its parent
             _held.discard(handle)
             os.close(handle)
 
 
 def unknown_use(place: Path) -> ValueError:
-    """Return the error for a place that may not be begun anew, since another call may write to it."""
+    """Return the error for a place that another call may still be writing, on a file system without locks."""
     return ValueError(
         f"{line(place)} was begun by another call, and its file system does not tell whether that goes on; remove it "
         "if it does not, or name another"
@@ -300,7 +311,7 @@ def unknown_use(place: Path) -> ValueError:
 
 
 def _let_go() -> None:
-    """In a child, close what its parent holds: else the child would hold it too, for as long as it lives."""
+    """Close the locks of the parent in a forked child, which would otherwise hold them for as long as it lives."""
     while _held:
         os.close(_held.pop())
 
@@ -311,12 +322,12 @@ if hasattr(os, "register_at_fork"):
 
 _MARK = "request.json"
 _IDENTITY = "identity"
-_TIMES = 8  # that what another call has just finished is begun anew
+_TIMES = 8  # attempts to begin anew after another call has finished or removed the folder
 
 
 @dataclass(frozen=True)
 class Unfinished:
-    """The folder of a place until it is complete."""
+    """Hidden folder of a place until the result is complete."""
 
     place: Path
     room: Path
@@ -324,22 +335,22 @@ class Unfinished:
 
     @property
     def new(self) -> Path:
-        """The folder that gets the name."""
+        """Folder that gets the name of the place."""
         return self.room / "new"
 
     @property
     def _parts(self) -> Path:
-        return self.room / str(self.said[_IDENTITY])  # which no other call has: it cannot write into a newer room
+        return self.room / str(self.said[_IDENTITY])  # unique: a late call cannot write into a newer folder
 
     def has(self, name: str, request: str, values: Values) -> bool:
-        """Return whether a part is done, and these are its values."""
+        """Return whether a part is complete and was computed from these values."""
         try:
             return reading.contents(self._parts / name, 99) == self._sum(name, request, values)
         except OSError:
             return False
 
     def put(self, name: str, request: str, values: Values) -> None:
-        """Tell that a part is done, of which the values are written."""
+        """Record that a part, whose values are written, is complete."""
         self.require_there()
         with as_path_error(self.place):
             write(self._parts / name, self._sum(name, request, values))
@@ -350,13 +361,13 @@ class Unfinished:
             raise ValueError(f"{line(self.room)} was removed while it was written; call again")
 
     def finish(self) -> None:
-        """Give the folder its name, in place of what has it."""
+        """Give the folder its name, replacing a folder of that name."""
         self.require_there()
         move_folder(self.room, self.place)
         self.remove()
 
     def remove(self) -> None:
-        """Remove what is there, that which tells whose it is at last."""
+        """Remove the hidden folder, its mark last: until then a killed removal is recognised as ours."""
         restore_old(self.room, self.place)  # of a process that was killed between two renames
         for path in self.room.iterdir():
             if path.name != _MARK:
@@ -373,10 +384,10 @@ class Unfinished:
 def unfinished_folder(
     target: Path, request: Mapping[str, object], fill: Callable[[Path], object]
 ) -> Iterator[Unfinished]:
-    """Yield the folder of a request that is unfinished, or that `fill` begins at the path it is given.
+    """Yield the unfinished folder of a request, begun by `fill` at the path it gets if there is none.
 
-    ValueError if another call writes it, or the hidden folder is damaged or not ours. What is unfinished of another
-    request is removed; so is, after an error, what has no part yet.
+    ValueError if another call writes it, or if the hidden folder is damaged or not ours. An unfinished folder of
+    another request is removed; so is, after an error, one without any complete part.
     """
     place = Path(os.path.realpath(target))
     room = place.with_name(f".{place.name}.unfinished")
@@ -391,6 +402,7 @@ def unfinished_folder(
                 known = hold.enter_context(locked(room / _MARK, place))
             except FileNotFoundError:
                 continue  # the other one has just ended
+            # Between the check and the lock another call may have replaced the folder: compared again under the lock.
             if _opened(place, room) != there:
                 continue
             if there.said["request"] != asked or not there.new.is_dir():
@@ -422,9 +434,10 @@ def _create(place: Path, room: Path, request: Json, fill: Callable[[Path], objec
 
 
 def _opened(place: Path, room: Path) -> Unfinished | None:
-    """Return what is unfinished, None if nothing is; ValueError if there is something else."""
+    """Return the unfinished folder, None if there is none; ValueError if something else has its name."""
     try:
         ours = room.lstat()
+        # Names in a shared folder may be planted by others: nothing is followed or removed that is not our own.
         if not stat.S_ISDIR(ours.st_mode) or (hasattr(os, "getuid") and ours.st_uid != os.getuid()):
             raise ValueError("it is a link, a file, or of another user")
         if not (found := list(room.iterdir())):
@@ -443,29 +456,29 @@ def _opened(place: Path, room: Path) -> Unfinished | None:
 
 
 def plain(description: Mapping[str, object]) -> Json:
-    """Return a description as JSON holds it."""
+    """Return a description as JSON represents it (tuples as lists, keys as strings)."""
     found: Json = json.loads(json.dumps(description))
     return found
 
 
 def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
-    """Return a description with the checksum of the arrays of a file and of all else that it says."""
+    """Return a description with the checksum of the arrays of a file and of its other entries."""
     return description | {"checksum": checksum(description, arrays)}
 
 
 def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> str:
-    """Return the checksum of arrays by name, and of all that is said of them."""
+    """Return the checksum of arrays by name and of their description."""
     return f"crc32 {crc32(description, arrays):08x}"
 
 
 def of_bytes(data: bytes) -> str:
-    """Return the size and the checksum of what a file holds."""
+    """Return the size and checksum of the bytes of a file."""
     return f"{len(data)} bytes, crc32 {zlib.crc32(data):08x}"
 
 
 def of_file(path: Path) -> str:
     """Return the size and the checksum of a file; OSError if there is none."""
-    size, total = reading.size(path), 0  # lest it be a pipe
+    size, total = reading.size(path), 0  # refuses a pipe, which would be waited for
     with path.open("rb") as file:
         while part := file.read(2**20):
             total = zlib.crc32(part, total)
@@ -478,6 +491,7 @@ def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.gen
     total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
     for name in sorted(arrays):
         values = arrays[name]
+        # Little-endian bytes in C order, so that all machines and memory layouts have the same checksum.
         plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
         total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
     return total

@@ -11,7 +11,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:
 
     class cached_property(functools.cached_property):  # noqa: N801 (as that one is called)
-        """A property computed once, by two threads at once if need be."""
+        """Property computed at the first access, without a lock: two threads may both compute it."""
 
         def __get__(self, instance: Any, owner: type | None = None) -> Any:
             """Return the value, computed at the first access."""
@@ -22,29 +22,30 @@ else:
 
 
 _Thing = TypeVar("_Thing")
-# `Lens.pupil` takes as long as some hundred look-ups, and a sixth longer by way of `dict.update`.
+# `Lens.pupil` takes as long as a hundred attribute look-ups; `dict.update` would add a sixth.
 _new, _set = object.__new__, object.__setattr__
 
 
 def made(kind: type[_Thing], parts: dict[str, object]) -> _Thing:
-    """Return an object of this `kind` from all of its `parts`, checked before; it owns the dictionary."""
+    """Return an object of this `kind` with the attributes `parts`, checked by the caller; it owns the dictionary."""
+    # Past __init__ and the checks of frozen dataclasses, which take longer than the rest of a small computation.
     thing = _new(kind)
     _set(thing, "__dict__", parts)
     return thing
 
 
 def changed(thing: _Thing, **parts: object) -> _Thing:
-    """Return a copy with other `parts`, on which nothing cached may depend; unlike `replace` it checks nothing."""
+    """Return a copy with other attributes `parts`; unlike `replace` it checks nothing and keeps cached values."""
     copy = _new(type(thing))
     _set(copy, "__dict__", thing.__dict__ | parts)
     return copy
 
 
 class EqualByContent:
-    """An object that is equal to those of its class with the same content."""
+    """Base of objects that are equal if their class and content are equal."""
 
     def _content(self) -> object:
-        """Return all that distinguishes the object from others, hashable."""
+        """Return all values that distinguish the object, hashable."""
         raise NotImplementedError
 
     def __eq__(self, other: object) -> bool:

@@ -34,6 +34,7 @@ def html(thing: object) -> str:
 
 def _registered(dispatch: Callable[[type], Callable[..., Any]], thing: object, what: str) -> Callable[..., Any]:
     load(what)
+    # singledispatch falls back to the function of `object`, which is the undecorated one that called here.
     found = dispatch(type(thing))
     if found is dispatch(object):
         raise TypeError(f"there is no {what} of a {type(thing).__name__}")
@@ -44,7 +45,7 @@ _named: dict[str, Callable[..., Any]] = {}
 
 
 def register(name: str) -> Callable[[_Function], _Function]:
-    """Return a decorator that makes a function known by a name, for :func:`named`."""
+    """Return a decorator that registers a function under a name, for :func:`named`."""
 
     def known(function: _Function) -> _Function:
         _named[name] = function
@@ -54,14 +55,14 @@ def register(name: str) -> Callable[[_Function], _Function]:
 
 
 def named(name: str, what: str) -> Callable[..., Any]:
-    """Return the function of a name that a module above registered, a "plot" or a "file"."""
+    """Return the function registered under a name by a module above, a "plot" or a "file"."""
     if name not in _named:
         load(what)
     return _named[name]
 
 
 class Shown:
-    """A thing that notebooks show as a picture beside a table."""
+    """Base of objects that notebooks show as a picture beside a table."""
 
     def _repr_html_(self) -> str:
         return html(self)

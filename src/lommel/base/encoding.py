@@ -10,9 +10,9 @@ from lommel.base.arrays import Values
 
 ENCODINGS = ("linear", "srgb")
 
-_BRIGHT = 10.0  # times white, above which light is told: few scenes have it, and levels that became floats do
+_BRIGHT = 10.0  # times white; more is rare in scenes, and common where integer levels were converted to floats
 
-_PART = 2**16  # values that are encoded at once, so that what is between stays in a cache
+_PART = 2**16  # values encoded at a time, so that intermediate arrays stay in a cache
 
 
 def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
@@ -43,7 +43,7 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
     validation.kind("dtype", dtype, np.float32, np.float64)
     if values.dtype.kind == "u":
         most = int(np.iinfo(str(values.dtype)).max)
-        if values.size > most + 1:  # of each level once
+        if values.size > most + 1:  # by a table with one entry for each level
             levels = np.arange(most + 1, dtype=values.dtype)
             return np.asarray(to_light(name, levels, encoding, dtype)[values])
         light = values.astype(dtype) / np.asarray(most, dtype=dtype)
@@ -57,20 +57,21 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
     if encoding == "srgb":
         if light.size and float(light.min()) < 0.0:
             raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
+        # Below 0.04045 sRGB is linear, since the slope of the power would be infinite in light at 0 (IEC 61966-2-1).
         low = light <= 0.04045
         light = np.asarray(np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4), dtype=dtype)
     return np.asarray(light)
 
 
 def scene_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
-    """Return linear light as :func:`to_light`, of a scene: a UserWarning tells of more than ten times white."""
+    """Return linear light as :func:`to_light`, with a UserWarning if it exceeds ten times white."""
     light = to_light(name, values, encoding, dtype)
     tell_of_light(light)
     return light
 
 
 def tell_of_light(light: Values) -> None:
-    """Give a UserWarning if there is light of more than ten times white."""
+    """Give a UserWarning if light exceeds ten times white."""
     if light.size and (peak := float(np.max(light))) > _BRIGHT:
         validation.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide them by their white")
 
@@ -102,6 +103,7 @@ def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:
             values = np.where(values <= 0.0031308, 12.92 * values, curved)
         if kind.kind == "u":
             most = np.iinfo(kind).max
+            # In float64: float32 cannot hold the levels of 32-bit integers.
             values = np.clip(np.rint(values.astype(np.float64) * most), 0, most)
         stored[part] = values
     return stored.reshape(light.shape)
@@ -125,5 +127,6 @@ def clipped_share(light: Values, dtype: DTypeLike) -> float:
     kind = np.dtype(dtype)
     if kind.kind != "u" or light.size == 0:
         return 0.0
+    # One level beyond the range is rounding, not clipping.
     level = 1.0 / np.iinfo(kind).max
     return float(np.mean((light > 1.0 + level) | (light < -level)))

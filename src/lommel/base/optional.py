@@ -23,20 +23,20 @@ def library(name: str, user: str, extra: str) -> Any:
         return import_module(name)
     except ModuleNotFoundError:
         raise ImportError(f"{user} {how_to_get(name, extra)}") from None
-    except ImportError as error:  # such as memory that is short
+    except ImportError as error:  # installed, but cannot be loaded, for lack of memory say
         raise ImportError(f"{user} {name}, which cannot be loaded: {' '.join(str(error).split())}") from None
 
 
 def require(name: str, user: str, extra: str) -> None:
     """Raise the ImportError of :func:`library` where a module is missing, without importing it."""
-    from importlib.util import find_spec  # which few need
+    from importlib.util import find_spec  # late: rarely needed
 
     if find_spec(name.partition(".")[0]) is None:
         raise ImportError(f"{user} {how_to_get(name, extra)}")
 
 
 def how_to_get(name: str, extra: str) -> str:
-    """Return what is needed and how to install it, in words that hold wherever this package came from."""
+    """Return how to install a module, valid for wheels and for clones."""
     top = name.partition(".")[0]
     # The environment of a clone has no pip.
     clone = Path(__file__).parents[3] / "Makefile"
@@ -46,7 +46,7 @@ def how_to_get(name: str, extra: str) -> str:
 
 
 def version() -> str:
-    """Return the version that is installed."""
-    from importlib import metadata  # takes as long as the rest of `import lommel`
+    """Return the installed version."""
+    from importlib import metadata  # late: takes as long as the rest of `import lommel`
 
     return metadata.version("lommel")

@@ -24,6 +24,7 @@ def plain(value: Any) -> Any:
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return plain(fields_of(value))
     if hasattr(value, "_asdict"):
+        # JSON has only string keys, and neither infinity nor NaN.
         return {name: plain(each) for name, each in value._asdict().items()}
     if isinstance(value, Mapping):
         return {_key(name): plain(each) for name, each in value.items()}

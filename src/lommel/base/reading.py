@@ -55,39 +55,39 @@ MAX_LIST = 2**19
 """Most bytes of a list, such as that of the terms of one wavefront."""
 
 MAX_TOML = 2**18
-"""Most bytes of a lens file, of whose every second byte the parser may make a table of half a kilobyte."""
+"""Most bytes of a lens file; the parser may make a table of half a kilobyte from every second byte."""
 
 MEMORY = 2**28
 """Bytes that any file may take to read."""
 
 NPZ_TIMES = 4
-"""How many times as much as the arrays of a .npz file hold it takes to read them."""
+"""Memory for reading the arrays of a .npz file, over their size."""
 
-_TIMES, _COMPRESSED = 10, 100  # its size, that it may take else
-_HEADER = 2**16  # bytes; that of an array is a line
+_TIMES, _COMPRESSED = 10, 100  # memory over the size of a plain or compressed file, where that exceeds MEMORY
+_HEADER = 2**16  # bytes read for a header; that of an array is one line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
-_DESCRIPTION = 270  # the tag of a text, which tifffile parses if it is XML
-_MANAGER = 51123  # the tag of Micro-Manager
-_TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
-_TIFF_FRAME = 2**10  # bytes that it takes for a page like the first one
-_PLANE = 2**6  # bytes that it and we take for a plane that a description tells of
-_TAGS = 4096  # of a page
+_DESCRIPTION = 270  # tag ImageDescription, which tifffile parses if it is XML
+_MANAGER = 51123  # tag of Micro-Manager's metadata
+_TIFF_PAGE = 2**12  # bytes of memory that tifffile uses for a page
+_TIFF_FRAME = 2**10  # bytes that it uses for a page like the first one
+_PLANE = 2**6  # bytes that it and this package use for a plane in a description
+_TAGS = 4096  # most tags of a page
 DEFLATE = (8, 32946)
-"""The compressions of TIFF files that deflate."""
+"""Codes of the compression deflate in TIFF files."""
 
-_BEST = 1032  # times as much comes out of what deflate makes: 258 bytes of two bits (RFC 1951, 3.2.5)
-# Of these the size of what comes out is known.
+_BEST = 1032  # largest ratio of deflate: 258 bytes from two bits (RFC 1951, 3.2.5)
+# Compressions whose decoded size is known before decoding.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
-_SCANS = 20  # of a JPEG; cameras write one, progressive ones have ten
-_MEMBERS = 1000  # of an archive
-_PARTS = 16  # of a key with dots; lens files have four
+_SCANS = 20  # scans of a JPEG; cameras write one, progressive files have ten
+_MEMBERS = 1000  # most members of an archive
+_PARTS = 16  # most parts of a dotted key; lens files have four
 _KEY = r"(?:[\w-]+|\"[^\"\n]*\"|'[^'\n]*')"
 _DOTTED = re.compile(rf"(?<![\w-]){_KEY}(?:[ \t]*\.[ \t]*{_KEY}){{{_PARTS}}}")
 
 
 def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
-    """Return the bytes of a file; OSError if it is no regular one, which a pipe or a device is not, or too large."""
+    """Return the bytes of a file; OSError if it is too large, or a pipe or device."""
     count = size(path)
     if count > most:
         raise OSError(errno.EFBIG, f"has {count} bytes; the limit is {most}", str(path))
@@ -103,7 +103,7 @@ def start(path: Path, count: int) -> bytes:
 
 
 def size(path: Path) -> int:
-    """Return how many bytes a file has; OSError if it is no regular one."""
+    """Return the number of bytes of a file; OSError if it is not a regular one."""
     status = path.stat()
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", str(path))
@@ -113,12 +113,12 @@ def size(path: Path) -> int:
 
 
 def affords(memory: float, size: int, times: int = _COMPRESSED) -> bool:
-    """Return whether a file of `size` bytes may take so much memory to read."""
+    """Return whether reading a file of `size` bytes may use `memory` bytes."""
     return memory <= max(MEMORY, times * size)
 
 
 def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
-    """Refuse what would take more memory to read than a file of `size` bytes may."""
+    """Raise ValueError if reading would use more memory than a file of `size` bytes may."""
     if not affords(memory, size, times):
         most = max(MEMORY, times * size)
         hint = "; save it without compression" if times == _COMPRESSED else ""
@@ -128,7 +128,7 @@ def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
 
 
 def decoded(data: bytes) -> str:
-    """Return a text in UTF-8 with plain ends of lines; ValueError if it is another."""
+    """Return a UTF-8 text with Unix line ends; ValueError if it is not UTF-8."""
     try:
         return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
@@ -136,7 +136,7 @@ def decoded(data: bytes) -> str:
 
 
 def toml(text: str) -> Json:
-    """Return what a text in TOML holds; ValueError if it is none, or is nested more deeply than files here are."""
+    """Return the contents of a TOML text; ValueError if it is not valid, or nested too deeply."""
     import tomllib
 
     if len(text) > MAX_TOML:
@@ -150,11 +150,11 @@ def toml(text: str) -> Json:
 
 
 def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] | None = None) -> Any:
-    """Return what a text in JSON holds; ValueError if it is none, or would take too much memory."""
+    """Return the contents of a JSON text; ValueError if it is not valid, or would take too much memory."""
     from json import loads
 
     text = data.decode() if isinstance(data, bytes) else data
-    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))  # bytes that Python takes for what each makes
+    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))  # bytes of the Python objects that each makes
     afford(2 * len(text) + sum(each * text.count(mark) for mark, each in marks), len(text), _TIMES)
     try:
         return loads(text, object_pairs_hook=pairs)
@@ -163,7 +163,7 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
 
 
 def xml(text: str) -> Any:
-    """Return the root of a text in XML; ValueError if it is none, or would take too much memory."""
+    """Return the root element of an XML text; ValueError if it is not valid, or would take too much memory."""
     from xml.etree import ElementTree as ET
 
     _afford_xml(text)
@@ -174,21 +174,21 @@ def xml(text: str) -> Any:
 
 
 def _afford_xml(text: str) -> None:
-    """Refuse XML that would take too much memory, or names texts of its own, which can grow without end."""
+    """Refuse XML that would take too much memory, or defines entities, which can grow without end."""
     if "<!ENTITY" in text:
         raise ValueError("it has entities of its own, which no description needs")
-    # Bytes that Python takes for an element and for an attribute.
+    # Bytes that Python uses for an element and for an attribute.
     afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _TIMES)
 
 
 def reason(error: Exception) -> str:
-    """Return what an error says, which may be one of a library, on one line."""
+    """Return the message of an error, possibly of another library, on one line."""
     return validation.brief(" ".join(str(error).split()), 240) or type(error).__name__
 
 
 @contextmanager
 def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None]:
-    """Raise every error as one of a kind, which names the file and `what` it is not; but for a missing library."""
+    """Raise any error again as `kind`, naming the file and `what` it is not; a missing library stays ImportError."""
     try:
         yield
     except (ImportError, kind):
@@ -198,7 +198,7 @@ def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None
 
 
 def pixels(width: int, height: int) -> None:
-    """Refuse a picture that is larger than any that this package makes."""
+    """Raise ValueError for a picture larger than any that this package makes."""
     if not 0 < width * height <= MAX_PIXELS:
         raise ValueError(f"it has {width} x {height} pixels; the limit is {MAX_PIXELS} in all")
     if max(width, height) > MAX_PICTURE_SIDE:
@@ -206,7 +206,7 @@ def pixels(width: int, height: int) -> None:
 
 
 def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.generic], bytes]:
-    """Return the array of a .npy file, and what stands behind it."""
+    """Return the array of a .npy file, and the bytes behind it."""
     start, shape, fortran, kind = _npy_header(data[:_HEADER], most)
     count = math.prod(shape)
     if start + count * kind.itemsize > len(data):
@@ -216,7 +216,7 @@ def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.gene
 
 
 def npy_mapped(path: Path) -> NDArray[np.generic]:
-    """Return the array of a .npy file, whose values stay on the disk until they are read."""
+    """Return the array of a .npy file mapped from the disk; values are read when they are used."""
     at, shape, fortran, kind = _npy_header(start(path, _HEADER), validation.MAX_VALUES)
     count, held = math.prod(shape) * kind.itemsize, size(path) - at
     if count > held:
@@ -227,12 +227,13 @@ def npy_mapped(path: Path) -> NDArray[np.generic]:
 def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:
+        # Warnings as errors: NumPy warns of headers in formats that it reads for compatibility only.
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             version = np.lib.format.read_magic(file)
             read = {1: np.lib.format.read_array_header_1_0, 2: np.lib.format.read_array_header_2_0}[version[0]]
             shape, fortran, kind = read(file)
-    except Exception as error:  # of Python's own parser among others
+    except Exception as error:  # NumPy evaluates the header with Python's parser, which has errors of its own
         raise ValueError(f"its header is not that of an array: {str(error) or type(error).__name__}") from None
     if kind.hasobject:
         raise ValueError("it holds Python objects, a pickle")
@@ -242,7 +243,7 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
 
 
 def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
-    """Return what reads the arrays of a .npz file, by name, each with a limit on its values."""
+    """Return functions that read the arrays of a .npz file, by name, each with a limit on its number of values."""
     import zipfile
 
     def read(member: zipfile.ZipInfo, most: int) -> NDArray[np.generic]:
@@ -250,11 +251,13 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
             head = file.read(_HEADER)
             start, shape, _, kind = _npy_header(head, most)
             size = start + math.prod(shape) * kind.itemsize
+            # The size in the archive's table is compared with the header: a member that unpacks to more is not
+            # decoded.
             if size != member.file_size:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
-    # Counted before it is opened, since Python makes an object of each.
+    # Counted before the archive is opened, since Python makes an object for each member.
     if data.count(b"PK\1\2") > _MEMBERS:
         raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
@@ -266,9 +269,10 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
 
 
 def png(data: bytes) -> Image:
-    """Return a PNG file as Pillow opens it, none of it decoded, if its image may be what its header says."""
+    """Return a PNG file opened by Pillow, nothing decoded yet, if its data can hold the pixels that it claims."""
     from PIL.PngImagePlugin import PngImageFile
 
+    # Chunks: length, name, data, CRC; only IDAT holds pixels, and deflate expands it by _BEST at most.
     at, held = 8, 0
     while at + 8 <= len(data):
         size, name = struct.unpack_from(">I4s", data, at)
@@ -281,17 +285,17 @@ def png(data: bytes) -> Image:
     if needed > _BEST * held:
         raise ValueError(f"{width} x {height} pixels take {needed} bytes, more than its {held} can inflate to")
     afford(png_takes(width * height, bits, kind in (2, 6)), len(data))
-    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for one's own.
+    # Opened by the plugin itself: Pillow's limit against decompression bombs would refuse large own pictures.
     return PngImageFile(io.BytesIO(data))
 
 
 def png_takes(count: int, bits: int, colour: bool) -> int:
-    """Return how many bytes of memory so many pixels of a PNG take to read: Pillow's, ours, and depth in float64."""
+    """Return the bytes of memory for reading `count` pixels of a PNG: Pillow's, ours, and depth in float64."""
     return count * ((14 if bits == 16 else 8) if colour else 13)
 
 
 def jpeg(data: bytes) -> Image:
-    """Return a JPEG file as Pillow opens it, none of it decoded."""
+    """Return a JPEG file opened by Pillow, nothing decoded yet."""
     from PIL.JpegImagePlugin import JpegImageFile
 
     # Each scan goes over the whole image again: a small file of many takes minutes.
@@ -299,7 +303,7 @@ def jpeg(data: bytes) -> Image:
     file = JpegImageFile(io.BytesIO(data))
     width, height = file.size
     pixels(width, height)
-    # All coefficients of an image of several scans are kept, of 16 bits.
+    # With several scans the decoder keeps all coefficients of the image, 16 bits each.
     sampled = [across * down for _, across, down, _ in getattr(file, "layer", [])] or [1]
     kept = 2.0 * sum(sampled) / max(sampled) if scans > 1 else 0.0
     afford(width * height * (7.0 + kept), len(data))
@@ -309,10 +313,12 @@ def jpeg(data: bytes) -> Image:
 
 
 def webp(data: bytes) -> Image:
-    """Return a WebP file as Pillow opens it, none of it decoded; ValueError if it is another file in RIFF."""
+    """Return a WebP file opened by Pillow, nothing decoded yet; ValueError if it is another file in RIFF."""
     kind = data[12:16] if data[8:12] == b"WEBP" else b""
     if kind not in (b"VP8X", b"VP8L", b"VP8 ") or len(data) < 30:
         raise ValueError("it is no WebP")
+    # The size stands in the header in three ways: extended (24 bits less 1), lossless (14 bits less 1), lossy (14
+    # bits).
     if kind == b"VP8X":
         width, height = (1 + int.from_bytes(data[at : at + 3], "little") for at in (24, 27))
     else:
@@ -328,7 +334,7 @@ def webp(data: bytes) -> Image:
 
 
 def bmp(data: bytes) -> Any:
-    """Return a BMP file as Pillow opens it, none of it decoded, if it is not compressed and all of it is there."""
+    """Return a BMP file opened by Pillow, nothing decoded yet; ValueError if it is compressed or cut off."""
     from PIL.BmpImagePlugin import BmpImageFile
 
     file: Any = BmpImageFile(io.BytesIO(data))
@@ -350,7 +356,7 @@ HEIC = tuple(
 
 
 def heic(data: bytes) -> Image:
-    """Return a HEIC file as Pillow opens it by pillow-heif, none of it decoded."""
+    """Return a HEIC file opened by Pillow through pillow-heif, nothing decoded yet."""
     file: Image = library("pillow_heif.as_plugin", "HEIC files need", "heic").HeifImageFile(io.BytesIO(data))
     pixels(*file.size)
     afford(12.0 * file.size[0] * file.size[1], len(data))
@@ -359,7 +365,7 @@ def heic(data: bytes) -> Image:
 
 @contextmanager
 def tiff(data: bytes) -> Iterator[TiffFile]:
-    """Open a TIFF file by tifffile; ValueError if pages are too large, or parts claim more than the file holds."""
+    """Open a TIFF file with tifffile; ValueError if pages are too large, or parts claim more than the file holds."""
     import tifffile
 
     count, memory = 0, 0
@@ -375,10 +381,10 @@ def tiff(data: bytes) -> Iterator[TiffFile]:
 
 
 def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
-    """Return a TIFF file of any size as tifffile opens it, and what this tells of it; its first page is checked.
+    """Return a TIFF file of any size, opened by tifffile, and the errors that it logged; the first page is checked.
 
-    The pages that follow are like the first one; :func:`tiff_values` tells whether they are. Files that its OME
-    metadata name are checked likewise, and are regular ones beside it.
+    Further pages are assumed to be like the first; :func:`tiff_values` checks each. Files that its OME metadata name
+    are checked likewise, and must be regular files beside it.
     """
     import tifffile
 
@@ -412,9 +418,9 @@ def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
 
 
 def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
-    """Return the number of pixels of each page; ValueError where pages run in a circle or beyond the end.
+    """Return the number of pixels of each page; ValueError where the chain of pages is a circle or ends outside.
 
-    Pages are read, not mapped: of a mapping what lies around each would be in memory, too.
+    Pages are read, not mapped: pages of the mapping around each would stay in memory.
     """
     order, big = _tiff_order(data)
     head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
@@ -427,6 +433,7 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
                 raise ValueError("its pages run in a circle")
             seen.add(at)
             afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
+            # One read of the size of the last page: most pages are alike, and none takes two system calls then.
             part = os.pread(file, room, min(at, len(data)))
             (count,) = head.unpack_from(part)
             if count > _TAGS:
@@ -445,7 +452,7 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
 
 
 def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> tuple[bytes, int]:
-    """Return the entries of a page up to those of width and height, b"" where one is missing; and their product."""
+    """Return the bytes of a page's entries up to width and height (b"" if one is missing), and their product."""
     kinds = {1: "B", 3: "H", 4: "I", 16: "Q"}
     sides: dict[int, int] = {}
     for place in range(0, len(entries) - each + 1, each):
@@ -458,7 +465,7 @@ def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> 
 
 
 def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
-    """Refuse OME metadata that claim far more planes than there are pages, or name what is no file beside it."""
+    """Refuse OME metadata that claim far more planes than there are pages, or name files elsewhere."""
     root = xml(text)
     held, count, least = size(path), len(sizes), min(sizes)
     own, known = root.get("UUID"), {root.get("UUID")}
@@ -485,7 +492,7 @@ def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
 
 
 def _afford_manager(path: Path) -> None:
-    """Check the files beside one of Micro-Manager that tifffile reads with it: those of a stack, or of an index."""
+    """Check the files that tifffile reads with one of Micro-Manager: those of its stack, or of its index."""
     import tifffile
 
     if "_MMStack" in path.name:
@@ -509,10 +516,11 @@ def _afford_manager(path: Path) -> None:
 
 
 def _beside(path: Path, name: str) -> Path | None:
-    """Return a file that metadata name, None where there is none; ValueError if it may not be read."""
+    """Return a file that metadata name, None if it does not exist; ValueError if it may not be read."""
     there = path.parent / name
     if not os.path.lexists(there):
         return None
+    # Only names without a folder: metadata of a downloaded file could name any file of this machine.
     if name != Path(name).name or "\\" in name:
         raise ValueError(f"its metadata name {validation.shown(name)}; only files beside it are read")
     if not stat.S_ISREG(there.lstat().st_mode):
@@ -521,10 +529,10 @@ def _beside(path: Path, name: str) -> Path | None:
 
 
 def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Values:
-    """Return the values of a page of a file on the disk, of the shape and type of the first.
+    """Return the values of a page of a file on the disk, which must have the shape and type of the first page.
 
-    ValueError if it has others, or would take more memory than they do. Pages of a file share its handle: one thread
-    at a time may read them.
+    ValueError if it has others, or would take more memory. Pages of a file share its handle: only one thread at a
+    time may read them.
     """
     kind, handle = page.keyframe, page.parent.filehandle
     count, size = math.prod(shape), math.prod(shape) * dtype.itemsize
@@ -539,7 +547,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Valu
     needed = count * kind.bitspersample // 8
     if kind.compression == 1 and sum(page.databytecounts) < needed:
         raise ValueError(f"its {needed} bytes are {sum(page.databytecounts)} in the file")
-    closed = handle.closed  # one of several files, of which few can be open
+    closed = handle.closed  # of several files of one image few can be open at a time
     if closed:
         handle.open()
     try:
@@ -555,7 +563,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Valu
 
 
 def tiff_array(page: Any) -> Values:
-    """Return the values of a page, of LZW by Pillow where tifffile cannot; ValueError where neither can."""
+    """Return the values of a page, LZW by Pillow where tifffile lacks imagecodecs; ValueError where neither can."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
     from PIL.TiffImagePlugin import TiffImageFile
@@ -577,7 +585,8 @@ def tiff_array(page: Any) -> Values:
 
 @contextmanager
 def _unprinted() -> Iterator[None]:
-    """Keep from standard error what libtiff prints there of damaged files, which an error tells; one at a time."""
+    """Suppress libtiff's messages on standard error about damaged files, reported by an exception; one at a time."""
+    # The C library writes to the file descriptor 2 itself, so that replacing sys.stderr would not stop it.
     with _PRINTING, Path(os.devnull).open("wb") as nothing:
         try:
             kept = os.dup(2)
@@ -595,13 +604,13 @@ def _unprinted() -> Iterator[None]:
 
 _PRINTING = threading.Lock()
 _LZW = 5
-_UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files as Pillow has them open
+_UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files opened by Pillow, by tifffile's object
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:
-    """Return the planes of a series that lie in the file as one piece, of which fewer may have a page; else None.
+    """Return the planes of a series that lie contiguously in the file, mapped; otherwise None.
 
-    ValueError where a description tells of more than the file holds.
+    ImageJ writes a page for the first plane only. ValueError where the description claims more than the file holds.
     """
     dtype, sides = np.dtype(series.dtype).newbyteorder(file.byteorder), series.shape[-2:]
     start, needed = series.dataoffset, count * math.prod(sides) * dtype.itemsize
@@ -615,7 +624,7 @@ def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) 
 
 
 def tiff_left_out(file: TiffFile) -> str:
-    """Return of how many pages ImageJ's description says less, "5 pages, of which ...", or ""; ValueError of more."""
+    """Return a note on pages that ImageJ leaves out ("5 pages, of which ..."), or ""; ValueError if more."""
     count, series = len(file.pages), file.series[0]
     if not file.is_imagej or count <= 1:  # one page before all images, if there are more
         return ""
@@ -626,7 +635,7 @@ def tiff_left_out(file: TiffFile) -> str:
 
 
 def is_raw(data: bytes | mmap.mmap | Path) -> bool:
-    """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
+    """Return whether a TIFF file is a raw photograph: a DNG, a mosaic, or one whose first page is a preview."""
     if isinstance(data, Path):
         with data.open("rb") as file:
             return is_raw(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
@@ -636,7 +645,7 @@ def is_raw(data: bytes | mmap.mmap | Path) -> bool:
 
 
 def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
-    """Return whether a page below the first is larger."""
+    """Return whether a page below the first (a SubIFD) is larger."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
     below = [_tiff_tags(data, int(at), order, big)[0] for at in first.get(330, ())[:16]]
@@ -644,7 +653,7 @@ def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
 
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
-    """Yield of each page the integers that its tags hold."""
+    """Yield the integers of the tags of each page."""
     order, big = _tiff_order(data)
     seen: set[int] = set()
     (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
@@ -665,7 +674,7 @@ def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
 
 
 def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple[Tags, int]:
-    """Return the integers that the tags of a page hold, and where the next page is."""
+    """Return the integers of the tags of a page, and the position of the next page."""
     tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
     try:
@@ -684,7 +693,7 @@ def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
             at += struct.calcsize("=" + entry) + inline
         return tags, int(struct.unpack_from(order + word, data, at)[0])
-    except (struct.error, OverflowError):  # of places beyond what Python counts
+    except (struct.error, OverflowError):  # positions beyond the largest integer of an index
         raise ValueError("its pages go beyond its end") from None
 
 
@@ -693,7 +702,7 @@ def _one(tags: Tags, tag: int, default: int) -> int:
 
 
 def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
-    """Refuse a page that claims more than there is; return how much memory it takes to decode if it is compressed."""
+    """Refuse a page that claims more than there is; return the bytes of memory for decoding it if compressed."""
     one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
     width, height, samples = one(256, 0), one(257, 0), one(277, 1)
     pixels(width, height)
@@ -715,13 +724,14 @@ def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
+        # The only compression whose output has no limit in its own headers: each part is inflated up to its size.
         if compression in DEFLATE and not inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
 
 def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool:
-    """Return whether deflated bytes hold at most so many; also where they are damaged, which is told elsewhere."""
+    """Return whether deflated bytes inflate to at most `most`; True for damaged ones, which fail when read."""
     try:
         return len(zlib.decompressobj(wbits).decompress(part, most + 1)) <= most
     except zlib.error:
@@ -729,14 +739,14 @@ def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool
 
 
 def hdf5(data: bytes) -> File:
-    """Return an HDF5 file as h5py opens it, of whose arrays :func:`hdf5_values` reads those that may be read."""
+    """Return an HDF5 file opened by h5py; :func:`hdf5_values` reads its arrays."""
     import h5py
 
     return h5py.File(io.BytesIO(data), "r")
 
 
 def hdf5_below(group: Group, *names: str) -> Dataset:
-    """Return what is below a group, by hard links only, since others may lead to other files; None if nothing is."""
+    """Return the object at a path below a group, None if there is none; only hard links, others leave the file."""
     import h5py
 
     for name in names:
@@ -756,7 +766,7 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
         if found.nbytes > size:
             raise ValueError(f"it must be stored in one piece, got {found.nbytes} bytes of {size}")
         return np.asarray(found[()])
-    # What it takes as float64, with masks; and no part of it unpacks to more than it should.
+    # Memory as float64 with masks; and no chunk may inflate to more than its size.
     afford(3 * max(found.nbytes, 8 * found.size), size)
     chunk = math.prod(found.chunks) * found.dtype.itemsize
     filters = found.id.get_create_plist()
@@ -776,7 +786,7 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
 
 @contextmanager
 def quietly() -> Iterator[list[str]]:
-    """Keep to itself what tifffile logs of damaged files, which an error tells; yield the errors of this thread."""
+    """Suppress tifffile's log of damaged files, which an exception reports; yield the errors of this thread."""
     log, errors, own = logging.getLogger("tifffile"), list[str](), threading.get_ident()
 
     def nothing(record: logging.LogRecord) -> bool:
@@ -784,7 +794,7 @@ def quietly() -> Iterator[list[str]]:
             errors.append(record.getMessage())
         return False
 
-    log.addFilter(nothing)  # one for each who reads
+    log.addFilter(nothing)  # one filter for each reader, since several threads may read
     try:
         yield errors
     finally:

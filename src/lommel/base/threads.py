@@ -20,14 +20,14 @@ Made = TypeVar("Made")
 
 
 class _Left(BaseException):
-    """Ends the tasks of other threads after an error."""
+    """Ends the tasks of other threads after an error in one."""
 
 
-_ALONE = 1 << 18  # multiplications for which OpenBLAS takes one thread
+_ALONE = 1 << 18  # multiplications of a product up to which OpenBLAS uses one thread
 
 
 def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: int = 0) -> list[Made]:
-    """Return what a `task` makes of each, in order, on at most so many `threads`, 0 for as many as processors."""
+    """Return the results of `task` for `each` item, in order, on at most `threads` threads (0: one per processor)."""
     most = min(threads or os.cpu_count() or 1, len(each))
     if most <= 1:
         return [task(one) for one in each]
@@ -37,7 +37,7 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
     lock = threading.Lock()
 
     def some() -> None:
-        # A future for each would cost more than a short task.
+        # Threads take items from one queue: a future for each would cost more than a short task.
         with lock:
             at_work.add(threading.get_ident())
         try:
@@ -59,7 +59,7 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
             for other in others:
                 other.result()
         except BaseException:
-            # Ctrl-C reaches this thread alone; the others may be in the middle of a long task.
+            # Ctrl-C reaches this thread only; the others may be in the middle of a long task.
             with lock:
                 for thread in at_work:
                     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_Left))
@@ -68,10 +68,10 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
 
 
 def product(a: Values, b: Values) -> Values:
-    """Return ``a @ b``, in blocks so small that OpenBLAS computes each of them on the thread that asks for it.
+    """Return ``a @ b``, in blocks small enough that OpenBLAS computes each on the calling thread.
 
-    In tasks of :func:`side_by_side` its own threads would wait for one another, busily: on a processor that has other
-    work, too, twenty times as long as they compute.
+    In tasks of :func:`side_by_side` its own threads would wait actively for one another: on a processor with other
+    work, twenty times as long as they compute.
     """
     made = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
     columns = max(1, math.isqrt(_ALONE // a.shape[1]))

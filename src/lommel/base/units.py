@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from lommel.base.validation import real, shown
 
-# The second and the third um have a micro sign and a Greek mu.
+# um has two more spellings: with the micro sign (U+00B5) and with the Greek letter mu (U+03BC).
 _POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
 LENGTHS = {unit: float(f"1e{power}") for unit, power in _POWERS.items()} | {"in": 25.4e-3, "inch": 25.4e-3}
 """Metres of each unit of length."""
@@ -115,6 +115,7 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
         return "infinity" if metres > 0 else "-infinity"
     size = abs(metres if like is None else like)
     for name in ("m", "mm", "um", "nm"):
+        # A little below one unit, so that 0.99996 mm is rounded to "1 mm" and not to "1000 um".
         if size >= 0.99995 * LENGTHS[name]:
             break
     else:
@@ -123,7 +124,7 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
 
 
 def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str]:
-    """Return a number and its standard error with two digits, to the same place: at most so many decimals."""
+    """Return a value and its standard error, both rounded to two digits of the error and at most `most` decimals."""
     if not 0.0 < error < math.inf:
         return f"{value:.6g}", f"{error:g}"
     places = min(max(0, 1 - math.floor(math.log10(error))), most)
@@ -131,18 +132,18 @@ def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str
 
 
 def number(value: float) -> str:
-    """Return a number with four significant digits, without an exponent where it is large."""
+    """Return a number with four significant digits, in full where it is large."""
     text = f"{value:.4g}"
     return f"{value:.0f}" if "e+" in text else text
 
 
 def known(value: float | None, form: str) -> str:
-    """Return a number in a form, or "-" where it is not known."""
+    """Return a formatted number, or "-" for None."""
     return "-" if value is None else format(value, form)
 
 
 def strehl_ratio(value: float | None) -> str:
-    """Return a Strehl ratio with four significant digits, or as below its own error."""
+    """Return a Strehl ratio with four significant digits, or "< 1e-10" below its own error."""
     return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
 
 
@@ -157,7 +158,7 @@ def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
 
 
 def with_units(message: str) -> str:
-    """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
+    """Return a message of the library with lengths as users write them, ``"3.45 um"`` for 3.45e-6."""
     units = {"6": "um", "9": "nm"}
     message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
     return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
@@ -187,7 +188,7 @@ def _parse(text: str | float, units: dict[str, float], kind: str, example: str, 
 
 def _scaled(number: str, unit: str) -> float:
     """Return the float nearest to a decimal number times a power of ten."""
-    # In decimal: of a product of two floats the last digit may be another.
+    # In decimal digits: a product of two floats may round to a neighbour of the nearest float.
     digits, _, power = number.lower().partition("e")
     if digits.lstrip("+-").startswith("inf") or len(power) > 9:
         return float(number)

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 
 def tell(note: str) -> None:
-    """Give a UserWarning at the line outside of this package that led here."""
+    """Give a UserWarning at the line of the caller outside of this package."""
+    # The number of frames differs from call to call, so that a fixed stacklevel would point into the package.
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("lommel."):
         level, frame = level + 1, frame.f_back
@@ -48,41 +49,42 @@ _Value = TypeVar("_Value")
 
 
 def shown(value: object) -> str:
-    """Return a value as a message shows it: on one line, and no more than its beginning and its end."""
+    """Return a value as messages show it: on one line, long ones by their beginning and end."""
     try:
         text = " ".join(_brief.repr(readable(value) if isinstance(value, str) else value).split())
-    except ValueError:  # of an integer with more digits than Python writes
+    except ValueError:  # Python refuses to write integers of more than 4300 digits
         text = f"<{type(value).__name__}>"
     return brief(text)
 
 
 def brief(text: str, most: int = _SHOWN) -> str:
-    """Return a text that is too long for a message without its middle."""
+    """Return a text, without its middle if it is too long for a message."""
     return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
 
 
 def key(text: str) -> str:
-    """Return a name that a file made up, of a key or a column, as a message shows it: on one line, and short."""
+    """Return a key or column name from a file as messages show it: on one line, and short."""
     return brief(line(text), 60)
 
 
 def line(text: object) -> str:
-    """Return a text, such as the name of a file, with its breaks of lines written out."""
+    """Return a text, such as a file name, with line breaks and control characters escaped."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in readable(str(text)))
 
 
 def readable(text: str) -> str:
-    """Return the name of a file with the letters that the locale of the process does not know, as most disks do."""
+    """Return a file name in which bytes that the locale cannot decode are read as UTF-8."""
+    # Python represents such bytes as lone surrogates (PEP 383), which no output accepts.
     if text.isascii() or not any("\udc80" <= c <= "\udcff" for c in text):
         return text
     try:
         return os.fsencode(text).decode(errors="replace")
-    except UnicodeEncodeError:  # of what is no name of a file
+    except UnicodeEncodeError:  # other surrogates, which no file name has
         return text
 
 
 def _instead(value: object, *kinds: type[object]) -> str:
-    """Return what makes one of `kinds` of a value of this type, as the `made_of` of a kind says it."""
+    """Return hints on how to make one of `kinds` from a value of this type, as their `made_of` says."""
     found = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
     return "".join(f"; {hint}" for hint in found if hint)
 
@@ -96,15 +98,15 @@ def instance(name: str, value: _Value, kind: type[object]) -> _Value:
 
 
 def optional(name: str, value: object, *kinds: type[object]) -> None:
-    """Refuse what is neither None nor of one of these types, with a TypeError."""
+    """Raise TypeError for a value that is neither None nor of one of these types."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
         raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_instead(value, *kinds)}")
 
 
 def path(name: str, value: object) -> Path:
-    """Return `value` as a path; TypeError or ValueError if it is none."""
-    from pathlib import Path  # with all that it needs, for files only
+    """Return `value` as a path; TypeError or ValueError if it is not one."""
+    from pathlib import Path  # late: its imports would slow down `import lommel`
 
     if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):
         raise TypeError(f"{name} must be a path, got {shown(value)}")
@@ -130,6 +132,7 @@ def real(
     unit: str = "",
 ) -> float:
     """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
+    # First the common case: the check of an abstract class such as numbers.Real is slow.
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
@@ -179,7 +182,7 @@ def truth(name: str, value: object) -> bool:
 
 
 def function(name: str, value: object, *, required: bool = True) -> None:
-    """Refuse what cannot be called, or with `required` is None, with a TypeError."""
+    """Raise TypeError for a value that cannot be called; None is allowed unless `required`."""
     if (required or value is not None) and not callable(value):
         raise TypeError(f"{name} must be callable, got {shown(value)}")
 
@@ -193,25 +196,25 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 
 def array(name: str, value: ArrayLike) -> Values:
-    """Return `value` as an array; TypeError where something of it is masked, for arrays do not keep that."""
+    """Return `value` as an array; TypeError if any of it is masked, since plain arrays would drop the mask."""
     held = computed(value)
     refuse_masked(name, held)
     try:
         return np.asarray(held)
-    except (ValueError, TypeError, OverflowError):  # a ragged sequence, or what is no array at all
+    except (ValueError, TypeError, OverflowError):  # ragged sequences and objects: refused later by their dtype
         return np.asarray(None)
 
 
 def refuse_masked(name: str, value: object) -> None:
-    """Refuse a container with a mask that is not empty, as of NumPy or astropy, with a TypeError."""
+    """Raise TypeError for a container with a non-empty mask, of NumPy or astropy."""
     if _masked(value):
         raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
 
 
 def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
-    """Return the numbers of a container, or of several in a list, and their mask: True where not to be used, or None.
+    """Return the numbers of a container (or of a list of them), and their mask: True where not used; None without.
 
-    TypeError if it holds something else, ValueError if masked containers in a list have several shapes.
+    TypeError if it holds something else, ValueError if masked containers in a list have different shapes.
     """
     value = computed(value)
     if not _masked(value):
@@ -227,11 +230,11 @@ def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
     return numbers, np.broadcast_to(np.asarray(getattr(value, "mask", False)) != 0, numbers.shape)
 
 
-_NUMBERS = (float, int, np.ndarray, np.float64, str)  # which have no mask, and are many
+_NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, tested first because they are frequent
 
 
 def computed(value: Any) -> Any:
-    """Return a value, or the array of a container whose mask, if any, is known once it is computed, as of dask."""
+    """Return a value, or the computed array of a lazy container (dask, astropy), whose mask is known only then."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value
     if isinstance(value, list | tuple):
@@ -240,7 +243,7 @@ def computed(value: Any) -> Any:
         return value
     if callable(compute := getattr(value, "compute", None)) and hasattr(value, "dask"):
         return compute()
-    held = None if hasattr(value, "__array__") else getattr(value, "data", None)  # of astropy's NDData
+    held = None if hasattr(value, "__array__") else getattr(value, "data", None)  # astropy's NDData
     return held if isinstance(held, np.ndarray) and hasattr(value, "mask") else value
 
 
@@ -249,14 +252,14 @@ def _masked(value: object) -> bool:
         return False
     if isinstance(value, list | tuple):
         return any(_masked(part) for part in value if type(part) not in _NUMBERS)
-    if type(value).__module__.partition(".")[0] == "lommel":  # with apertures, and maps whose mask is what is known
+    if type(value).__module__.partition(".")[0] == "lommel":  # apertures and maps: their mask has another meaning
         return False
     mask = getattr(value, "mask", None)
-    if mask is None or callable(mask):  # a method of pandas
+    if mask is None or callable(mask):  # pandas has a method of this name
         return False
     kept = np.asarray(mask)
     return bool(kept.dtype.kind in "biu" and kept.any()) or (
-        kept.dtype.names is not None and bool(np.ma.is_masked(value))  # of records
+        kept.dtype.names is not None and bool(np.ma.is_masked(value))  # structured arrays
     )
 
 
@@ -271,9 +274,9 @@ def number_array(name: str, value: ArrayLike) -> Values:
 def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf) -> Array:
     """Return `value` as a read-only float64 array of finite numbers ``>= least`` and ``<= most``."""
     if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
-        found = np.array(value, dtype=np.float64)  # without what it costs to ask an array
+        found = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
     else:
-        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
+        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, and is refused below
             found = np.array(number_array(name, value), dtype=np.float64, subok=False)
         bad = ~(np.isfinite(found) & (found >= least))
         if most < math.inf:
@@ -281,12 +284,13 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf,
         if bad.any():
             limits = [f" and {sign} {x:g}" for sign, x in ((">=", least), ("<=", most)) if math.isfinite(x)]
             raise ValueError(f"{name} must be finite{''.join(limits)}, got {found[bad].flat[0]}")
+    # Pupils and grids cache what they compute from their arrays, which must therefore not change.
     found.flags.writeable = False
     return found
 
 
 def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
-    """Return at least `count` numbers that rise as a read-only array of one dimension; ValueError otherwise."""
+    """Return strictly rising numbers, `count` or more, as a read-only one-dimensional array; ValueError otherwise."""
     found = np.atleast_1d(real_array(name, value))
     if found.ndim != 1 or found.size < count or not np.all(np.diff(found) > 0.0):
         raise ValueError(f"{name} must rise, and be {count} or more, got {shown(value)}")
@@ -303,19 +307,19 @@ def broadcast(names: str, *arrays: Values) -> tuple[Array, ...]:
 
 
 def axes(name: str, value: object) -> None:
-    """Refuse what is neither None nor axes of matplotlib, which may not be there, with a TypeError."""
+    """Raise TypeError for a value that is neither None nor matplotlib axes (recognised without importing it)."""
     if value is not None and not callable(getattr(value, "imshow", None)):
         raise TypeError(f"{name} must be axes of matplotlib or None, got {shown(value)}")
 
 
 def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
-    """Return the type of values that `value` names, one of those allowed; TypeError otherwise."""
+    """Return the dtype that `value` names, one of those allowed; TypeError otherwise."""
     options = [np.dtype(one) for one in allowed]
     try:
         found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
-    except Exception:  # NumPy has many for what is none
+    except Exception:  # NumPy raises errors of many types for what is not a dtype
         found = np.dtype(object)
-    number = isinstance(value, np.generic) and not isinstance(value, str)  # has a type, and is none
+    number = isinstance(value, np.generic) and not isinstance(value, str)  # has a dtype, but does not name one
     if value is None or number or found not in options:
         *others, last = map(str, options)
         raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
@@ -335,7 +339,7 @@ def image_shape(shape: object) -> tuple[int, int]:
 
 
 def stack_shape(shape: object, own: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the shape that a stack of shape `own` is to be broadcast to; TypeError or ValueError if it is none."""
+    """Return the shape to which a stack of shape `own` is broadcast; TypeError or ValueError if it is not valid."""
     if not isinstance(shape, tuple | list):
         raise TypeError(f"shape must be a tuple of integers, got {shown(shape)}")
     sides = tuple(integer("shape", side, least=0, most=MAX_VALUES) for side in shape)
@@ -359,13 +363,13 @@ def position(name: str, value: object) -> tuple[float, float]:
 
 
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
-    """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape where either is an array."""
+    """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape if either is an array."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         turned = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
     if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
         return position(name, value)
-    parts = (real_array(f"{name}[{k}]", part) + 0.0 for k, part in enumerate(value))  # no -0
+    parts = (real_array(f"{name}[{k}]", part) + 0.0 for k, part in enumerate(value))  # turns -0 into 0
     rows, columns = (np.array(part) for part in broadcast(f"{name}[0] and {name}[1]", *parts))
     if rows.size == 0:
         raise ValueError(f"{name} must not be empty, got shape {rows.shape}")
@@ -381,6 +385,7 @@ def wavelength(value: object, name: str = "wavelength") -> float:
     metres = real(name, value, above=0.0, unit="metres")
     if not 1e-12 <= metres <= 1e-2:
         hint = ""
+        # Numbers of this size were meant in nanometres or micrometres.
         if 100 <= metres <= 20000:
             hint = f"; for {metres:g} nm give {metres:g}e-9"
         elif 0.05 <= metres < 100:
@@ -411,7 +416,7 @@ def pitch(name: str, value: object) -> float | tuple[float, float]:
 
 
 def fill(name: str, value: object) -> tuple[float, float]:
-    """Return the parts of height and width of a pixel that are active, from a pair or from a part of its area."""
+    """Return the active fractions of height and width of a pixel, from a pair or from one fraction of its area."""
     if not isinstance(value, tuple | list):
         side = math.sqrt(_part(name, value))
         return side, side
@@ -428,14 +433,14 @@ def _part(name: str, value: object) -> float:
 
 
 def reach(what: str, v: float, scale: float, unit: str) -> None:
-    """Check the largest v that `what` reaches; `scale` is one lambda*N in `unit`."""
+    """Raise ValueError if `what` reaches farther than MAX_REACH in v; `scale` is one lambda*N in `unit`."""
     if not v <= MAX_REACH:
         here = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
         raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {here}")
 
 
 def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:
-    """Check a pixel pitch against the size of one lambda*N, `scale`, in the same unit."""
+    """Raise ValueError for a pixel pitch out of range; `scale` is one lambda*N in the same unit."""
     if metric and pitch > 0.1:
         pixel(pitch, metric=True)
     if not 1e-4 <= pitch / scale <= 1e6:

@@ -19,18 +19,22 @@ from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.optics.base_pupil import BasePupil
 
 KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
-"""Half of ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``: what q^(5/3) is multiplied by in the exponent, 3.441939."""
-FWHM = 0.9758634299
-"""Full width at half of the image that Kolmogorov's turbulence makes of a star, in units of wavelength / r0.
+"""Constant of Kolmogorov's transfer function ``exp(-KOLMOGOROV q^(5/3))``, q over the coherence frequency: 3.441939.
 
-Twice the root of ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` over its value at 0 being 1/2, in 25 digits of
-mpmath with q = s^3, of which the integrand is analytic; a test does it again.
+Half of Fried's ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``.
 """
+FWHM = 0.9758634299
+"""Full width at half maximum of a star through Kolmogorov's turbulence, in units of wavelength / r0.
+
+Twice the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at 0, in 25 digits of
+mpmath with q = s^3, in which the integrand is analytic; a test computes it again.
+"""
+# Order of the Bessel function of von Karman's structure function: half of the exponent 5/3.
 _NU = 5.0 / 6.0
 
 
 def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-    """Return frequencies along columns and rows, broadcast."""
+    """Return checked frequencies along columns and rows, broadcast to one shape."""
     across, down = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
     return across, down
 
@@ -63,6 +67,7 @@ class Blur:
         x, y = frequencies(fx, fy)
         (xx, xy), (_, yy) = self.covariance
         dx, dy = self.streak
+        # A product of independent blurs: the characteristic function of the Gaussian, then of the uniform streak.
         found = np.ones(x.shape)
         if xx or yy:
             found = found * np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
@@ -134,10 +139,12 @@ class Seeing(Blur):
     outer_scale: float | None = None
 
     def __post_init__(self) -> None:
+        # The dataclass is frozen: converted values are written into its dictionary once, here.
         vars(self)["r0"] = validation.real("r0", self.r0, above=0.0)
         if self.outer_scale is not None:
             outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
             vars(self)["outer_scale"] = None if math.isinf(outer) else outer
+        # One of the two alone leaves the unit of r0 open: metres at the pupil or parts of its diameter.
         if (self.focal_length is None) != (self.wavelength is None):
             raise ValueError(
                 "focal_length and wavelength must be given together (pupils in metres) or not at all (r0 over the "
@@ -184,6 +191,7 @@ class Seeing(Blur):
         """
         if self.wavelength is None or self.focal_length is None:
             return self.r0
+        # r0 grows like wavelength^(6/5) (Fried), and the frequency r0 / (wavelength f) like its fifth root.
         colour = 1.0 if wavelength is None else wavelength / self.wavelength
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
@@ -202,23 +210,28 @@ class Seeing(Blur):
 
 
 def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
-    """Return size s and rate a of half of von Karman's structure function, ``s (all - z^nu K_nu(z))``, z = a q."""
+    """Return size s and rate a of half of von Karman's structure function, ``s (limit - z^nu K_nu(z))``, z = a q."""
     assert air.outer_scale is not None
+    # The outer scale is a length, but r0 grows like wavelength^(6/5), so their ratio falls.
     colour = 1.0 if wavelength is None or air.wavelength is None else (wavelength / air.wavelength) ** 1.2
     scales = air.outer_scale / (air.r0 * colour)
+    # Normalised so that small z gives Kolmogorov's law KOLMOGOROV q^(5/3).
     size = 0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
     return size * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / scales
 
 
 def _von_karman(at: Array, factor: float) -> Array:
-    """Return ``factor (all - z^nu K_nu(z))`` at z, half of the structure function."""
+    """Return ``factor (limit - z^nu K_nu(z))`` at z, half of the structure function; limit its z^nu K_nu at 0."""
     from scipy.special import gamma, kv
 
     z = np.atleast_1d(at)
+    # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
     all_of_it = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
+    # Clipped at 700: K_nu underflows beyond, where the structure function has reached its limit long before.
     far = np.minimum(np.maximum(z, 1.0), 700.0)
     found = np.where(z > 1.0, all_of_it - far**_NU * kv(_NU, far), 0.0)
-    # Near 0 the two cancel; K is the difference of two series in z^2 / 4.
+    # For small z the two terms cancel; so K is the difference of two series in z^2 / 4 (DLMF 10.27.4 and 10.25.2).
+    # Without the first term of the even series, which is the limit itself; 14 terms give all digits for z <= 1.
     k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
     powers = (0.25 * near * near) ** k / gamma(k + 1.0)
     rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
@@ -252,6 +265,7 @@ class Jitter(Blur):
     angle: float = 0.0
 
     def __post_init__(self) -> None:
+        # By default round: the same deviation in both directions.
         across = self.sigma if self.across is None else self.across
         vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
         vars(self)["across"] = validation.real("across", across, least=0.0)
@@ -262,6 +276,7 @@ class Jitter(Blur):
         """Covariance matrix of the position (x, y)."""
         along, across = self.lengths
         c, s = math.cos(self.angle), math.sin(self.angle)
+        # C = R diag(along^2, across^2) R^T, R the rotation from the axes of the ellipse to (x, y).
         turn = np.array([[c, -s], [s, c]])
         return np.asarray(turn @ np.diag([along**2, across**2]) @ turn.T)
 
@@ -327,10 +342,11 @@ KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter,
 
 
 def blurs(value: object) -> tuple[Blur, ...]:
-    """Return what `blur` names, one or several; TypeError if it is none."""
+    """Return the blurs that an option names, one or several, as a tuple; TypeError for anything else."""
     if value is None:
         return ()
     several = (value,) if isinstance(value, Blur) else value
+    # A string iterates too, over its letters: the message would name one of them.
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
         raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
     found = tuple(several)
@@ -341,7 +357,7 @@ def blurs(value: object) -> tuple[Blur, ...]:
 
 
 def blurs_from_dicts(descriptions: Iterable[Json]) -> tuple[Blur, ...]:
-    """Rebuild what :meth:`Blur.to_dict` described; TypeError or ValueError if it is none."""
+    """Rebuild blurs from the dictionaries of :meth:`Blur.to_dict`; TypeError or ValueError if one is not valid."""
     found = []
     for described in descriptions:
         parts = dict(described)
@@ -361,6 +377,7 @@ def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
             )
             raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
         for length in blur.lengths:
+            # Ratios beyond these limits come from a length in the wrong unit (metres for lambda*N, or millimetres).
             ratio = length / pupil.scale
             if length and (not ratio <= 1e4 or (not metric and ratio < 1e-4)):
                 raise ValueError(

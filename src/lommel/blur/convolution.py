@@ -33,32 +33,33 @@ if TYPE_CHECKING:
 
 
 class Readout(NamedTuple):
-    """A sparse matrix from samples, from `first` on, to pixels; `error` bounds its response for ``abs(w) <= 2``."""
+    """Sparse matrix from samples, from index `first` on, to pixels; `error` bounds its response up to w = 2."""
 
     matrix: csr_array
     first: int
     error: float
     gain: float
-    low: float  # of the least pixel, in v
-    high: float  # of the greatest
+    low: float  # lower edge of the first pixel, in v
+    high: float  # upper edge of the last pixel, in v
 
     def ends(self, reach: float) -> tuple[float, float]:
-        """Return the ends of all pixels and the axis, and of what is within a `reach` of the pixels."""
+        """Return the interval in v that holds the axis and all places within `reach` of the pixels."""
         return min(self.low - reach, 0.0), max(self.high + reach, 0.0)
 
     @property
     def samples(self) -> int:
-        """How many there are."""
+        """Number of samples."""
         return int(self.matrix.shape[1])
 
 
 @lru_cache(maxsize=8)
 def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
-    """Return what averages over `active` around each of rising `places`, all in v; 0 samples there."""
+    """Return the weights of samples for averages over `active` around rising `places`, in v; point values for 0."""
     from scipy import sparse
 
     at = np.array(places)
     h, (beyond, cut) = gate.h, ends(gate)
+    # An odd number of taps, symmetric about the sample nearest to the pixel's middle.
     taps = 2 * math.ceil((beyond + 0.5 * active) / h) + 1
     start = np.rint(at / h).astype(np.int64) - taps // 2
     k = start[:, None] + np.arange(taps)
@@ -68,15 +69,17 @@ def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     shape = at.size, int(start.max()) + taps - first
     matrix = sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
     low, high = float(at.min()) - 0.5 * active, float(at.max()) + 0.5 * active
+    # Weights are rounded, sums of `taps` products too; sqrt(taps) as of errors of random sign.
     rounding = 2.0**-50 * math.sqrt(taps)
     return Readout(matrix, first, gate.error + cut + rounding, float(np.abs(weights).sum(axis=1).max()), low, high)
 
 
 @lru_cache(maxsize=16)
 def ends(gate: Gate) -> tuple[float, float]:
-    """Return a distance in v, and what h times the sum of abs(g) over all samples farther than that is at most."""
+    """Return a truncation distance in v, and a bound on h times the sum of abs(g) over all samples beyond it."""
     from scipy.special import exp1
 
+    # Where exp(-(s x)^2 / 2) / (pi x) sums to about the error of the gate: E1(y) ~ exp(-y) / y.
     large = -math.log(gate.error)
     s = _fall(gate)
     beyond = math.sqrt(2.0 * (large - math.log(large + 1.0))) / s
@@ -87,6 +90,7 @@ def ends(gate: Gate) -> tuple[float, float]:
 @lru_cache(maxsize=16)
 def gained(gate: Gate) -> float:
     """Bound h times the sum of abs(g) over samples anywhere."""
+    # Over one step all positions of samples occur; 2 % cover what lies between 65 of them.
     return 1.02 * readout(tuple(np.linspace(0.0, gate.h, 65)), 0.0, gate).gain
 
 
@@ -103,10 +107,12 @@ def _averaged(x: Array, active: float, gate: Gate) -> Array:
 
 def _passed(x: Array, gate: Gate) -> Array:
     """Return the integral of g from 0 to x."""
+    # Gauss nodes for half a wave of sin(middle x) each, and 40 for the Gaussian factor.
     far = 9.0 / _fall(gate)  # beyond which there is 1e-18 of it
     nodes, weights = gauss_legendre(math.ceil(0.5 * far * gate.middle) + 40)
     flat = np.clip(x, -far, far).ravel()
     found = np.empty(flat.size)
+    # Blocks bound the memory of the product of places and nodes.
     for start in range(0, flat.size, 2**14):
         part = flat[start : start + 2**14]
         found[start : start + 2**14] = part * (_gate(np.multiply.outer(part, nodes), gate) @ weights)
@@ -137,12 +143,13 @@ class Short(NamedTuple):
 
     @property
     def nothing(self) -> bool:
-        """Whether it leaves all light where it is."""
+        """Whether there is no such blur."""
         return not (self.covariance.any() or self.streaks.size)
 
     def reach(self, left: float) -> tuple[float, float]:
-        """Return how far along x and y all but a part `left` of the light goes."""
+        """Return the distances along x and y that all but a part `left` of the light moves at most."""
         deviations = np.sqrt(np.diag(self.covariance))
+        # Half of `left` for the Gaussian's tails; a streak ends at half its length on either side.
         far = math.sqrt(2.0) * float(scipy.special.erfcinv(min(0.5 * left, 1.0)))
         x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
         return float(x), float(y)
@@ -152,6 +159,7 @@ class Short(NamedTuple):
         (xx, xy), (_, yy) = self.covariance
         found = np.exp(-0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
         for dx, dy in self.streaks:
+            # np.sinc has the factor pi in it, and w = 2 pi f.
             found *= np.sinc((dx * x + dy * y) / (2.0 * math.pi))
         return np.asarray(found)
 
@@ -188,10 +196,11 @@ class Spread(NamedTuple):
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, ended: bool) -> Spread:
     """Return the response on a lattice of at least `least` samples.
 
-    Light is seen up to `margin` (v) beyond the pixels if all blur has `ended` at ``abs(w) = 2``, else beyond what is
-    read.
+    Light spreads up to `margin` (v) beyond the pixels if all blur has `ended` at ``abs(w) = 2``, otherwise beyond the
+    samples that the gate of the readout takes.
     """
     gate, seen = halo.gate, bool(halo.several)
+    # Lengths with small prime factors: transforms of others take several times as long.
     size = tuple(scipy.fft.next_fast_len(side, real=True) for side in least)
     y = 2.0 * math.pi / gate.h * scipy.fft.fftfreq(size[0])[:, None]
     x = 2.0 * math.pi / gate.h * scipy.fft.rfftfreq(size[1])
@@ -205,9 +214,10 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
         kernel = scipy.fft.irfft2(response, size)
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     if seen:
+        # Relative to the density in v^-2; the table holds weights per sample, h^2 times that.
         tabulated, apart = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
-        # What finite blur moves farther than it reaches is at most that part of the brightest.
+        # Light that finite blur moves farther than its reach is at most this part of the brightest value.
         far = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
         missing = far if ended else gain * halo.gated_bound(margin) + blind * core
         off = gain * apart * core
@@ -219,6 +229,7 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
 
 
 def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
+    # Copies at whole periods 2 pi / h are what sampling adds (Poisson); beyond the nearest, the gate is 0.
     """Return the response of samples: that of the plane, gated along both axes, and its copies."""
     period = 2.0 * math.pi / gate.h
     found = np.zeros((y.size, x.size))
@@ -235,12 +246,14 @@ def _gated(w: Array, gate: Gate) -> Array:
 
 
 def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
-    """Return the kernel of a halo on a lattice, from its corner on, and how many of its largest value it is off."""
+    """Return the kernel of a halo on a lattice, its centre at the first corner, and its error over its peak."""
     h, half = halo.gate.h, (size[0] // 2 + 1, size[1] // 2 + 1)
     # About what the gate makes of the light of the band.
     error = max(0.1 * halo.gate.error / float(halo.at(np.zeros(1))[0]), 1e-12)
     filtered, step, off = table(halo, h * math.hypot(*half), error)
+    # By symmetry one octant has all distances: tabulated once, then mirrored to the whole lattice.
     squares, index = distinct_radii(half[0] - 1, half[1] - 1)
     quadrant = h * h * between(filtered, step, error, h * np.sqrt(squares))[index]
+    # The kernel wraps around: index n - k is the distance k on the other side.
     rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
     return quadrant[rows[:, None], columns], off

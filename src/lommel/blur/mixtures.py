@@ -19,11 +19,11 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Seeing
 
 TERMS = 6
-SIGMAS = 2.0 * math.sqrt(2.0 * math.log(2.0))  # of a Gaussian in its full width at half maximum
-_FINEST, _WIDEST, _NODES = 0.3, 3e4, 120  # rates of Gaussians of which few are made
-_LEAST = 1e-7  # weight of a term
+SIGMAS = 2.0 * math.sqrt(2.0 * math.log(2.0))  # standard deviations in the full width at half maximum of a Gaussian
+_FINEST, _WIDEST, _NODES = 0.3, 3e4, 120  # rates of the Gaussians from which the terms are selected, and their number
+_LEAST = 1e-7  # least weight of a term
 
-#: Weights, rates and error of mixtures that fits take, by outer scale over r0 and number of terms, as computed below.
+#: Weights, rates and error of the mixtures in fits, by outer scale over r0 and number of terms, computed as below.
 _STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ...], float]] = {
     (None, 3): ((0.662778, 0.296069, 0.041153), (3.05998, 9.35535, 101.599), 2.3e-3),
     (None, 6): (
@@ -48,7 +48,7 @@ _STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ..
     ),
 }
 OUTER = (None, 1000.0, 240.0, 60.0)
-"""Outer scales over r0 that fits compare."""
+"""Outer scales over r0 that fits compare; None is Kolmogorov's infinite one."""
 
 
 class Mixture(NamedTuple):
@@ -61,21 +61,23 @@ class Mixture(NamedTuple):
 
 @lru_cache(maxsize=32)
 def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
-    """Return the seeing of an outer scale over r0, by default infinite, as a mixture of at most so many Gaussians."""
+    """Return seeing as a mixture of at most `terms` Gaussians; `outer` is the outer scale over r0, None infinite."""
     if (stated := _STATED.get((outer, terms))) is not None:
         return Mixture(np.array(stated[0]), np.array(stated[1]), stated[2])
     from scipy import optimize
 
-    # Beyond, Kolmogorov's is below 1e-7, and von Karman's has come to its limit.
+    # Beyond q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's has reached its limit.
     q = np.append(np.linspace(1e-3, 2.6, 400), np.geomspace(2.6, 30.0, 40)[1:])
     goal = np.asarray(Seeing(1.0, outer_scale=outer).transfer(q))
+    # A rate of 0 is a constant: von Karman's T falls to exp(-limit) above 0, and not to 0.
     rates = np.append(np.geomspace(_FINEST, _WIDEST, _NODES), 0.0)
 
     def light(r: Array) -> Array:
         return np.exp(-np.multiply.outer(q * q, r))
 
-    heavy = 30.0  # weight of the sum being 1
+    heavy = 30.0  # weight of the equation sum = 1, which keeps the light, against those of the 439 frequencies
     design = np.vstack([light(rates), np.full(len(rates), heavy)])
+    # Non-negative least squares: weights below 0 would make images negative.
     weights, _ = optimize.nnls(design, np.append(goal, heavy))
     kept = np.flatnonzero(weights > _LEAST)
     kept = kept[np.argsort(rates[kept])]
@@ -85,23 +87,26 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
 
 
 def _merged(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
-    """Return so many terms, after neighbours have been put together that are most alike."""
+    """Return `terms` terms, merging the most similar neighbours one pair at a time."""
     while len(r) > terms:
         both = w[:-1] + w[1:]
+        # Loss of a merge: the reduced weight times the squared distance of the logarithms of both rates.
         cost = w[:-1] * w[1:] / both * np.diff(np.log(r + 0.05)) ** 2
         i = int(cost.argmin())
+        # The merged rate keeps sum weights * rates, the second moment of the transfer function at q = 0.
         r = np.concatenate([r[:i], [(w[i] * r[i] + w[i + 1] * r[i + 1]) / both[i]], r[i + 2 :]])
         w = np.concatenate([w[:i], [both[i]], w[i + 2 :]])
     return w / w.sum(), r
 
 
 def _polished(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Array]:
-    """Return terms of which the largest error is smaller, by least squares in which large errors gain weight."""
+    """Return terms with a smaller largest error, by least squares reweighted towards large errors."""
     from scipy import optimize
 
     count = len(w)
 
     def parts(x: Array) -> tuple[Array, Array, Array]:
+        # Softmax: positive weights of sum 1 for any parameters, so that the search needs no bounds.
         raised = np.exp(x[:count] - x[:count].max())
         rates = np.exp(np.clip(x[count:], -30.0, 30.0))
         return raised / raised.sum(), rates, np.exp(-np.multiply.outer(square, rates))
@@ -112,12 +117,14 @@ def _polished(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Ar
 
     def slope(x: Array, weight: Array) -> Array:
         shares, rates, each = parts(x)
+        # d share_i / d x_j of a softmax is share_i (delta_ij - share_j).
         by_weight = (each - (each @ shares)[:, None]) * shares
         return np.asarray(weight[:, None] * np.hstack([by_weight, -each * shares * rates * square[:, None]]))
 
     best = np.concatenate([np.log(w), np.log(np.maximum(r, 1e-6))])
     weight, least = np.ones(len(goal)), np.inf
     for _ in range(30):
+        # Lawson's idea: weights that grow with the error turn least squares into the minimax fit.
         tried = optimize.least_squares(off, best, slope, args=(weight,), method="lm", max_nfev=200).x
         error = np.abs(off(tried, np.ones(1)))
         if not error.max() < least:
@@ -131,10 +138,10 @@ def _polished(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Ar
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """A shape of blur: `weights` (c,) times Gaussians of the variances ``fixed + rates @ squares``, pixels^2.
+    """Shape of blur: Gaussians with `weights` (c,) and variances ``fixed + rates @ squares`` (pixels^2).
 
-    `rates` (c, b) are of the b squared widths that are unknown: that of "seeing" is ``(FWHM / 2.355)^2``, that of a
-    "Gaussian" its variance, as `names` say. `outer` is the outer scale of the seeing over r0.
+    `rates` (c, b) multiply the b unknown squared widths, called by `names`: ``(FWHM / 2.355)^2`` of "seeing", the
+    variance of a "Gaussian". `outer` is the outer scale of the seeing over r0.
     """
 
     weights: Array
@@ -145,7 +152,7 @@ class Shape:
 
     @property
     def unknown(self) -> int:
-        """How many widths are unknown."""
+        """Number of unknown widths."""
         return int(self.rates.shape[1])
 
     def variances(self, squares: Array) -> Array:
@@ -154,13 +161,14 @@ class Shape:
 
     @classmethod
     def gaussian(cls) -> Shape:
-        """Return that of a Gaussian of unknown width."""
+        """Return a Gaussian of unknown width."""
         return cls(np.ones(1), np.ones((1, 1)), np.zeros(1), ("Gaussian",))
 
     @classmethod
     def turbulent(cls, outer: float | None = None, terms: int = TERMS, *, alone: bool = False) -> Shape:
-        """Return that of seeing, and of a Gaussian besides unless `alone`."""
+        """Return seeing of unknown width, convolved with a Gaussian of unknown width unless `alone`."""
         made = turbulence(outer, terms)
+        # exp(-rate q^2) has the variance rate / (2 pi^2) over (r0 / wavelength)^2; FWHM converts that to the width.
         rates = made.rates * (SIGMAS / FWHM) ** 2 / (2.0 * math.pi**2)
         columns = [rates] if alone else [rates, np.ones(len(rates))]
         names = ("seeing",) if alone else ("seeing", "Gaussian")
@@ -168,7 +176,7 @@ class Shape:
 
     @classmethod
     def known(cls, several: tuple[Blur, ...], pixel: float, wavelength: float | None) -> Shape:
-        """Return that of known isotropic blurs, of which one at most is seeing, for pixels of this pitch."""
+        """Return known isotropic blurs, at most one of them seeing, for pixels of the pitch `pixel`."""
         squares = sum(float(each.covariance[0, 0]) for each in several) / pixel**2
         weights, rates = np.ones(1), np.zeros(1)
         for air in (each for each in several if isinstance(each, Seeing)):
@@ -182,7 +190,7 @@ class Shape:
 
 
 def isotropic(several: tuple[Blur, ...]) -> NDArray[np.bool_]:
-    """Return which blurs are the same in all directions."""
+    """Return for each blur whether it is the same in all directions."""
     found = []
     for each in several:
         (xx, xy), (_, yy) = each.covariance

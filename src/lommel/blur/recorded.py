@@ -36,19 +36,19 @@ from lommel.optics.wavefront.wavefront import Wavefront
 # section 17).
 
 STEP = 0.8
-"""v from sample to sample, over the share of the band that blur leaves."""
-_WORTH = 0.8  # of the band, what is
-_COARSEST = 1e-4  # error of a gate, over the brightest that light of this band can be
+"""Step of samples in v, over the share of the band that blur leaves."""
+_WORTH = 0.8  # share of the band above which a coarser lattice does not pay
+_COARSEST = 1e-4  # error of a gate, over the largest possible value of light in this band
 _MOST = 6144  # samples a side
-_AT_ONCE = 2**24
-_KEPT = 2**21  # samples of a pupil that are kept for other blur
-_STEPS = 4  # lattices of a pupil that are
+_AT_ONCE = 2**24  # samples of a block of pupils
+_KEPT = 2**21  # samples of a pupil up to which they are kept for other blur
+_STEPS = 4  # lattices of a pupil that are kept
 
 
-class Asked(NamedTuple):
+class Request(NamedTuple):
     """Method, threads, tolerance of samples, error of responses, and margin of the lattice for turbulence, in v.
 
-    Where samples may be `shared` their lattice is one of few, a little finer and wider than needed.
+    Where samples are `shared` with other blur, the lattice is one of few, a little finer and wider than needed.
     """
 
     method: Method | None
@@ -59,37 +59,38 @@ class Asked(NamedTuple):
     shared: bool = True
 
 
-class Made(NamedTuple):
+class BlurredStack(NamedTuple):
     """Images of the flattened stack and parts of their error bounds, each of shape (n,)."""
 
     values: Array
-    given: Array  # error of the samples, NaN where nothing is known of it
+    given: Array  # error of the samples; NaN where the method has no bound
     response: Array  # error of the responses, and rounding
-    missing: Array  # light that turbulence would bring from beyond the lattice
+    missing: Array  # light from beyond the lattice that turbulence would bring
     method: Method
 
 
-def summed(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> Made:
-    """Return the sum over the wavelengths of a spectrum: turbulence spreads each by another width."""
-    method = asked.method
+def summed(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> BlurredStack:
+    """Return images summed over the wavelengths of a spectrum, each blurred by its own width of turbulence."""
+    method = request.method
     if not isinstance(method, Polychromatic):
-        return _of_stack(asked, Component(1.0, 1.0, pupil), grid, several)
+        return _stack_images(request, Component(1.0, 1.0, pupil), grid, several)
     parts = method.components(pupil)
-    made = [_of_stack(asked._replace(method=method.method), part, grid, several)[:4] for part in parts]
+    # Turbulence depends on the wavelength, so that blur must come before the sum.
+    made = [_stack_images(request._replace(method=method.method), part, grid, several)[:4] for part in parts]
     weighted = ([part.weight * value for value in values] for part, values in zip(parts, made, strict=True))
-    return Made._make([*(np.sum(each, axis=0) for each in zip(*weighted, strict=True)), method])
+    return BlurredStack._make([*(np.sum(each, axis=0) for each in zip(*weighted, strict=True)), method])
 
 
 class Band(NamedTuple):
-    """The share of the band of the intensity that blur leaves, and bounds on integrals of the moduli of spectra.
+    """Share of the band of the intensity that blur leaves, and bounds on integrals of the moduli of spectra.
 
-    Integrals are over frequencies, and a peak without aberration is what they are of the aperture's alone.
+    Each integral is over frequencies, in the unit in which that of the aperture alone is the unaberrated peak.
     """
 
     share: float
-    tail: float  # all light through blur, beyond it
-    clear: float  # all light, within it
-    blurred: float  # all light through blur
+    tail: float  # light through blur, beyond the share
+    clear: float  # light without blur, within it
+    blurred: float  # light through blur
 
     @property
     def ended(self) -> bool:
@@ -98,8 +99,9 @@ class Band(NamedTuple):
 
     @classmethod
     def of(cls, pupil: BasePupil, several: tuple[Blur, ...], error: float, *, shared: bool = True) -> Band:
-        """Return that beyond which blur leaves at most `error` of the peak without aberration, one of few or any."""
+        """Return the share beyond which blur leaves at most `error` of the peak; one of few if `shared`."""
         fading, light = Fading.above(several, pupil.scale, pupil.wavelength), pupil.transmission
+        # abs(O) <= pi tau bounds the tail by 8 tau int T f df: certificate, section 17, "Blur that ends early".
         share, left = fading.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
         if shared:  # in eighths of octaves, so that blur of about the same width has the same lattice
             share = 2.0 ** (math.ceil(8.0 * math.log2(share)) / 8.0)
@@ -108,25 +110,27 @@ class Band(NamedTuple):
         return cls(share, 8.0 * light * left, 4.0 * light * share**2, 8.0 * light * fading.light)
 
 
-def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ...]) -> Made:
-    """Return images of a stack in one wavelength, those around one axis at once."""
+def _stack_images(request: Request, part: Component, grid: Grid, several: tuple[Blur, ...]) -> BlurredStack:
+    """Return images of a stack in one wavelength; pupils around one axis share a lattice."""
     pupil = part.pupil
     if grid.stack:
         each = [
-            _of_stack(asked, part._replace(pupil=pupil[index]), grid[index], several)
+            _stack_images(request, part._replace(pupil=pupil[index]), grid[index], several)
             for index in np.ndindex(grid.stack)
         ]
         return _joined(each)
-    band, peak = Band.of(pupil, several, asked.error, shared=asked.shared), pupil.amplitude**2
+    band, peak = Band.of(pupil, several, request.error, shared=request.shared), pupil.amplitude**2
+    # In units of v / share blur ends at abs(w) = 2, as the intensity does: one gate and one step serve all blur.
     scale = pupil.scale / band.share
-    error = max(asked.error, min(asked.error * peak / band.clear, _COARSEST))
-    gate = Gate.of(STEP, 2.0 ** math.floor(math.log2(error)) if asked.shared else error)
+    # An error within a narrow band moves less light, so that a coarser gate has the same effect on the image.
+    error = max(request.error, min(request.error * peak / band.clear, _COARSEST))
+    gate = Gate.of(STEP, 2.0 ** math.floor(math.log2(error)) if request.shared else error)
     rows, columns = (
         readout(tuple(math.pi / scale * places), math.pi / scale * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
     )
     halo = Halo.of(several, scale, pupil.wavelength, gate)
-    lattice = Lattice.of(asked, band, Short.of(several, scale), halo, (rows, columns))
+    lattice = Lattice.of(request, band, Short.of(several, scale), halo, (rows, columns))
     reach = max(max(-first, first + n - 1) for first, n in zip(lattice.first, lattice.counts, strict=True))
     far = reach * lattice.h / (math.pi * band.share)
     if halo.several and far > 0.5 * pupil.period:
@@ -136,27 +140,27 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
             f"tolerance, which take {2.0 * far:.4g}: give a finer mask, or one with squares=True"
         )
     blocks = _blocks(pupil, math.prod(lattice.counts))
-    return _joined([_of_block(asked, block, band, lattice, (rows, columns)) for block in blocks])
+    return _joined([_block_images(request, block, band, lattice, (rows, columns)) for block in blocks])
 
 
-def _joined(parts: list[Made]) -> Made:
-    """Return images of parts of a stack, one after the other."""
+def _joined(parts: list[BlurredStack]) -> BlurredStack:
+    """Return images of parts of a stack, joined along it."""
     each = zip(*(one[:4] for one in parts), strict=True)
-    return Made._make([*(np.concatenate(values) for values in each), parts[0].method])
+    return BlurredStack._make([*(np.concatenate(values) for values in each), parts[0].method])
 
 
 class Gather(NamedTuple):
     """Weights, shape (samples, places), by which samples of one side are gathered on a coarser lattice."""
 
     matrix: Any
-    first: int  # of the places
+    first: int  # index of the first place
     error: float  # of the response to waves of the band
-    gain: float  # sum of moduli over places
-    sums: float  # and over samples
+    gain: float  # largest sum of moduli over places
+    sums: float  # largest sum of moduli over samples
 
     @classmethod
     def of(cls, h: float, first: int, count: int, gate: Gate) -> Gather:
-        """Return those of samples `h` apart."""
+        """Return the weights of `count` samples, `h` apart."""
         if h == gate.h:
             return cls(None, first, 0.0, 1.0, 1.0)
         made = readout(tuple(h * (first + np.arange(float(count)))), 0.0, gate)
@@ -165,44 +169,46 @@ class Gather(NamedTuple):
 
 
 class Lattice(NamedTuple):
-    """Samples in units of v over the share of the band, rows and columns, and what spreads them once gathered."""
+    """Samples in v over the share of the band, rows and columns, and the kernel that blurs them once gathered."""
 
     step: float  # from sample to sample, in v
-    h: float  # the same in those units
-    first: tuple[int, int]  # in samples from the axis
+    h: float  # the same in units of v over the share
+    first: tuple[int, int]  # index of the first sample, 0 on the axis
     counts: tuple[int, int]
     gathers: tuple[Gather, Gather]
-    blind: float  # bound on the sum of moduli of weights of samples that are not there
+    blind: float  # bound on the sum of moduli of weights of samples beyond the ends
     gate: Gate
     kernel: Spread | None
 
     @classmethod
-    def of(cls, asked: Asked, band: Band, short: Short, halo: Halo, pixels: tuple[Readout, Readout]) -> Lattice:
-        """Return the samples that are needed."""
-        gate, margin = halo.gate, asked.margin * band.share
+    def of(cls, request: Request, band: Band, short: Short, halo: Halo, pixels: tuple[Readout, Readout]) -> Lattice:
+        """Return the lattice for pixels (rows, columns) to the requested errors."""
+        gate, margin = halo.gate, request.margin * band.share
         plain, seen = short.nothing and not halo.several, bool(halo.several)
         # Copies of the band of the intensity begin where that of the blur ends, or from the next sixteenth on.
-        ended = math.ceil(16.0 * band.share) / 16.0 if asked.shared else band.share
+        ended = math.ceil(16.0 * band.share) / 16.0 if request.shared else band.share
         step = min(gate.h / band.share, math.pi / (1.0 + ended))
+        # Within rounding of the coarse step no gathering is needed, which costs two products and an error.
         h = gate.h if step * band.share >= gate.h * (1.0 - 1e-15) else step * band.share
         beyond, cut = ends(gate)
         begins, counts, least, gathers = [], [], [], []
         for side, reach in zip(pixels, short.reach(gate.error)[::-1], strict=True):
             room = 0 if plain else math.ceil((reach + (0.0 if short.nothing else beyond)) / gate.h)
             first, last = side.first - room, side.first + side.samples - 1 + room
-            # What is read is interpolated from places as far as a gate reaches, and light gathered at these.
+            # The readout takes places as far as the gate reaches, and gathering takes samples as far from those.
             more = 0.0 if h == gate.h else beyond
             near, far = first * gate.h - more, last * gate.h + more
             if seen and band.ended:
+                # Light moves up to the margin from the pixels themselves; the samples of the readout must exist too.
                 least_of, most_of = side.ends(reach)
                 near = min(least_of - margin, side.first * gate.h + more)
                 far = max(most_of + margin, (side.first + side.samples - 1) * gate.h - more)
             elif seen:
                 near, far = min(near, 0.0) - margin, max(far, 0.0) + margin
             low, high = math.floor(near / h), math.ceil(far / h)
-            # About its middle a lattice costs a quarter.
+            # A lattice symmetric about the axis costs a quarter.
             if 2 * max(-low, high) + 1 <= 1.2 * (high - low + 1):
-                high = max(-low, high) if not asked.shared else _outwards(max(-low, high))
+                high = max(-low, high) if not request.shared else _outwards(max(-low, high))
                 low = -high
             begins.append(low)
             counts.append(high - low + 1)
@@ -210,7 +216,7 @@ class Lattice(NamedTuple):
                 break
             gathers.append(made := Gather.of(h, low, counts[-1], gate))
             places = counts[-1] if made.matrix is None else made.matrix.shape[1]
-            # A halo reaches from any sample to any that is read, and from none around the other way.
+            # The padded side holds all differences of places, so that no light wraps around to a place that is read.
             least.append(2 * max(last - made.first, made.first + places - 1 - first) + 2 if seen else places)
         if max(counts) > _MOST:
             raise ToleranceError(
@@ -224,23 +230,24 @@ class Lattice(NamedTuple):
         )
 
     def gathered(self, samples: Array, threads: int) -> Array:
-        """Return a stack of samples as values of the coarser lattice."""
+        """Return a stack of samples gathered on the coarser lattice."""
         down, across = (one.matrix for one in self.gathers)
         if down is None:
             return samples
         # By the core: threads of BLAS wait for each other, for as long as all the rest takes.
+        # (h / H)^2: gathered values are densities on the coarse lattice, as samples are on the fine one.
         turned = (self.h / self.gate.h) ** 2 * down.T
         return np.stack([product(product(turned, one, threads), across, threads) for one in samples])
 
 
 def _outwards(count: int) -> int:
-    """Return a number of samples a little larger, so that lattices of about a size are the same."""
+    """Return `count` rounded up to five significant bits, so that lattices of similar size are shared."""
     unit = 1 << max(0, count.bit_length() - 5)
     return -(-count // unit) * unit
 
 
 def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
-    """Return parts of a flattened stack that are sampled at once."""
+    """Return parts of a flattened stack whose samples fit into memory together."""
     count, size = math.prod(pupil.shape), max(1, _AT_ONCE // samples)
     if count <= size:
         return [pupil]
@@ -248,42 +255,47 @@ def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
     return [pupil[np.unravel_index(np.arange(s, min(s + size, count)), pupil.shape)] for s in starts]
 
 
-def _of_block(asked: Asked, pupil: BasePupil, band: Band, lattice: Lattice, pixels: tuple[Readout, Readout]) -> Made:
-    """Return images of a few pupils, from one lattice."""
+def _block_images(
+    request: Request, pupil: BasePupil, band: Band, lattice: Lattice, pixels: tuple[Readout, Readout]
+) -> BlurredStack:
+    """Return images of a few pupils from one lattice, with the error budget of certificate, section 17."""
     (rows, columns), (down, across), kernel = pixels, lattice.gathers, lattice.kernel
-    method, samples, off = _on_lattice(asked, pupil, lattice)
+    method, samples, off = _on_lattice(request, pupil, lattice)
     peak, light = pupil.amplitude**2, 4.0 * math.pi * pupil.transmission * band.share**2
     gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
-    # Where turbulence ends within the band, the light of each sample counts by itself.
+    # Where turbulence ends within the band, errors count by the light of each sample, not by the peak.
     each = kernel is not None and kernel.core > 0.0 and band.ended
     clear, blurred = (band.clear, band.blurred) if each else (min(band.clear, peak), min(band.blurred, peak))
+    # (1 + a)(1 + b) - 1 of the responses along rows and columns.
     response = (rows.error + columns.error + rows.error * columns.error) * blurred
     if kernel is not None:
         gather, gathering = down.gain * across.gain, down.error + across.error + down.error * across.error
         spreading = kernel.error * clear + gathering * (band.blurred + kernel.error * band.clear)
         most = light * kernel.core * gather if each else peak * down.sums * across.sums
         spreading += most * (kernel.blind + 2.0**-53 * sum(lattice.counts) * max(1.0, kernel.gain))
+        # Samples beyond the ends of a lattice without turbulence: at most the unaberrated peak each.
         spreading += peak * lattice.blind * kernel.gain
         response += gain * (spreading + light * gather * kernel.off) + band.tail * (1.0 + gain * gather)
     rounding = 0.0
     if kernel is not None:
-        coarse = lattice.gathered(samples, asked.threads)
+        coarse = lattice.gathered(samples, request.threads)
         rounding = gain * kernel.rounding(coarse)
         area = lattice.h**2 * samples[0].size
+        # Parseval: h^2 times the sum over the whole plane is all light, 4 pi tau; the rest lies beyond the lattice.
         there = lattice.h**2 * samples.sum(axis=(1, 2)) - area * np.nan_to_num(off)
         missing = kernel.missing * np.clip(light - there, 0.0, light)
         if each:
-            # Blur is nowhere negative and of light 1; what weights are off adds to that.
+            # Blur is nowhere negative and has unit sum, so that its gain is 1 but for the errors of its weights.
             gain = 1.0 + 2.0 * area * response / light
         else:
             missing *= gain
             gain *= kernel.gain * down.sums * across.sums
-        samples = kernel.on(coarse, asked.threads)
+        samples = kernel.on(coarse, request.threads)
     top, left = rows.first - down.first, columns.first - across.first
     part = samples[:, top : top + rows.samples, left : left + columns.samples]
     values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
     error = np.full(len(values), 1.0001 * response + rounding)
-    return Made(values, gain * off, error, missing, method)
+    return BlurredStack(values, gain * off, error, missing, method)
 
 
 class Known(NamedTuple):
@@ -306,45 +318,48 @@ class Known(NamedTuple):
 
 @lru_cache(maxsize=2)
 def _known(_aperture: tuple[object, ...], _wavefront: Wavefront) -> dict[float, Known]:
-    """Return what is kept of an aperture with a wavefront, by the step of the lattice."""
+    """Return the samples kept for an aperture and a wavefront, by the step of their lattice."""
+    # The cache returns the same dictionary again, to be filled by the caller.
     return {}
 
 
-def _on_lattice(asked: Asked, pupil: BasePupil, lattice: Lattice) -> tuple[Method, Array, Array]:
-    """Return the method, samples of a stack on a lattice, and bounds on what each is off by, or NaN."""
+def _on_lattice(request: Request, pupil: BasePupil, lattice: Lattice) -> tuple[Method, Array, Array]:
+    """Return the method, samples of a stack on a lattice, and bounds on their errors, NaN where unknown."""
     first, counts = lattice.first, lattice.counts
     fine = Grid(counts, lattice.step * pupil.scale / math.pi, center=(-first[0], -first[1]))
-    if not asked.shared or asked.method or not isinstance(pupil, Pupil) or pupil.circular or pupil.shape:
-        return _sampled(asked, pupil, fine)
-    # Halves of decades: other blur asks for about as much.
-    asked = asked._replace(tol=10.0 ** (0.5 * math.floor(2.0 * math.log10(asked.tol))))
+    if not request.shared or request.method or not isinstance(pupil, Pupil) or pupil.circular or pupil.shape:
+        return _sampled(request, pupil, fine)
+    # In half decades of the tolerance, so that other blur of similar width meets the kept samples.
+    request = request._replace(tol=10.0 ** (0.5 * math.floor(2.0 * math.log10(request.tol))))
     known = _known(pupil.aperture, pupil.wavefront)
     kept = known.get(lattice.step)
-    if kept is not None and kept.tol <= asked.tol and (part := kept.part(first, counts)) is not None:
+    if kept is not None and kept.tol <= request.tol and (part := kept.part(first, counts)) is not None:
         return kept.method, part, kept.off
-    made = _sampled(asked, pupil, fine)
+    made = _sampled(request, pupil, fine)
     if made[1].size > _KEPT:
         return made
+    # The oldest lattices go first: dictionaries keep the order of insertion.
     for step in list(known)[: max(0, len(known) - _STEPS + 1)]:
         known.pop(step, None)
-    known[lattice.step] = Known(first, asked.tol, *made)
+    known[lattice.step] = Known(first, request.tol, *made)
     return made
 
 
-def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
-    """Return the method, samples of a stack on a lattice, and bounds on what each is off by, or NaN."""
-    if asked.method is not None:
-        ways: tuple[Method, ...] = (asked.method.tightened(max(asked.tol, asked.method.least_tol)),)
-        if asked.tol > asked.method.tol:
-            ways = (asked.method,)
+def _sampled(request: Request, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
+    """Return the method, samples of a stack computed on a lattice, and bounds on their errors, NaN where unknown."""
+    if request.method is not None:
+        ways: tuple[Method, ...] = (request.method.tightened(max(request.tol, request.method.least_tol)),)
+        # A method that is named keeps its own tolerance if that is tighter than needed.
+        if request.tol > request.method.tol:
+            ways = (request.method,)
     else:
         least = 1e-11 if not pupil.circular else Method.least_tol
-        ways = candidates(pupil, fine, min(max(asked.tol, least), 0.05))
+        ways = candidates(pupil, fine, min(max(request.tol, least), 0.05))
     ways[0].require(pupil)
     fine.require_reach(pupil)
 
     def ask(way: Method) -> Images:
-        made = way.intensity(pupil, fine, asked.threads)
+        made = way.intensity(pupil, fine, request.threads)
         values, scales = made.values, np.ones(len(made.values))
         if values.ndim == 2:
             values = np.empty((len(scales), *fine.shape))
@@ -364,9 +379,11 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
 _TRIES = 7
 
 
-def of_transfer(asked: Asked, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> Method | None:
-    """Return the quadrature over transfer functions, where that applies and takes less time, else None."""
-    method = asked.method
+def of_transfer(
+    request: Request, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]
+) -> Method | None:
+    """Return the quadrature over transfer functions, None where it does not apply or takes longer than a lattice."""
+    method = request.method
     white = method if isinstance(method, Polychromatic) else None
     single = method if white is None else white.method
     if not (single is None or isinstance(single, NijboerZernike)) or not (several and grid.square):
@@ -378,23 +395,23 @@ def of_transfer(asked: Asked, tol: float, pupil: BasePupil, grid: Grid, several:
         if not (isinstance(part, Pupil) and part.radial):
             return None
         seconds += max(1, math.prod(grid.stack)) * way.seconds(part, grid)
-        if seconds > _lattice_seconds(asked, part, grid, several):
+        if seconds > _lattice_seconds(request, part, grid, several):
             return None
     return way if white is None else Polychromatic(white.wavelengths, white.weights, way)
 
 
-def _lattice_seconds(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
+def _lattice_seconds(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
     """Estimate the time of images from a lattice of samples."""
-    share = Band.of(pupil, several, asked.error).share
+    share = Band.of(pupil, several, request.error).share
     h = min(STEP / share, math.pi / (1.0 + share))
-    beyond = asked.margin or max(Short.of(several, pupil.scale).reach(1e-9)) + 30.0 / share
+    beyond = request.margin or max(Short.of(several, pupil.scale).reach(1e-9)) + 30.0 / share
     samples = (2.0 * (grid.reach(pupil) / math.sqrt(2.0) + beyond) / h) ** 2
     pixels = 4e-6 * max(grid.shape) ** 2 if grid.integrate else 0.0
     return 4e-3 + pixels + 4e-8 * samples * math.prod(pupil.shape)
 
 
 def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    """Return images of a stack by quadrature over transfer functions, each around its axis."""
+    """Return images of a stack by quadrature over transfer functions, each pupil around its own axis."""
     if not grid.stack:
         return way.images(pupil, grid, wanted)
     values = np.empty((math.prod(grid.stack), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -413,124 +430,135 @@ def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
 def recorded_images(
     method: Method | None, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
 ) -> tuple[Method, Images]:
-    """Return the method that sampled, and the blurred images of a stack, to `tol` over the largest value."""
+    """Return the method that sampled, and the blurred images of a stack, with errors below `tol` of the peak."""
     if method is not None and method.sampling == "pixel":
         raise ValueError(
             f"method must have point values for blur, fill and pixels that are not square, got "
             f"{type(method).__name__}, which has none; leave it out"
         )
     dtype, peaked = wanted.dtype, wanted.scale is None
+    # Half where values are divided by their own largest one, whose error counts again; a tenth is a reserve.
     aim = (0.45 if peaked else 0.9) * (tol - 1.1 * storing(dtype))
-    asked = _first(method, pupil, grid, several, aim, wanted.threads)
-    way = of_transfer(asked, tol, pupil, grid, several)
+    request = _first_request(method, pupil, grid, several, aim, wanted.threads)
+    way = of_transfer(request, tol, pupil, grid, several)
     if way is not None:
+        # Declined or not met: the lattice has no such limits and is tried next.
         with suppress(ToleranceError, Declined):
             return way, transferred(way, pupil, grid, wanted)
-    elsewhere = 0.0 if peaked else _on_axis(asked, pupil, grid, several)
+    elsewhere = 0.0 if peaked else _axis_level(request, pupil, grid, several)
     for tries in range(_TRIES):
         try:
-            made = summed(asked, pupil, grid, several)
+            made = summed(request, pupil, grid, several)
         except (ValueError, ToleranceError) as fault:
-            if asked.shared:
-                asked = asked._replace(shared=False)
+            # A shared lattice is larger than needed: before an error is reported, the smallest one is tried.
+            if request.shared:
+                request = request._replace(shared=False)
                 continue
             if method is None:
-                _refuse_seeing(asked, tol, pupil, several, fault)
+                _refuse_seeing(request, tol, pupil, several, fault)
             raise
         tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
         if not tops.min() > 0:
             raise ValueError("no light falls into the window that is brighter than the errors there")
-        # Where nothing is known of the samples, what is added is kept below the tolerance on its own.
+        # Where the samples have no bound, the errors that blur adds are kept below the tolerance on their own.
         unknown = bool(np.isnan(made.given).any())
         relative = ((0.0 if unknown else made.given) + made.response + made.missing) / tops
+        # e / (peak - e) of the exact peak; beyond a half nothing is proven.
         relative = np.where(relative < 0.5, relative / (1.0 - np.minimum(relative, 0.5)), np.inf)
         bounds = stored(normalized_error(relative) if peaked else relative, dtype)
         if bounds.max() <= tol or (method is not None and not method.keeps_tol and not unknown):
             return made.method, _scaled(made, wanted, None if unknown else bounds)
-        asked = _again(asked, made, aim * tops)._replace(shared=asked.shared and tries == 0)
+        request = _refined_request(request, made, aim * tops)._replace(shared=request.shared and tries == 0)
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
 
 
-def _refuse_seeing(asked: Asked, tol: float, pupil: BasePupil, several: tuple[Blur, ...], fault: Exception) -> None:
-    """Raise ToleranceError if it is seeing that takes samples too far beyond the window."""
-    ratio = _seen(pupil, several)
+def _refuse_seeing(
+    request: Request, tol: float, pupil: BasePupil, several: tuple[Blur, ...], fault: Exception
+) -> None:
+    """Raise ToleranceError if seeing needs samples too far beyond the window."""
+    ratio = _seeing_ratio(pupil, several)
     if ratio and not math.isfinite(pupil.period):
         raise ToleranceError(
             f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing to "
-            f"{asked.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
+            f"{request.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
             "larger tol, up to 0.01, or for a pupil with an obscuration only, which in strong seeing has nearly "
             "the same image"
         ) from fault
 
 
-def _scaled(made: Made, wanted: Wanted, bounds: Array | None) -> Images:
-    """Return images over their largest values, or times the scale that is wanted, where they are wanted."""
+def _scaled(made: BlurredStack, wanted: Wanted, bounds: Array | None) -> Images:
+    """Return images divided by their largest values, or multiplied by the requested scale."""
     tops = made.values.max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
     values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
-    # Nothing is negative that is an average of light.
+    # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
     return Images(values, scales, bounds)
 
 
-def _seen(pupil: BasePupil, several: tuple[Blur, ...]) -> float:
+def _seeing_ratio(pupil: BasePupil, several: tuple[Blur, ...]) -> float:
     """Return the width of the broadest seeing in lambda*N, the diameter over r0; 0 without."""
     air = (blur for blur in several if isinstance(blur, Seeing))
     return max((1.0 / (one.coherence(pupil.wavelength) * pupil.scale) for one in air), default=0.0)
 
 
-def _on_axis(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float | Array:
-    """Return what pixels around the axis record at least, for windows beside it: errors are over that too."""
+def _axis_level(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float | Array:
+    """Return a lower bound on the brightest pixel around the axis: errors of windows beside it are over it too."""
     rows, columns = np.broadcast_arrays(*grid.center)
     if np.all((rows > -0.5) & (rows < grid.height - 0.5) & (columns > -0.5) & (columns < grid.width - 0.5)):
         return 0.0
+    # Three pixels hold the peak of any centred blur; coarse tolerances suffice for a lower bound.
     there = Grid(3, grid.pixel, integrate=grid.integrate, fill=grid.fill)
-    made = summed(asked._replace(tol=max(asked.tol, 1e-6), error=max(asked.error, 1e-9)), pupil, there, several)
+    made = summed(request._replace(tol=max(request.tol, 1e-6), error=max(request.error, 1e-9)), pupil, there, several)
     off = made.response + made.missing + np.nan_to_num(made.given)
     return np.asarray(np.maximum(made.values.max(axis=(1, 2)) - off, 0.0))
 
 
-def _first(
+def _first_request(
     method: Method | None, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], aim: float, threads: int
-) -> Asked:
-    """Return what is likely to be enough, from how wide things are."""
+) -> Request:
+    """Return the first request, estimated from the widths of diffraction, blur and pixels."""
     to_v = math.pi / pupil.scale
     short = Short.of(several, pupil.scale)
     halo = Halo.of(several, pupil.scale, pupil.wavelength, Gate.of(STEP, 1e-6))
+    # Area of a uniform spot with the same light and peak; variances and squared widths of independent blurs add.
     spot = 4.0 * math.pi * pupil.transmission / pupil.likely_peak
     sides = 2.0 * math.pi * np.diag(short.covariance) + (short.streaks**2).sum(axis=0)
     sides = sides + np.array([(to_v * a) ** 2 for a in grid.active[::-1]])
     area = math.sqrt(float(np.prod(spot + sides)))
+    # The kernel at 0 is the inverse of the area of the halo.
     if halo.several:
         area += 1.0 / float(halo.at(np.zeros(1))[0])
-    # Most of what is allowed is left to light beyond a lattice, which costs the most.
+    # Most of the tolerance goes to light beyond the lattice, which costs the most to reduce.
     samples, responses = (0.12, 0.009) if halo.several else (0.3, 0.02)
     tol = max(samples * aim * spot / area, 1e-13)  # over the peak of the samples
     bright = 4.0 * math.pi * pupil.transmission / area
     error = max(responses * aim * bright / pupil.amplitude**2, 1e-15)
-    asked = Asked(method, threads, tol, error, 0.0)
+    request = Request(method, threads, tol, error, 0.0)
     if not halo.several:
-        return asked
+        return request
     half = to_v * 0.5 * min(side * pitch for side, pitch in zip(grid.shape, grid.pitch, strict=True))
-    # Where it does not end before, the gate smears blur.
+    # Where turbulence does not end within the band, its kernel is convolved with the gate and is wider.
     more = 0.0 if Band.of(pupil, several, error).ended else 60.0
     blur = float(pupil.v(pupil.geometric_radius()).max())
-    return asked._replace(margin=blur + more + _margin(halo, half, _edges(pupil), 0.5 * aim / area))
+    return request._replace(margin=blur + more + _margin(halo, half, _edges(pupil), 0.5 * aim / area))
 
 
 def _edges(pupil: BasePupil) -> float:
-    """Return the length of the edges of an aperture over that of a disc of the same area, about."""
+    """Estimate the length of the edges of an aperture over that of a disc of the same area."""
+    # Light far from the axis is diffracted by edges, in proportion to their length (r^-3 each).
     if not isinstance(pupil, Pupil) or pupil.circular:
         return 1.0 / (1.0 - getattr(pupil, "obscuration", 0.0))
     return 6.0 if isinstance(pupil.stop, Segments) else 2.0
 
 
 def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
-    """Return how far beyond a window of some half side a lattice goes, to miss about what is `allowed`, in v."""
-    # A disc's light beyond R is 2 / (pi R) of all.
+    """Estimate the margin of a lattice around a window (half side `half`, v) that misses `allowed` light, in v."""
+    # Encircled energy of a disc far out: 1 - 2 / (pi R) (Rayleigh).
     margins = np.geomspace(5.0, 1e5, 400)
     missing = np.minimum(edges * 2.0 / (math.pi * (half + margins)), 1.0)
     low, high = 0, margins.size - 1
+    # Bisection: both factors fall with the margin.
     while high - low > 1:
         middle = (low + high) // 2
         enough = missing[middle] * halo.bound(float(margins[middle])) <= allowed
@@ -538,30 +566,31 @@ def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
     return float(margins[high])
 
 
-def _again(asked: Asked, made: Made, allowed: Array) -> Asked:
-    """Return what is asked next, by what was off too much: of shares that add up to no more than is allowed."""
-    tol, error, margin = asked.tol, asked.error, asked.margin
+def _refined_request(request: Request, made: BlurredStack, allowed: Array) -> Request:
+    """Return the next request: each error reduced by its excess, with shares that sum to less than 1."""
+    tol, error, margin = request.tol, request.error, request.margin
     given = np.zeros(len(allowed)) if np.isnan(made.given).any() else made.given
     if (much := float((given / (0.4 * allowed)).max())) > 1.0:
         tol *= max(0.5 / much, 1e-4)
     if (much := float((made.response / (0.2 * allowed)).max())) > 1.0:
         error *= max(0.5 / much, 1e-6)
     if (much := float((made.missing / (0.5 * allowed)).max())) > 1.0:
+        # The kernel falls as R^(-11/3) and the light beyond as R^-1: together R^(-14/3), hence the power 3/14.
         margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)
-        # How much light is missing is told by the sum of the samples.
+        # The missing light is bounded by all light less the sum of the samples, so that their error counts there too.
         tol *= 0.5
-    return asked._replace(tol=tol, error=max(error, 1e-15), margin=margin)
+    return request._replace(tol=tol, error=max(error, 1e-15), margin=margin)
 
 
 def recorded(
     pupil: BasePupil,
     grid: Grid,
     several: tuple[Blur, ...],
-    asked: tuple[Method | None, float, str, np.dtype[np.floating[Any]], int],
+    settings: tuple[Method | None, float, str, np.dtype[np.floating[Any]], int],
     out: Values | None = None,
 ) -> dict[str, Any]:
     """Return the attributes of the PSF of `pupil` on `grid`, for :class:`lommel.Plan`."""
-    method, tol, normalize, dtype, threads = asked
+    method, tol, normalize, dtype, threads = settings
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     require_unit(several, pupil)
@@ -576,7 +605,7 @@ def recorded(
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
     question = wanted._replace(out=values.reshape(-1, *grid.shape))
     used, made = recorded_images(method, tol, pupil, grid, several, question)
-    # Samples are asked for more than what is recorded; the quadrature is no method of its own.
+    # Samples are finer than the image that is reported; the quadrature is not a public method.
     used = method or (way if isinstance(used, TransferIntegral) else used).with_tol(tol)
     return {
         "values": values,

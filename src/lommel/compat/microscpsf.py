@@ -114,7 +114,7 @@ def gLZRParticleScan(
 
 
 def _at_rest(mp: Mapping[str, float], zd: float | None) -> Mapping[str, float]:
-    """Return the microscope; ValueError if the camera is not where it was designed to be."""
+    """Return the microscope; ValueError if the camera is not at its design position."""
     designed = mp.get("zd0", m_params["zd0"])
     if zd is not None and zd != designed:
         raise ValueError(f"zd must be the tube length {designed:g} or None, got {zd:g}: move the stage, zv, instead")
@@ -122,7 +122,7 @@ def _at_rest(mp: Mapping[str, float], zd: float | None) -> Mapping[str, float]:
 
 
 def _params(mp: Mapping[str, float]) -> dict[str, float]:
-    """Return the parameters that matter here; ValueError if a name is unknown."""
+    """Return the parameters that matter here; ValueError for an unknown name."""
     for name in mp:
         validation.choice("mp", name, tuple(m_params))
     return {name: value for name, value in (m_params | dict(mp)).items() if name in psfmodels.PARAMS}
@@ -138,6 +138,7 @@ def _window(
     mp: Mapping[str, float], dxy: float, xy_size: int, zv: ArrayLike, pz: ArrayLike, wvl: float, normalize: bool
 ) -> Array:
     side = validation.integer("xy_size", xy_size, least=1, most=10_000)
+    # Twice the distances: whole numbers, also for windows of even sides.
     along = 2 * np.arange(side) - (side - 1)
     squares, place = np.unique(along**2 + along[:, None] ** 2, return_inverse=True)
     pitch = validation.real("dxy", dxy, above=0.0)

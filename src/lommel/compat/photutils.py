@@ -185,7 +185,7 @@ def _grid(
     oversampling: int,
     options: dict[str, Any],
 ) -> _Grid:
-    """Return effective PSFs, (rows, columns, n, n), and their places, pixels from the middle of the first."""
+    """Return effective PSFs, (rows, columns, n, n), and their positions, pixels from the middle of the first."""
     validation.instance("field", field, FieldMap)
     pitch = validation.real("pixel", pixel, above=0.0)
     places = []

@@ -64,6 +64,7 @@ def pupil_arrays(pupil: Pupil, samples: int, *, diameter: float) -> PupilArrays:
     x, y = np.meshgrid(axis, axis)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     inside = (rho <= 1.0) & (rho >= pupil.obscuration)
+    # Zernike terms are not evaluated beyond the edge, where the amplitude is 0.
     within = np.minimum(rho, 1.0)
     amplitude = np.where(inside, pupil.illumination.value(within), 0.0)
     phase = np.where(inside, pupil.wavefront.phase(within, theta), 0.0)

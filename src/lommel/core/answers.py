@@ -14,7 +14,7 @@ DType = np.dtype[Any]  # the type of such values
 
 
 class Declined(ValueError):  # noqa: N818 (no fault: another method is tried)
-    """A pupil or a window is beyond what a method takes; the compiled core raises it too."""
+    """A pupil or window beyond the range of a method; the compiled core raises it too."""
 
 
 Pixels = Values  # values of images as they are stored, float32 or float64
@@ -27,7 +27,7 @@ class ToleranceError(ArithmeticError):
 
 
 def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
-    """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
+    """Return the error of a method whose proven bound on its error over `what` stays above `tol`."""
     size = f"{bound:.2g} of {what}" if bound < 1.0 else f"as large as {what}"
     # Two digits, with room for what grows with the tolerance.
     enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
@@ -60,7 +60,7 @@ class Intensities(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """How images are wanted: their scale, type and place, derivatives and threads."""
+    """Request for images: their scale, type and place, derivatives and threads."""
 
     # Factor of I, for each image (n,) or all; None divides each by its largest value.
     scale: float | Array | None = 1.0

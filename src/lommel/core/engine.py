@@ -84,13 +84,13 @@ _NOTHING: dict[str, object] = {}
 
 
 def _one_scale(wanted: Wanted) -> float:
-    """Return what all images are multiplied by, 0 where each has a peak of 1."""
+    """Return the factor of all images; 0 where each has a peak of 1."""
     assert not isinstance(wanted.scale, np.ndarray), "images of one aperture have one scale"
     return wanted.scale or 0.0
 
 
 def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels, Array]:
-    """Return the scale, and where the core writes: images; of each what it is multiplied by, its error, its peak."""
+    """Return the scale, the images that the core writes to, and for each its factor, error and peak."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     return _one_scale(wanted), values, np.empty((3, count))
 
@@ -118,7 +118,7 @@ def radial_images(
 
 
 def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
-    """Return whether averages of a stack, or their derivatives alone, had best be those of finer samples."""
+    """Return whether averages of a stack, or their derivatives alone, are cheaper from finer samples."""
     pay: Callable[..., bool] = _core.filters_pay
     return pay(*stack, *window.shape, *window.center, window.step, tol, derivatives)
 
@@ -152,6 +152,7 @@ def radial_plan(
     render = plan.render
 
     def ask(terms: Array, values: Pixels) -> tuple[Array, float] | None:
+        # With a given scale all answers share one read-only array.
         scales = None if scale else np.empty(shape)
         bound = render(terms, values, scales)
         if bound is None:
@@ -626,6 +627,7 @@ def row_rule(
 
 
 def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -> RowRule:
+    # A new row begins where y changes.
     """Return samples, those of each row one after the other, as such a rule; each may have a phase."""
     starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
     counts = np.diff(starts, append=len(y)).astype(np.int64)

@@ -34,20 +34,20 @@ from lommel.fit.score_tests import (
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
-_REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
-_FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
+_REVERSED = 12.0  # of log-likelihood, by which a reversed stack has to fit better
+_FAR_BETTER = 0.25  # of chi2 - 1: a reversed stack that leaves more is not the only fault
 _HELD = 3  # beads, from which on one is left out for a test
-_STEPS = 20  # of a search that begins at the answer
-_TERM = 0.1  # radians rms: the size that a missing term may have
-_AMPLITUDE = "apodization_2"  # of the terms of the amplitude that are not estimated
-_TRIED, _LIKELY = 4, 0.4  # candidates that are solved for, and the least of ln of the Bayes factor over the largest
-_WIDER = 3.0  # times its standard deviation, that a constant with a prior may be off
+_STEPS = 20  # largest number of steps of a search that starts at the answer
+_TERM = 0.1  # radians rms: expected size of a missing term
+_AMPLITUDE = "apodization_2"  # the only amplitude term that is tested where it is not estimated
+_TRIED, _LIKELY = 4, 0.4  # candidates that are fitted, and their least log of the Bayes factor over the largest
+_WIDER = 3.0  # standard deviations of a prior that a tested constant may be off
+_NEIGHBOR = 0.3  # of the light of a bead: expected light of a second one beside it
+_BESIDE = 2.0  # Rayleigh distances: a nearer neighbour counts as another shape of the bead
+_JUMP = 4.0  # times the median shift of the planes, from which on a plane has moved
+_MOVED = 5.0  # standard deviations of the same
 _CONTRADICTED = 3.5  # standard deviations of both, by which the beads contradict a prior
 _NEVER = "wavelength", "dye that does not radiate alike in all directions"  # which look like other constants
-_NEIGHBOR = 0.3  # of the light of a bead, that one beside it may have
-_BESIDE = 2.0  # Rayleigh distances: a nearer one is another shape of the bead
-_JUMP = 4.0  # times the median of the planes, that a plane that moved is off
-_MOVED = 5.0  # standard deviations
 
 
 def available_constants(setup: Setup) -> list[str]:
@@ -59,7 +59,7 @@ def available_constants(setup: Setup) -> list[str]:
 
 
 def possible(setup: Setup, name: str, value: float) -> bool:
-    """Return whether there is a microscope with this value of a constant."""
+    """Return whether a microscope with this value of a constant exists."""
     least = {"depth": lowest(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
     if name in least:
         return value >= least[name]
@@ -81,6 +81,7 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
     wide = replace(joint, images=images.with_terms(more_terms))
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
+    # Beyond a wavelength from the glass no light of larger NA than the sample's index arrives: NA leaves no trace.
     blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
     without = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors}) | (
         {"NA"} if blind else set()
@@ -125,21 +126,27 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
 
 
 def _size(name: str, value: float) -> str:
-    """Return a difference of a constant in words: "0.05 um"."""
+    """Return a difference of a constant with its unit: "0.05 um"."""
     factor, unit = UNITS[CONSTANTS[name].unit]
     return f"{factor * value:.3g}{unit}"
 
 
 def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
-    """Return a test of another bead at the same focus beside each, where it is likeliest."""
+    """Return a test for a second bead at the same focus beside each one, where it is likeliest."""
     setup, made = found.state.setup, []
+    # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
     least = _BESIDE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
     for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
         bead, mean = light[0][:, None, None] * values, expected(light, values)
         counted, read, valid = stack.planes
+        # Variance of a Poisson count is the mean; not below a quarter of that of reading, where the model is
+        # negative.
         weight = valid / np.maximum(mean + read, 0.25 * read)
+        # Twice the sides: the correlation of images with the bead must not wrap around.
         size = tuple(2 * side for side in stack.shape)
         turned = np.conj(np.fft.rfft2(bead, size))
+        # Slope and information for a copy of the bead at every shift, as correlations: sums of weight (counts - mean)
+        # times the shifted bead, and of weight times its square.
         slope = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * turned).sum(axis=0), size)
         squares = np.fft.rfft2(weight, size) * np.conj(np.fft.rfft2(bead**2, size))
         square = np.fft.irfft2(squares.sum(axis=0), size)
@@ -185,7 +192,7 @@ def missing_findings(
 
 
 def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
-    """Return the size that a test found, in words, of a fit with it free if any: "sample = 1.379 +- 0.005"."""
+    """Return the result of a test in words, from a fit with it free if any: "sample = 1.379 +- 0.005"."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 and name in CONSTANTS:
@@ -214,7 +221,7 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluate
 
 
 def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setup) -> Evaluated | None:
-    """Return the fit with a constant or a term unknown and without a prior, None where it is neither."""
+    """Return the fit with a constant or a term free and without prior; None if it is neither."""
     state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
     if name == "depth":
         depths = tuple(Prior(prior.value, math.inf) for prior in depths)
@@ -245,6 +252,7 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
     except (Declined, ValueError):
         return []
     (turned_chi2, spread), gain = there.quality, there.log_posterior - best
+    # Chi2 well below what it was is enough: another fault may be left.
     well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
     if gain < _REVERSED or not well:
         return []
@@ -256,7 +264,7 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
 
 
 def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
-    """Return chi2 of the last bead with what a fit of the others finds, and the finding of one that differs."""
+    """Return chi2 of the last bead with the answer of a fit of the others, and the finding if it differs."""
     count, state = len(joint.stacks), found.state
     if count < _HELD:
         return math.nan, []
@@ -274,13 +282,13 @@ def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
-    """Return the planes whose shifts are beyond chance and those of the others."""
+    """Return the planes whose shifts are beyond chance and beyond those of the others."""
     far = np.flatnonzero(sigmas > max(_MOVED, _JUMP * float(np.median(sigmas))))
     return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
 
 
 def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int) -> list[Finding]:
-    """Return the finding of planes that moved, of each bead."""
+    """Return the finding on moved planes, of each bead."""
     each = [(math.hypot(*by), plane, j) for j, one in enumerate(moved) for plane, by in one.items()]
     if not each:
         return []
@@ -294,9 +302,11 @@ def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int)
 
 
 def model_error(model: BeadModel, state: State) -> float:
-    """Return how far images of the search are from certified ones of a point, over the peak; inf without these."""
+    """Return the error of the search's images against certified ones of a point, over the peak; inf without these."""
+    # Of a point: certified images are those of points.
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
+    # Both ends of the stack, where defocus is largest, and the middle.
     ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
     pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[ends], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)

@@ -36,10 +36,10 @@ from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
-NONLINEAR = "nonlinear"  # share of electrons that counts lack at 10^4
-_MOST_NODES = 160
-_TURNS = 4  # of the search for the light of a plane
-_FAINTEST = 1e-3  # of the light before: no step goes below
+NONLINEAR = "nonlinear"  # share of electrons missing from counts at 10^4
+_MOST_NODES = 160  # largest number of chords
+_TURNS = 4  # iterations for the light of a plane
+_FAINTEST = 1e-3  # of the largest light: least light of a plane in the search
 
 
 class Constant(NamedTuple):
@@ -94,7 +94,7 @@ class Setup:
     integrate: bool = True
 
     def value(self, name: str) -> float:
-        """Return a constant."""
+        """Return the value of a constant."""
         if name == "coverslip":
             assert self.objective.coverslip is not None
             return self.objective.coverslip.thickness
@@ -107,7 +107,7 @@ class Setup:
         return self.value(name) if name in ("pixel", "diameter") else 1.0
 
     def beside(self, name: str) -> tuple[float, float]:
-        """Return values of a constant on either side, for differences, within what it may be."""
+        """Return values of a constant on either side, for differences, within its possible range."""
         given, at, one = CONSTANTS[name], self.value(name), self.objective
         h = given.step * (at if given.relative else 1.0)
         least = {"diameter": 0.25 * at, "immersion": max(1.0, at - 0.5 * (at - one.NA)), "sample": 1.0}
@@ -115,7 +115,7 @@ class Setup:
         return max(at - h, least.get(name, -math.inf)), min(at + h, most.get(name, math.inf))
 
     def having(self, name: str, value: float) -> Setup:
-        """Return the microscope with another value of a constant; ValueError where there is no such microscope."""
+        """Return the microscope with another value of a constant; ValueError if no such microscope exists."""
         given: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
         return replace(self, **given)
 
@@ -129,7 +129,7 @@ class Setup:
 
     @property
     def across(self) -> float:
-        """V of a pixel."""
+        """Pixel pitch in v."""
         one = self.objective
         return 2.0 * math.pi * one.NA * self.pixel / (self.wavelength * one.magnification)
 
@@ -143,7 +143,7 @@ _OWN = ("pixel", "diameter", "blur", "step")
 
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
-    """Return an objective with another sample, immersion, NA, cover glass or apodization; same design."""
+    """Return an objective with another sample, immersion, NA, cover glass or apodization, of the same design."""
     given: dict[str, Any] = {name: value}
     if name == "coverslip":
         assert objective.coverslip is not None
@@ -169,7 +169,7 @@ class Place(NamedTuple):
 
     @property
     def drift(self) -> tuple[float, float]:
-        """Along rows and along columns."""
+        """Drift along rows and along columns."""
         return self.drift_row, self.drift_column
 
 
@@ -183,12 +183,12 @@ class Stack:
 
     @property
     def times(self) -> Array:
-        """-1 to 1 over the stack, of drift."""
+        """Time from -1 to 1 over the stack, for drift."""
         return np.linspace(-1.0, 1.0, len(self.z))
 
     @property
     def planes(self) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Electrons, variances of reading, and which pixels count, (planes, height, width) each."""
+        """Electrons, variances of reading, and known pixels, (planes, height, width) each."""
         counted, _, read, valid = self.star.reshape(4, -1, *self.shape)
         return counted, read, valid > 0.0
 
@@ -202,9 +202,10 @@ class Stack:
 
 @lru_cache(maxsize=16)
 def heights(radius: float) -> tuple[Array, Array]:
-    """Return heights of discs of a ball of a radius in v, over the radius, and shares of its volume."""
+    """Return heights of discs of a ball, over its radius in v, and their shares of its volume."""
     if radius == 0.0:
         return np.zeros(1), np.ones(1)
+    # The area of a disc at height u is 1 - u^2: Gauss and Jacobi's rule for that weight.
     u, w = special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
     return u, w / w.sum()
 
@@ -225,11 +226,11 @@ class BeadImages:
         self.threads = threads
 
     def with_terms(self, more: Sequence[Term]) -> BeadImages:
-        """Return the images with further terms, at the end of those that are estimated."""
+        """Return the images with further terms, after those that are estimated."""
         return BeadImages((*self.solved, *more), self.fixed, self.threads) if more else self
 
     def without_terms(self, waves: Array) -> BeadImages:
-        """Return the images with these coefficients of all terms, which are no longer parameters."""
+        """Return the images with all terms fixed at these coefficients."""
         return BeadImages((), self.edge(waves), self.threads)
 
     def edge(self, waves: Array) -> dict[Term, float]:
@@ -241,13 +242,13 @@ class BeadImages:
 
         Without `ball`, of the middle of the bead, with a blur of its width: for differences.
         """
-        return np.asarray(self._made(setup, waves, place, stack, ball=ball, by=None)[0])
+        return np.asarray(self._images_and_slopes(setup, waves, place, stack, ball=ball, by=None)[0])
 
     def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
-        """Return derivatives by the waves, focus (1/metres), row, column and `amplitudes`, (k, planes, ...)."""
-        return self._made(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
+        """Return derivatives by the waves, focus (1 / metres), row, column and `amplitudes`, (k, planes, ...)."""
+        return self._images_and_slopes(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
 
-    def _made(
+    def _images_and_slopes(
         self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
         """Return images and, unless `by` is None, their slopes, also by these amplitudes."""
@@ -261,6 +262,7 @@ class BeadImages:
             edge[:, -2:] = across * np.outer(stack.times, place.drift)
         rule = self.rule(samples, edge)
         u, shares = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
+        # No part of a bead lies within the glass.
         depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
         focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
         planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
@@ -285,18 +287,21 @@ class BeadImages:
             # By the focus first; then by amplitudes and by terms at the edge.
             first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
             made[first:last] *= self.factors[:, None, None, None]
+            # Shifts in pixels are tilts of `across` radians at the edge each.
             made[-2:] *= across
             for k, name in enumerate(amplitudes, 2):
+                # Images are over the collected light, which amplitudes change as well.
                 made[k] -= _light_slope(setup, name, depths) * made[0]
             made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
         return made
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
-        """Return the rule for phases; Declined where these are too strong, as in too long a step."""
+        """Return the quadrature rule for these phases; Declined if they are too strong, as with too long a step."""
         window = samples.window
         ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
         plain = edge[0, :-2]
         squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
+        # The rms phase of the terms, and the largest tilt by drift.
         phase = math.sqrt(float((plain * plain) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
         made = light_by_rule.enough(max(ends) * window.step, phase)
         if made.chords > _MOST_NODES:
@@ -304,9 +309,10 @@ class BeadImages:
         return made
 
     def differences(self, setup: Setup, waves: Array, place: Place, stack: Stack, name: str) -> Array:
-        """Return the derivative by a constant or the depth, central differences over `CONSTANTS`."""
+        """Return the derivative by a constant or the depth, by central differences over the steps of `CONSTANTS`."""
         given = CONSTANTS[name]
         if name == "depth":
+            # A bead on the glass has no lower depth: the difference is one-sided there.
             h = min(given.step, max(place.depth - 0.5 * setup.diameter, 0.0))
             up, down = place._replace(depth=place.depth + given.step), place._replace(depth=place.depth - h)
             pair = [self.values(setup, waves, at, stack) for at in (up, down)]
@@ -318,7 +324,7 @@ class BeadImages:
 
 
 def _light_slope(setup: Setup, name: str, depth: Array) -> float:
-    """Return the logarithmic derivative of the light collected by a term of the amplitude."""
+    """Return the logarithmic derivative of the collected light by a term of the amplitude."""
     h, n, found = CONSTANTS[name].step, AMPLITUDES[name], []
     for value in (setup.value(name) + h, setup.value(name) - h):
         layers = setup.having(name, value).objective._layers(setup.wavelength)
@@ -329,16 +335,17 @@ def _light_slope(setup: Setup, name: str, depth: Array) -> float:
 
 
 def _half(setup: Setup) -> int:
-    """Return how many samples beyond a pixel its filter takes: more of large beads and blurs."""
+    """Return the number of samples beyond a pixel that its filter uses: more for large beads and blurs."""
     stride = max(1, math.ceil(setup.across / 1.535))
     wide = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.across + setup.radius
     return HALF + (stride - 1) * 2 + math.ceil(wide * stride / setup.across)
 
 
 def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:
-    """Return the photons and background of each plane, (2, planes), of maximum likelihood for PSFs (planes, ...)."""
+    """Return photons and background of each plane, (2, planes), of maximum likelihood for PSFs (planes, ...)."""
     psf = values.reshape(len(values), -1).astype(np.float64)
     counted, _, read, valid = star
+    # The first weights are those of the counts; 1 electron keeps dark pixels from an infinite weight.
     weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
     found = before
     for _ in range(_TURNS):
@@ -346,18 +353,20 @@ def flux_background(values: Array, star: Array, before: Array | None = None) -> 
             mean = found[0][:, None] * psf + found[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
         flux, level, middle = weighted_light(psf, counted, weight)
+        # A plane without light would leave its places undetermined.
         flux = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
+        # The level is that at the mean of the PSF, where flux and level are uncorrelated.
         found = np.stack([flux, level - flux * middle])
     return np.asarray(found)
 
 
 def expected(light: Array, values: Array) -> Array:
-    """Return the mean electrons of planes of this light (2, planes)."""
+    """Return the mean electrons of planes with this light, (2, planes)."""
     return np.asarray(light[0][:, None, None] * values + light[1][:, None, None])
 
 
 class Part(NamedTuple):
-    """What the planes of one bead say of the shared parameters, then of its own, the light being eliminated."""
+    """Contribution of one bead's planes to the shared parameters, then to its own, with the light eliminated."""
 
     slope: Array  # (planes, parameters)
     information: Array  # (planes, parameters, parameters)
@@ -369,7 +378,7 @@ class Part(NamedTuple):
     carried: Array  # (planes, parameters, 2), what the light falls by as parameters rise
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
-        """Return steps of parameters in each plane (planes, q), all else held, and their distances in sigmas."""
+        """Return steps of parameters in each plane (planes, q), all others held, and their size in sigmas."""
         square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
         square = _regular(square) + 1e-300 * np.eye(len(columns))
         step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])
@@ -377,7 +386,7 @@ class Part(NamedTuple):
 
 
 def _regular(square: Array) -> Array:
-    """Return matrices (planes, q, q) that have an inverse."""
+    """Return matrices (planes, q, q) with a small diagonal added, so that they have an inverse."""
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
@@ -392,8 +401,10 @@ def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Arr
     flux = light[0][:, None, None]
     inner, cross = _regular(each[:, k : k + 2, k : k + 2]), flux * each[:, :k, k : k + 2]
     carried = np.linalg.solve(inner, cross.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
+    # Schur's complement: information on the parameters when the light of each plane is fitted.
     square = flux * flux * each[:, :k, :k] - carried @ cross.swapaxes(1, 2)
     slope = flux[..., 0] * each[:, :k, -1] - np.einsum("pkl,pl->pk", carried, each[:, k : k + 2, -1])
+    # Information on the photons with the background eliminated.
     alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
     return Part(
         np.einsum("pak,pk->pa", chain, slope),

@@ -20,26 +20,26 @@ from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fishe
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
-_FAR = 1.0  # radians rms: no step changes the wavefront by more
-_ALIKE = 1.0  # of minus the log-likelihood: starts that end so near have found one minimum
-_LEFT = 1.5  # times the median chi2, from which a bead is left out
-ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage, where restarts begin
+_FAR = 1.0  # radians rms: largest change of the wavefront in a step
+_ALIKE = 1.0  # of log-likelihood: starts that end this close have found the same minimum
+_LEFT = 1.5  # times the median chi2: beads above it are left out
+ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage: foci that starts are shifted by
 _REACH = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
 
 
 def lowest(setup: Setup) -> float:
-    """Return the least depth of a bead: it lies on the glass, within what its size and the glass are known."""
+    """Return the least depth of a bead on the glass, within the uncertainty of its size and of the glass."""
     return 0.25 * setup.diameter
 
 
 class Prior(NamedTuple):
-    """What is known of a constant before: its value and standard error, inf for nothing."""
+    """Prior knowledge of a constant: its value and standard error, inf if unknown."""
 
     value: float
     error: float
 
     def pull(self, at: float) -> tuple[float, float, float]:
-        """Return the deviance, the slope towards the value, and the information."""
+        """Return the deviance, the slope towards the value, and the information, of a normal prior."""
         square = 1.0 / self.error**2
         away = self.value - at
         return 0.5 * away * away * square, away * square, square
@@ -47,7 +47,7 @@ class Prior(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """A set of parameters: waves (radians rms), constants in a setup, a place and light of each bead."""
+    """A set of parameters: waves (radians rms), constants in a setup, place and light of each bead."""
 
     setup: Setup
     waves: Array
@@ -82,7 +82,7 @@ class Evaluated:
 
 @dataclass(eq=False)
 class BeadModel:
-    """Several stacks of beads as functions of shared parameters and those of each bead, for `fisher_scoring`."""
+    """Several stacks of beads as functions of shared and own parameters, for `fisher_scoring`."""
 
     images: BeadImages
     stacks: tuple[Stack, ...]
@@ -100,10 +100,11 @@ class BeadModel:
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
+        # Degrees of freedom: two for the light of each plane.
         self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
 
     def alone(self, k: int) -> BeadModel:
-        """Return the model of one bead, with the constants of the microscope and its depth fixed."""
+        """Return the model of one bead, with fixed constants and depth."""
         return replace(self, stacks=self.stacks[k : k + 1], priors={}, depths=(Prior(self.depths[k].value, 0.0),))
 
     def having(self, kept: Sequence[int]) -> BeadModel:
@@ -111,11 +112,11 @@ class BeadModel:
         return replace(self, stacks=tuple(self.stacks[k] for k in kept), depths=tuple(self.depths[k] for k in kept))
 
     def columns(self, bead: int, shared: int) -> range:
-        """Return where the parameters of a bead are, behind so many shared ones."""
+        """Return the columns of the parameters of a bead, after the `shared` ones."""
         return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
 
-    def _known(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
-        """Yield the priors, each after its column, and the values of what they are of."""
+    def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
+        """Yield the priors, each with its column and the present value of its constant."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
         if "depth" in self.own:
@@ -130,7 +131,7 @@ class BeadModel:
         images; where the aberrations are too strong; or where there is no such microscope.
         """
         light, values = [], []
-        total = sum(prior.pull(at)[0] for _, prior, at in self._known(state, self.names))
+        total = sum(prior.pull(at)[0] for _, prior, at in self._prior_terms(state, self.names))
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
@@ -158,20 +159,21 @@ class BeadModel:
             at = [*range(k), *self.columns(j, k)]
             information[np.ix_(at, at)] += parts[-1].information.sum(axis=0)
             slope[at] += parts[-1].slope.sum(axis=0)
-        for column, prior, value in self._known(state, names):
+        for column, prior, value in self._prior_terms(state, names):
             _, pull, square = prior.pull(value)
             slope[column] += pull
             information[column, column] += square
         return parts, information, slope
 
     def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
-        """Return derivatives of images, and of images by parameters by these in each plane."""
+        """Return derivatives of images, and the matrix from these to parameters in each plane."""
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
         amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
         found, ones = [*images.slopes(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
         order = (*images.solved, "focus", "row", "column", *amplitudes)
         at: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
+        # Drift moves rows and columns in proportion to time, a longer step the focus in proportion to z.
         at |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
@@ -188,13 +190,14 @@ class BeadModel:
         return np.stack(found), chain
 
     def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step, (1, parameters), and the gain that it promises."""
+        """Return a damped step, (1, parameters), and its predicted gain."""
         scores, state = now, x.state
         found = damped_steps(scores, damping)
         if "depth" in self.own:
             depth, least = self.own.index("depth"), lowest(state.setup)
             for j, place in enumerate(state.places):
                 column = self.columns(j, len(self.names))[depth]
+                # The bead would sink into the glass: its depth goes to the least one, and the others follow it.
                 if place.depth + found[0][0, column] < least:
                     scores = _holding(scores, column, least - place.depth)
             found = damped_steps(scores, damping)
@@ -203,14 +206,14 @@ class BeadModel:
     def attempt(
         self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
     ) -> tuple[Evaluated, Scores | None]:
-        """Return the state after a step and its scores, where these are better than before."""
+        """Return the state after a step and its scores, if these are better than before."""
         with suppress(Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
             tried = self.evaluated(self.moved(x.state, step[0]), float(now.deviance[0]))
             return tried, tried.scores
         return x, None
 
     def moved(self, state: State, step: Array) -> State:
-        """Return the parameters after a step, cut to what it may change at most."""
+        """Return the parameters after a step, shortened to the largest allowed change."""
         k, shared, setup = len(self.images.solved), len(self.names), state.setup
         each = step[shared:].reshape(-1, len(self.own))
         given = [CONSTANTS[name] for name in self.priors]
@@ -218,9 +221,11 @@ class BeadModel:
         reach = [one.reach * (at if one.relative else 1.0) for one, at in zip(given, constants, strict=True)]
         longest = [math.sqrt(float(step[:k] @ step[:k])) / _FAR, *(np.abs(step[k:shared]) / reach)]
         longest += [*(np.abs(each) / [_REACH[name] for name in self.own]).ravel()]
+        # One factor for all parameters keeps the direction of the step.
         cut = 1.0 / max(1.0, *longest)
         for name, value in zip(self.priors, (constants + cut * step[k:shared]).tolist(), strict=True):
             setup = setup.having(name, value)
+        # Noise may make the estimated blur a little negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("no such blur or bead")
         places = []
@@ -240,7 +245,7 @@ class BeadModel:
 
 
 def _holding(scores: Scores, at: int, step: float) -> Scores:
-    """Return the same with a step of a parameter given."""
+    """Return the scores with the step of one parameter fixed."""
     information, slope = scores.information.copy(), scores.slope - scores.information[:, at] * step
     information[:, at] = information[:, :, at] = 0.0
     information[:, at, at], slope[:, at] = 1.0, step
@@ -251,8 +256,9 @@ _POLICY = Policy(most=1e7, patience=math.inf)
 
 
 def _of_camera(name: str, mean: Array) -> Array:
-    """Return the derivative of electrons (planes, height, width) by what is of the camera or the background."""
+    """Return the derivative of electrons (planes, height, width) by a property of the camera or the background."""
     if name == bead_images.NONLINEAR:
+        # Counts lack the share x m / 10^4 of m electrons.
         return -(mean**2) / 1e4
     axis = 1 + GRADIENT.index(name)
     along = np.linspace(-0.5, 0.5, mean.shape[axis])
@@ -260,7 +266,7 @@ def _of_camera(name: str, mean: Array) -> Array:
 
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Take damped steps from a start until they settle."""
+    """Return the end of damped steps from a start, when they settle."""
     begin = model.evaluated(start)
     end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
     best: Evaluated = end.x
@@ -269,7 +275,7 @@ def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_:
 
 @dataclass(eq=False)
 class Search:
-    """Searches for the answer of a model, from several starts, of single beads first."""
+    """Searches for the answer of a model from several starts, first for single beads."""
 
     model: BeadModel
     setup: Setup
@@ -281,7 +287,7 @@ class Search:
     _done: float = 0.0
 
     def all(self) -> tuple[Evaluated, list[bool]]:
-        """Return the best fit of all beads, and which are part of it."""
+        """Return the best fit of all beads, and which beads are part of it."""
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         middle = float(np.median([one.quality[0] for one in singles]))
@@ -290,6 +296,7 @@ class Search:
         kept = [k for k in range(count) if used[k]]
         if count == 1 and not model.priors and "depth" not in model.own:
             return singles[0], used
+        # A median: a bead that found another minimum does not shift it.
         waves = np.median([singles[k].state.waves for k in kept], axis=0)
         start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
         return self.climb(model.having(kept), start, 0.4), used
@@ -306,15 +313,17 @@ class Search:
             fits = best.quality[0] < goodness_of_fit.most(best.quality[1], goodness_of_fit.SURE)
             if best.settled and (alike or fits):
                 break
+            # Only the first start counts for the progress.
             share = 0.0
         assert best is not None
         return best
 
     def climb(self, model: BeadModel, start: State, share: float) -> Evaluated:
-        """Return the end of one search; `share` of the progress."""
+        """Return the end of one search; it takes a `share` of the progress."""
         before = self._done
 
         def report(step: int, chi2: float) -> None:
+            # The number of steps is not known before: each takes a fifth of what is left.
             if self.progress is not None:
                 self.progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
 
@@ -325,15 +334,17 @@ class Search:
 
 
 def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
-    """Return where to begin: centroid of the sharpest planes, and the focus where squares are centred."""
+    """Return the start: the centroid of the sharpest planes, and the focus at the mean of squared light."""
     counted, _, valid = stack.planes
     images = np.where(valid, counted, np.nan)
     light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
+    # Squares with their sign: noise adds nothing on average.
     sharp = (light * np.abs(light)).sum(axis=(1, 2))
     sharp = np.clip(sharp - np.median(sharp), 0.0, None)
     total = float(sharp.sum())
     middle = float(sharp @ stack.z) / total if total > 0.0 else float(stack.z.mean())
     best = light[np.argsort(-sharp)[:5]].mean(axis=0)
+    # Pixels of noise would pull the centroid to the middle of the window.
     best = np.where(best > 0.2 * best.max(), best, 0.0)
     row, column = (
         float((best.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(best.sum(), 1e-300))

@@ -35,9 +35,9 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_PLANES = 5  # at the least
-_VISIBLE = 10.0  # standard deviations of the light of all planes together
-_OFF = 2e-3  # over the peak: what the images of the search may be off by
+_PLANES = 5  # least number of planes
+_VISIBLE = 10.0  # standard deviations of the light of all planes together: less is no light
+_OFF = 2e-3  # over the peak: largest error of the search's images
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _FIRST = 5  # Noll's index of the first term after defocus
 
@@ -222,6 +222,7 @@ class BeadFit(FitReport):
         jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
         for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
+                # Of a point with the stage as it is: these change nothing.
                 jacobian.append(np.zeros((at.size, height, width)))
             else:
                 ends = setup.beside(name)
@@ -229,6 +230,7 @@ class BeadFit(FitReport):
                 low, high = (images.values(one, waves, _focused(one, deep), stack) for one in beside)
                 jacobian.append((high - low) / (ends[1] - ends[0]))
         rows = np.asarray(jacobian, dtype=np.float64)
+        # First-order propagation: J C J^T, in each pixel.
         square = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
         return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
@@ -472,7 +474,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 
 def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
-    """Return the setup at the values of priors, these, the standard error of depths, and what is to be said."""
+    """Return the setup at the priors' values, the priors, the standard error of depths, and findings."""
     known, notes = bead_checks.available_constants(setup), list[Finding]()
     blind = min(deep) > setup.wavelength and setup.objective.sample < setup.objective.NA
     if given is None:
@@ -513,7 +515,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
 
 
 def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated: list[Finding]) -> BeadFit:
-    """Return the result of a search, with what its checks find."""
+    """Return the result of a search, with the findings of its checks."""
     found, used = search.all()
     joint, state = search.model.having(np.flatnonzero(used).tolist()), found.state
     whole, shared = _inverse(found.scores.information[0]), len(joint.names)
@@ -538,6 +540,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
         windows = off.reshape(-1, *off.shape[-2:])
         findings += goodness_of_fit.stripe_findings(windows, (light + read).reshape(windows.shape), noise.excess)
         backwards: list[Finding] = []
+        # Reversed planes are looked for only where something is wrong: that takes another search.
         if missing or not Findings(findings).converged:
             best = found.log_posterior if other is None else max(other, found.log_posterior)
             start = State(search.setup, search.waves, state.places)
@@ -581,7 +584,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
 
 
 def _moved(state: State, joint: BeadModel, by: Array) -> State:
-    """Return a state with other shared parameters, as far as there is such a microscope."""
+    """Return a state with other shared parameters, as far as such a microscope exists."""
     count, setup = len(state.waves), state.setup
     for name, step in zip(joint.priors, by[count:].tolist(), strict=True):
         if bead_checks.possible(setup, name, value := setup.value(name) + step):
@@ -590,7 +593,7 @@ def _moved(state: State, joint: BeadModel, by: Array) -> State:
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:
-    """Return the findings of standard errors, of terms with a covariance, that do not hold."""
+    """Return findings on invalid standard errors, from the covariance of the terms."""
     found = []
     unsure = math.sqrt(float(np.trace(covariance)))
     if unsure > LINEAR:
@@ -609,6 +612,7 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
 
 def _inverse(square: Array) -> Array:
     """Return the covariance of an information matrix."""
+    # Scaled to a diagonal of 1, so that the cut of small singular values does not depend on units.
     scale = np.sqrt(np.maximum(np.diag(square), 1e-300))
     return np.asarray(np.linalg.pinv(square / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
 
@@ -616,7 +620,7 @@ def _inverse(square: Array) -> Array:
 def _beads(
     model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
-    """Return the fit of each bead; of those left out, a fit with all shared parameters held."""
+    """Return the fit of each bead; of beads left out, with all shared parameters fixed."""
     found, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):
@@ -630,7 +634,9 @@ def _beads(
             at = [*range(k), *model.columns(t, k)]
             whole, carried = inverse[np.ix_(at, at)], part.carried
             errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
+            # In metres of the stage: the focus moves by `step` times as much.
             errors["z"] /= setup.step
+            # Own scatter of the light, and the part that the uncertain parameters carry into it.
             scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
             alike = carried.mean(axis=0)  # all planes depend on the same parameters
             mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(alike.T @ whole @ alike)

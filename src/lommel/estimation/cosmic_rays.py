@@ -21,20 +21,21 @@ from lommel.psf import psf
 
 Mask: TypeAlias = NDArray[np.bool_]
 
-_SURE, _BESIDE = 6.0, 3.0  # standard deviations: of a pixel by itself, and of one beside a pixel that is struck
-_SHARPER = 2.0  # times what a point of light without aberration exceeds its neighbours by; half of that beside
-_LEAST = 8.0  # times: between pixels far smaller than lambda*N, there are dark lines of any width
+_SURE, _BESIDE = 6.0, 3.0  # standard deviations: of a struck pixel, and of one beside a struck pixel
+_SHARPER = 2.0  # times the excess over its neighbours of a point of light without aberration; half beside a track
+_LEAST = 8.0  # least ratio to neighbours: on pixels far below lambda*N dark lines of any width occur
 _NEIGHBOUR = 0.25  # standard deviation of the middle of neighbours, over twice that of a pixel: faint points are rare
-_SPAN, _SHIFTS, _LIT = 7, 4, 0.05  # pixels of such an image, places of the axis in one, and what is bright there
-_DARK = 0.02  # of the pixels of a window, which are darker than its sky or hardly brighter
-_LONGEST = 8  # passes, in which tracks grow
-_MOST = 0.06  # of the pixels of a window: more are no rays
+_SPAN, _SHIFTS, _LIT = 7, 4, 0.05  # pixels of such an image, positions of the axis in one, bright share of the peak
+_DARK = 0.02  # quantile of the pixels of a window that are dark: below its sky or hardly above
+_LONGEST = 8  # passes in which tracks grow
+_MOST = 0.06  # of the pixels of a window: more are not rays
 _AROUND, _SIDES = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))  # of a pixel, which is one of them
 _OTHERS = [place for place in product(range(3), range(3)) if place != (1, 1)]
 
 
 def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
-    """Return how much brighter a pixel is than the middle one of its neighbours, at most, at a point in focus."""
+    """Return the largest ratio of a pixel to the middle one of its neighbours, for a point in focus."""
+    # The ratio depends on where the axis is in a pixel.
     side = _SPAN * _SHIFTS
     fine = np.asarray(psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate).values, float)
     found = 1.0
@@ -63,6 +64,7 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
     # The sky is no brighter than the darkest pixels beside their noise: light of a star may fill a window.
     dark = np.nanquantile(light, _DARK, axis=(1, 2), method="lower", keepdims=True)
     noisy = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
+    # Noise alone puts the quantile that many standard deviations below the sky.
     level = dark - norm.ppf(_DARK) * np.sqrt(noisy)
     excess, noisy = light - level, read + np.maximum(level, 0.0)
     found, steepest = np.zeros(known.shape, dtype=bool), max(_SHARPER * sharpest, _LEAST)
@@ -78,13 +80,14 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
         if not more.any():
             break
         found |= more
+    # Windows of a sharp star lose no pixel.
     few = found.sum(axis=(1, 2)) <= _MOST * known.sum(axis=(1, 2))
     found &= few[:, None, None]
     return np.asarray(known & ndimage.binary_dilation(found, _SIDES)).reshape(valid.shape)
 
 
 def _middle(images: Array, known: Mask) -> Array:
-    """Return of the neighbours of each pixel that are known the one in the middle, of an even number the brighter."""
+    """Return the middle one of each pixel's known neighbours, of an even number the brighter."""
     padded = np.pad(np.where(known, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
     _, height, width = images.shape
     around = [padded[:, y : y + height, x : x + width] for y, x in _OTHERS]

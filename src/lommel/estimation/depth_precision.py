@@ -160,6 +160,7 @@ def best_foci(
     pitch = pixel_of([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
     surface = _surface(2, noise, photons, contrast, window)
+    # C_d = pi a^2 / (2 lambda) times the error of vergence.
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
     def focused(spans: Array) -> list[Lens] | None:
@@ -172,6 +173,7 @@ def best_foci(
         pair = focused(spans)
         return math.inf if pair is None else _error(pair, metres, pitch, surface)
 
+    # The pair is symmetric about the object at first; spans are in logarithms, so that they stay positive.
     starts = [np.log([each, each]) for each in _SPANS]
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
@@ -218,6 +220,7 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
         return math.inf
     seen, light = [lenses[int(k)] for k in lighted], surface.light[lighted]
     widest = max(lens.aperture_diameter for lens in seen)
+    # In vergence; the widest aperture changes fastest.
     step = _STEP * 2.0 * min(lens.wavelength for lens in seen) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # not beyond infinity
     around = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
@@ -230,9 +233,11 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
     h = model.transfer
     if np.abs(h[:2] - h[3:1:-1]).max() <= _ALIKE:
         return math.inf
+    # The five-point formula, with an error of the fourth order in the step.
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
     total = float(model.at(slice(4, 5)).information(slope[None])[0])
     most = model.texture * (slope * slope).sum(0)
     if total <= _ROUNDING * float(most @ model.band.share):
         return math.inf
+    # d(1 / v) = -dv / v^2; a Gaussian window of rms width w has 4 pi w^2 independent pixels.
     return distance**2 / math.sqrt(total * (4.0 * math.pi * surface.window**2))

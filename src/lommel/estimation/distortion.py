@@ -17,11 +17,11 @@ from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 
 POSES = ("free", "known")
-_FAR = 0.2  # of the spread of places: no lens distorts more in the rms
-_TURNS = 4  # of polynomials and what of them is shift, rotation and magnification
-_HALVINGS = 40
-_OUTLIER, _NEAREST = 10.0, 0.03  # times the median distance, or this one, pixels
-_MOST_OUTLIERS = 0.2  # of the places; more are of too low a degree
+_FAR = 0.2  # of the spread of places: largest rms distortion
+_TURNS = 4  # alternations of polynomials and alignment
+_HALVINGS = 40  # of the bisection for the scatter
+_OUTLIER, _NEAREST = 10.0, 0.03  # times the median distance, or this distance in pixels: places beyond are rejected
+_MOST_OUTLIERS = 0.2  # of the places: more mean that the degree is too low
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -108,8 +108,9 @@ def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
 
 
 def _similarity(one: Array, other: Array) -> Array:
-    """Return shift, rotation and magnification (2, 3) that bring places (n, 2) closest to others."""
+    """Return the shift, rotation and magnification (2, 3) that bring places (n, 2) closest to others."""
     a, b = one - one.mean(axis=0), other - other.mean(axis=0)
+    # Least squares for c and s in [[c, -s], [s, c]]: projections on the places and on them turned by 90 degrees.
     turned = np.stack([-a[:, 1], a[:, 0]], axis=1)
     size = (a * a).sum()
     c, s = float((a * b).sum() / size), float((turned * b).sum() / size)
@@ -125,6 +126,7 @@ def _alignment(m: int, shape: tuple[int, int]) -> Array:
     """Return an orthonormal basis (j, 2 * m) of shifts, rotation and magnification among polynomials of a sensor."""
     rows = [np.eye(1, 2 * m, 0)[0], np.eye(1, 2 * m, m)[0]]
     if m >= 3:  # 1, u, v: displacements by rows are half a height times v
+        # Relative coordinates are over the sides: equal magnification takes factors in proportion to these.
         down, across = np.asarray(shape) / math.hypot(*shape)
         grown, turned = np.zeros((2, 2 * m))
         grown[2], grown[m + 1] = down, across
@@ -148,9 +150,10 @@ class Places:
 
 
 def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
-    """Return the places of targets at `centers` (r, e, 2) on the sensor, of the information on a field."""
+    """Return the places of targets at `centers` (r, e, 2) on the sensor, from the information of a field fit."""
     shared, inverse = blocks.damped(0.0)
     twice = 2 * centers.shape[1]
+    # How the places of maximum likelihood move when shared parameters change: inverse information times mixed one.
     follow = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :twice] / tilt_of_pixel
     k = blocks.waves
     waves = (follow[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(follow), twice, -1)
@@ -174,6 +177,7 @@ def fit_distortion(
         spots = _moved(transform, given)
         basis = monomials(*sensor.relative(*sensor.positions(spots)), degree)
         found, distance = robust(basis, first - spots, np.ones(len(at)), np.eye(2))
+        # 1.4826 times the median is the standard deviation of a normal distribution.
         good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _NEAREST)
         if good.mean() < 1.0 - _MOST_OUTLIERS:  # the degree is too low, or places are far less exact than images
             good[:] = True
@@ -190,10 +194,12 @@ def fit_distortion(
     most = max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
     solution, covariance, chi2 = model.fit(0.0)
     low, scatter, high = 0.0, 0.0, most
+    # The scatter with which chi2 is 1, by bisection: chi2 falls as the scatter rises.
     for _ in range(_HALVINGS if chi2 > 1.0 else 0):
         scatter = 0.5 * (low + high)
         solution, covariance, above = model.fit(scatter)
         low, high = (scatter, high) if above > 1.0 else (low, scatter)
+    # Without the alignment, which is that of the pose and no distortion.
     rest = np.eye(2 * m) - held.T @ held
     coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
@@ -220,7 +226,7 @@ def fit_distortion(
 
 
 class _PlaceModel:
-    """Displacements (r, e, 2) as polynomials and an alignment of each later exposure, and shared parameters."""
+    """Displacements (r, e, 2) as polynomials, an alignment of each later exposure, and shared parameters."""
 
     def __init__(self, basis: Array, off: Array, places: Places) -> None:
         self.basis, self.off, self.places = basis, off, places
@@ -251,6 +257,7 @@ class _PlaceModel:
         weight = np.linalg.inv(self.places.noise + scatter**2 * self.alike)
         weighted = weight @ self.joined
         normal = np.tensordot(self.joined, weighted, ([0, 1], [0, 1])) + self.prior
+        # Scaled to a diagonal of 1: parameters have different units.
         scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
         scales = np.outer(scale, scale)
         inverse = np.linalg.pinv(normal * scales, rcond=1e-13, hermitian=True) * scales
@@ -260,7 +267,7 @@ class _PlaceModel:
         return values, inverse, total / self.freedom
 
     def residuals(self, solution: Array) -> Array:
-        """Return displacements less those of a solution, (r, e, 2)."""
+        """Return displacements minus those of a solution, (r, e, 2)."""
         model = (self.design @ solution[: self.design.shape[2]]).reshape(len(self.off), 2, -1)
         return np.asarray(self.off - model.swapaxes(1, 2))
 
@@ -272,7 +279,7 @@ def displaced(found: Distortion, u: Array, v: Array) -> Array:
 
 @dataclass(frozen=True)
 class Sensor:
-    """Rows and columns of a sensor, in whose middle the axis is, and its pixel pitch."""
+    """Rows and columns of a sensor, with the axis in its middle, and its pixel pitch."""
 
     shape: tuple[int, int]
     pixel: float
@@ -291,11 +298,12 @@ class Sensor:
     def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Return positions over the sensor, from -1 to 1."""
         row, column = (part / self.pixel + at for part, at in zip((y, x), self.axis, strict=True))
+        # The outer edges of the pixels are at -1 and 1.
         v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
         return np.asarray(u), np.asarray(v)
 
     def grid(self, count: int) -> tuple[Array, Array]:
-        """Return x and y of so many positions from edge to edge."""
+        """Return x and y of `count` positions from edge to edge."""
         y, x = (
             (np.linspace(-0.5, side - 0.5, count) - at) * self.pixel
             for side, at in zip(self.shape, self.axis, strict=True)

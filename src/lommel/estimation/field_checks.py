@@ -18,13 +18,13 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_DIFFERS = 0.05  # radians rms: the size that polynomials of a higher degree may have, or what one part has more
-_DEGREES = 2  # beyond that of the fit, of which polynomials are tested
-_NEAR = 0.45  # half fields: the radius of a part
+_DIFFERS = 0.05  # radians rms: expected size of polynomials of higher degree, and of the excess of one part
+_DEGREES = 2  # degrees above that of the fit that are tested
+_NEAR = 0.45  # half fields: radius of a part
 _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
-_SURE = 5.0  # standard deviations by which backgrounds of windows slope
+_SURE = 5.0  # standard deviations of slopes from which on backgrounds of windows are tilted
 
 
 def missing_tests(
@@ -43,7 +43,7 @@ def missing_tests(
     flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
     edge = stars.one.unknowns.edge
     lacking = [*star_checks.lacking_changes(edge, (flux * slope for slope in slopes), stars.exposures)]
-    lacking += _lacking(model, x, places)
+    lacking += _lacking_effects(model, x, places)
     images = [image for one in lacking for image in one.images]
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
@@ -86,7 +86,7 @@ def _higher(degree: int) -> range:
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
-    """Return tests of the wavefront with the even part of its phase negated, which turns the pupil by half a turn."""
+    """Return tests of the wavefront whose even part is negated, as for a pupil turned by half a turn."""
     even = {label(term) for term in (*unknowns.edge, *next_terms(unknowns.edge, ())) if term[0] % 2 == 0}
     turned = {SLANT, FOLDS[1], SHIFT}  # light that is odd
     of_even = tuple(f"{name} " for name in even)
@@ -96,8 +96,8 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
     )
 
 
-def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
-    """Return candidates of effects that the model of the stars lacks, polynomials of higher degrees aside."""
+def _lacking_effects(model: WholeField, x: Array, places: Array) -> list[Lacking]:
+    """Return candidates of effects that the model of the stars lacks, apart from polynomials of higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms, fine = next_terms(stars.one.unknowns.edge, ()), ripple_terms(stars.one.unknowns.edge)
     constants = star_checks.lacking_constants(stars.one.pupil, stars.known, ())
@@ -126,7 +126,7 @@ def _lacking(model: WholeField, x: Array, places: Array) -> list[Lacking]:
 
 
 def slope_findings(model: WholeField, x: Array) -> list[Finding]:
-    """Return the finding of backgrounds of windows that slope more than noise lets them."""
+    """Return the finding on window backgrounds that slope more than noise explains."""
     stars, chosen = model.of, model.chosen
     if stars.sloped or stars.cornered:
         return []
@@ -138,6 +138,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)
     own, mixed = local[:, rest[:, None], rest], local[:, rest[:, None], at]
     carried = np.linalg.solve(own, np.concatenate([mixed, local[:, rest, -1:]], axis=2))
+    # Schur's complement: information on the slopes with each star's own parameters eliminated.
     left = local[:, at[:, None], np.append(at, -1)] - mixed.swapaxes(1, 2) @ carried
     size = np.linalg.solve(left[:, :, :-1], left[:, :, -1:])[:, :, 0]
     sigmas = sigmas_of(float((size * left[:, :, -1]).sum()), size.size)

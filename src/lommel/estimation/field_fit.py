@@ -54,9 +54,9 @@ _MOST_SIDE = 10**6
 KINDS = "star", "pinhole", "crossing"
 """What windows may show."""
 _AXES = "rows", "columns"
-_SEARCHES = 3  # with other random starts, until one holds
-_NAMED = 3  # rejected stars, of which the message says where they are
-_ALIKE = 2.0  # log-likelihood by which two shapes of blur are told apart
+_SEARCHES = 3  # largest number of searches, with other random starts, until one converges
+_NAMED = 3  # rejected stars whose places the message states
+_ALIKE = 2.0  # log-likelihood by which two shapes of blur must differ
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -207,6 +207,7 @@ class FieldFit(FitReport):
             return None
         down, across = values[i], values[j]
         size = math.hypot(down, across)
+        # First-order propagation through the hypotenuse.
         spread = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
         return Coma(size, spread, math.degrees(math.atan2(down, across)))
 
@@ -224,7 +225,7 @@ class FieldFit(FitReport):
         return FocusShift(float(shift), float(error), self.twin is not None and known == 0.0)
 
     def _place(self, term: Term) -> int | None:
-        """Return where a term is among those estimated."""
+        """Return the index of a term among the estimated ones; None if it is not estimated."""
         return next((j for j, name in enumerate(self.names) if term_of(name) == term), None)
 
     @property
@@ -509,7 +510,7 @@ def fit_field(
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
-    begun = given if start is None else _begun(start, given, chip, x, y)
+    begun = given if start is None else _start_pupils(start, given, chip, x, y)
     target = _target(targets, size, pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
@@ -540,7 +541,7 @@ def fit_field(
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
-    """Return the target in the windows, None for points."""
+    """Return the target in the windows; None for points."""
     validation.choice("targets", kind, KINDS)
     across = math.inf if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
     if kind == "star" and size is not None:
@@ -553,7 +554,7 @@ def _target(kind: str, size: float | None, pixel: float) -> Target | None:
 def _shape(
     blur: bool | Blur | Iterable[Blur], pupil: Pupil, pitch: float, side: int, target: Target | None
 ) -> Shape | tuple[Blur, ...]:
-    """Return the shape of blur of unknown width that a fit begins with, or the known blurs."""
+    """Return the shape of a blur of unknown width, to begin with, or the known blurs."""
     if blur is True:
         return Shape.turbulent() if target is None else Shape.gaussian()
     known = blurs(None if blur is False else blur)
@@ -568,7 +569,7 @@ def _shape(
 
 
 def _run(search: Search, begun: bool) -> Outcome:
-    """Return the best outcome of some searches, the first that holds ending them."""
+    """Return the best outcome of some searches; the first that converges ends them."""
     places, best = search.places, None
     for attempt in range(_SEARCHES):
         search.places, search.stars = places, search.first
@@ -591,8 +592,8 @@ def _noll(term: Term) -> int:
     return int(zernike.index_of(term[0], term[1], "noll"))
 
 
-def _begun(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
-    """Return the pupils of a map at the places of stars, in the aperture of the pupil."""
+def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
+    """Return the pupils of a map at the places of stars, in the given aperture."""
     if start.unit != pupil.unit:
         raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
     if start.vignetting is not None:
@@ -680,7 +681,7 @@ def _build_field_fit(
     findings = list[Finding]()
     if one.sign_ambiguous:
         other, signs = search.twin(coefficients)
-        if _swapped(search, found, coefficients, other):
+        if _twin_is_nearer(search, found, coefficients, other):
             polynomials, _ = search.twin(polynomials)
             coefficients, other = other, coefficients
             turned = np.kron(signs, np.eye(m))
@@ -746,6 +747,7 @@ def _fitted_stars(
     own = np.zeros((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
     if len(lost):
+        # Rejected stars keep the wavefront of the field: only their place and light are fitted.
         own[lost] = search.placed(lost, polynomials, squares)
     every = np.arange(stars.count)
     whole = search.model(every, held=True)
@@ -758,7 +760,7 @@ def _fitted_stars(
 
 
 def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], excess: float) -> list[Finding]:
-    """Return the finding of stripes in the windows of the stars that were used, for expected electrons."""
+    """Return the finding on stripes in the windows of the used stars, from expected electrons."""
     counted, _, read, valid = stars.star.reshape(4, stars.count, -1, *stars.shape)[:, used]
     mean = model.reshape(stars.count, *counted.shape[1:])[used]
     off = np.where(valid > 0.0, counted - mean, np.nan)
@@ -767,7 +769,7 @@ def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], e
 
 
 def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
-    """Return the finding of a common sign of the even terms that one focus leaves open."""
+    """Return the finding on the common sign of even terms, which one focus leaves open."""
     how = f"the one nearer to {'start' if started else 'the known defocus'} is given"
     severity: Severity = "note"
     if not started and not defocused:
@@ -776,7 +778,7 @@ def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
 
 
 def _rejected_finding(noun: str, places: Array) -> list[Finding]:
-    """Return the finding of the places (n, 2) of stars that were rejected."""
+    """Return the finding on the places (n, 2) of rejected stars."""
     if not len(places):
         return []
     why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
@@ -787,7 +789,7 @@ def _rejected_finding(noun: str, places: Array) -> list[Finding]:
 
 
 def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
-    """Return the finding of known pixels (n, e, height, width) that the fit does not use."""
+    """Return the finding on known pixels (n, e, height, width) that the fit leaves out."""
     count, windows = int(pixels.sum()), int(pixels.any(axis=(1, 2, 3)).sum())
     text = f"{count} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
     return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
@@ -796,7 +798,7 @@ def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
 def _blurs(
     stars: FieldStars, known: tuple[Blur, ...], squares: Array, errors: Array
 ) -> list[list[tuple[Blur, float]]]:
-    """Return the blurs of each exposure, for squared widths (e, b) in pixels, with their standard errors."""
+    """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors."""
     found: list[list[tuple[Blur, float]]] = [[(each, 0.0) for each in known] for _ in squares]
     pupil, shape = stars.lens, stars.blur
     pitch = stars.pixel * float(pupil.scale)
@@ -804,6 +806,7 @@ def _blurs(
         for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
             # Of a square that may be 0, the width is known to the root of the standard error of the square.
             width = math.sqrt(max(float(square), 0.0))
+            # d(sqrt s) = ds / (2 sqrt s), which diverges at 0.
             off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
             if name == "Gaussian":
                 several.append((Jitter(width * pitch), off * pitch))
@@ -816,7 +819,7 @@ def _blurs(
 
 
 def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
-    """Return which shape of blur the stars follow, and by how much."""
+    """Return the finding on the shape of blur that the stars prefer, and by how much."""
     if not shapes:
         return []
     outer = stars.blur.outer
@@ -835,7 +838,7 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
 
 
 def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
-    """Return the finding of standard errors in which images are not linear."""
+    """Return the finding on standard errors beyond which images are not linear."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
@@ -853,12 +856,12 @@ def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool
 
 
 def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
-    """Return x and y of the grid of a map: cubic splines are exact up to degree 3, beyond it has to be finer."""
+    """Return x and y of a map's grid: cubic splines are exact to degree 3, higher degrees need a finer one."""
     return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
 def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]) -> Distortion | None:
-    """Return the distortion from ideal places, None without them."""
+    """Return the distortion from ideal places; None without them."""
     ideal, pose, degree = grid
     if ideal is None:
         return None
@@ -871,11 +874,12 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
-def _swapped(search: Search, found: Found, one: Array, other: Array) -> bool:
-    """Return whether the other of two fields is the one to give."""
+def _twin_is_nearer(search: Search, found: Found, one: Array, other: Array) -> bool:
+    """Return whether the other of two fields is to be given."""
     basis, stars = found.model.basis, search.stars
     near = stars.start[found.model.chosen]
     far = [float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))]
+    # Both equally far from the start: the sign is that of a positive mean of the first even term.
     if not math.isclose(far[0], far[1], rel_tol=1e-6):
         return far[1] < far[0]
     even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())

@@ -26,35 +26,35 @@ from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
-_SINGLES = 60  # stars that are fitted by themselves
-_STARTS = 5  # of each
-_FEWER = 3  # starts of the last stars, where most are sure
-_STEPS = 14  # of each start
-_SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
-_BLUR = 0.5  # pixels, at first
-_WIDEST = 0.15  # sides of a window: the widest blur of stars by themselves
-_ROUGH = 3  # terms of blur of stars by themselves
+_SINGLES = 60  # largest number of stars fitted by themselves
+_STARTS = 5  # largest number of starts of each
+_FEWER = 3  # starts after which unlikely stars are given up, if most are sure
+_STEPS = 14  # steps of each start
+_SCATTER = 0.7, 0.25  # radians rms of random starts: the first three terms, the others
+_BLUR = 0.5  # pixels: width of the blur at the start
+_WIDEST = 0.15  # of a window's side: widest blur of stars fitted by themselves
+_ROUGH = 3  # terms of the blur of stars fitted by themselves
 _TRIED = 6  # steps with another shape of blur
-_TOLD = 5.0  # log-likelihood by which seeing is better than a Gaussian, from which on its outer scale is looked for
-_BETTER, _AS_LIKELY = 1.0, 2.0  # the same that an outer scale has to gain, and that a width more has to
-_SMALL = 0.06  # pixels^2 of blur of which the shape is of no account
+_TOLD = 5.0  # log-likelihood of seeing over a Gaussian from which on its outer scale is searched
+_BETTER, _AS_LIKELY = 1.0, 2.0  # log-likelihood that an outer scale, and that one more width, has to gain
+_SMALL = 0.06  # pixels^2: the shape of a narrower blur does not matter
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # radians rms, all over the field
-_FEW, _SCANNED = 20, 2  # stars by which such shifts are compared, and how many of these are tried
-_GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
-_ALIKE = 0.02  # of what chi2 exceeds 1 by: two starts of a star that end so near have found one minimum
-_SURELY = 0.75  # of the stars, whose chi2 is sure where that of a candidate is compared with it
-_FOLLOWS = 1.5  # times the median chi2 of stars by themselves, up to which one may follow the field
-_ENOUGH = 1.1  # times what chi2 of the stars by themselves exceeds 1 by
-_OUTLIER = 5.0  # standard deviations of chi2 beyond the median
-_ROUNDS = 4  # of rejection
-_MOST_LOST = 0.4  # of the stars, that may be rejected
-_MANY_LOST = 0.25  # beyond which the map is doubted
-_HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
+_FEW, _SCANNED = 20, 2  # stars that such shifts are compared with, and number of shifts that are tried
+_GOOD = 1.08  # median chi2 of stars at which a candidate is accepted
+_ALIKE = 0.02  # of chi2 - 1: two starts of a star that end this close have found the same minimum
+_SURELY = 0.75  # share of stars with a sure chi2, needed to compare a candidate's with it
+_FOLLOWS = 1.5  # times the median chi2 of single stars, above which a star does not follow the field
+_ENOUGH = 1.1  # times chi2 - 1 of the single stars
+_OUTLIER = 5.0  # standard deviations of chi2 above the median
+_ROUNDS = 4  # rounds of rejection
+_MOST_LOST = 0.4  # largest share of rejected stars
+_MANY_LOST = 0.25  # share of rejected stars above which the map is doubted
+_HELD_OUT = 0.05  # largest excess of chi2 of held-out stars over that of noise
 _QUIET = 0.9  # chi2 below which the noise cannot be as stated
-_NEGATED = 0.05  # radians rms of an even term, from which on a search is begun again with its other sign
-_OTHERS = 3  # such searches
+_NEGATED = 0.05  # radians rms of an even term, above which a search is repeated with its other sign
+_OTHERS = 3  # number of such searches
 _GLANCE, _LOOK, _MORE = 2, 5, 12  # steps of such searches: of all, of the best, of those that end elsewhere
-_AS_WELL, _ELSEWHERE = 8.0, 3.0  # log-likelihood and standard errors by which two minima are told apart
+_AS_WELL, _ELSEWHERE = 8.0, 3.0  # log-likelihood and standard errors between two minima
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
@@ -91,7 +91,7 @@ class Rival(NamedTuple):
 
 @dataclass
 class Outcome:
-    """A fit of all stars, those that were rejected, what was tested, and the places and degree of the polynomials."""
+    """A fit of all stars, with rejected stars, tests, and the places and degree of the polynomials."""
 
     found: Found
     lost: NDArray[np.intp]
@@ -106,7 +106,7 @@ class Outcome:
 
     @property
     def findings(self) -> Findings:
-        """What the stars say of the fit."""
+        """Findings on the fit."""
         chi2, spread = float(self.found.scores.chi2[0]), float(self.found.scores.spread[0])
         causes = causes_of_misfit(_CAUSES, chi2, spread, self.tests)
         found = chi2_findings(chi2, spread, causes)
@@ -138,6 +138,7 @@ class Outcome:
     def cost(self) -> float:
         """Standard deviations by which stars do not fit, each of them up to what makes a star an outlier."""
         each = self.found.model.each(self.found.x)
+        # Capped for each star, so that one double star does not decide between two fits.
         off = np.clip((each.chi2 - 1.0) / each.spread, 0.0, _OUTLIER)
         return float(off.sum()) + _OUTLIER * len(self.lost)
 
@@ -172,7 +173,7 @@ class Search:
         return WholeField(self.stars, chosen, self.basis(chosen), held=held)
 
     def brightest(self) -> NDArray[np.intp]:
-        """Return the stars to fit by themselves: the brightest, and not more than the search needs."""
+        """Return the stars to fit by themselves: the brightest, no more than the search needs."""
         counted, _, _, valid = self.stars.star
         level = np.median(counted, axis=-1, keepdims=True)
         bright = (valid * (counted - level)).sum(axis=(1, 2))
@@ -222,9 +223,10 @@ class Search:
         return model.row(waves, self.squares, self._centred(model.chosen, waves))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
-        """Return places, with which stars of these wavefronts have their light where it is, light and angles."""
+        """Return places at which stars of these wavefronts have their observed centroid, light and angles."""
         one = self.stars.one
         edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
+        # The mean slope of a wavefront moves the centroid: it is subtracted from the observed one.
         return self.stars.begun(rows, self._centroids[rows] - one.mean_slopes(edge).swapaxes(0, 1))
 
     @cached_property
@@ -232,7 +234,7 @@ class Search:
         return self.stars.centroids()
 
     def from_start(self) -> Found | None:
-        """Return the fit of the brightest stars from the given wavefronts, None where these are not near enough."""
+        """Return the fit of the brightest stars from the given wavefronts; None if these are not near enough."""
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squares, few = self.squares, chosen[:: max(1, len(chosen) // _FEW)]
@@ -244,7 +246,7 @@ class Search:
         return None
 
     def _shifted(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Iterator[Array]:
-        """Yield polynomials with defocus and spherical aberration added all over the field, those that fit best."""
+        """Yield polynomials with defocus and spherical aberration added to the whole field, the best fits first."""
         names = self.stars.one.unknowns.terms
         shifts = [_SHIFTS.get(term_of(name) or (0, 0), (0.0,)) for name in names]
         held, found = self.model(chosen, held=True), []
@@ -260,7 +262,7 @@ class Search:
         yield from (tried for _, tried in sorted(found, key=lambda each: each[0])[:_SCANNED])
 
     def from_singles(self) -> Found:
-        """Return the fit of the brightest stars, from fits of each."""
+        """Return the fit of the brightest stars, started from fits of each alone."""
         stars = self.stars
         chosen = self.brightest()
         x, chi2, sure = self.singles(chosen)
@@ -276,6 +278,7 @@ class Search:
         if alike.sum() >= max(_SURELY * usable.sum(), 4):
             usable = alike
         chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
+        # Stars that fit badly weigh less.
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
         waves, squares, _ = SingleStars(stars, chosen, self.widest).parts(x)
         good = chi2 <= _FOLLOWS * np.median(chi2)
@@ -321,7 +324,7 @@ class Search:
         *,
         fast: bool = True,
     ) -> Found | None:
-        """Return the fit of stars from polynomials (k, m), None where these are too strong to be computed."""
+        """Return the fit of stars started from polynomials (k, m); None if these are too strong to be computed."""
         m = (self.degree + 1) * (self.degree + 2) // 2
         start = np.zeros((len(polynomials), m))
         start[:, : polynomials.shape[1]] = polynomials[:, :m]
@@ -338,7 +341,7 @@ class Search:
         return Found(model, x, scores, bool(settled[0]))
 
     def placed(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Array:
-        """Return places, light and angles (r, own, e) of stars whose wavefronts are known."""
+        """Return places, light and angles (r, own, e) of stars with known wavefronts."""
         model = self.model(chosen, held=True)
         own = self._centred(chosen, model.basis @ polynomials.T)
         if not self.stars.cornered:  # whose places are known to a pixel
@@ -348,7 +351,7 @@ class Search:
         return model.parts(x)[2]
 
     def cleaned(self, found: Found, share: tuple[float, float]) -> Found:
-        """Return the fit without stars that do not fit."""
+        """Return the fit without the stars that do not fit."""
         first = len(found.model.chosen)
         for _ in range(_ROUNDS):
             good = ~outliers(found.model.each(found.x, fast=True))
@@ -363,7 +366,7 @@ class Search:
         return found
 
     def whole(self, found: Found) -> tuple[Found, NDArray[np.intp]]:
-        """Return the fit of all stars from that of some, without stars that do not fit, and those."""
+        """Return the fit of all stars, started from that of some, without those that do not fit, and these."""
         every = np.arange(self.stars.count)
         polynomials, squares = found.polynomials(), found.squares()
         others = np.setdiff1d(every, found.model.chosen)
@@ -392,7 +395,7 @@ class Search:
 
     @property
     def one_focus(self) -> bool:
-        """Whether all exposures are in one focus, which leaves signs of even terms open."""
+        """Whether all exposures have the same focus, which leaves signs of even terms open."""
         one = self.stars.one
         return bool(np.ptp(one.base * one.even, axis=0).max() == 0.0)
 
@@ -418,7 +421,7 @@ class Search:
         return found
 
     def _negating(self, found: Found) -> list[Found]:
-        """Return the ends of short searches from a fit with other signs of even parts, that of the best."""
+        """Return the ends of short searches from a fit with other signs of even parts, of the best ones."""
         one, polynomials, chosen = self.stars.one, found.polynomials(), found.model.chosen
         waves = found.model.basis @ polynomials.T
         size = np.sqrt((waves**2).mean(axis=0) * np.diag(self.metric))
@@ -447,31 +450,33 @@ class Search:
         return [self._on(each, _LOOK) or each for each in nearest]
 
     def _on(self, found: Found, most: int, polynomials: Array | None = None) -> Found | None:
-        """Return a fit some steps on, perhaps from other polynomials."""
+        """Return a fit some steps later, or from other polynomials."""
         begun = found.polynomials() if polynomials is None else polynomials
         return self.refined(found.model.chosen, begun, found.squares(), most, (0.87, 0.0), found.of_stars())
 
     def _rival(self, best: Found, other: Found) -> Rival | None:
-        """Return how another fit differs from the best, None where it is the same, or worse."""
+        """Return the difference of another fit from the best; None if it is the same, or worse."""
         cost = float(other.scores.deviance[0] - best.scores.deviance[0])
         one, k = self.stars.one, best.model.waves * best.model.basis.shape[1]
         errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.waves, -1)
         ends = [other.polynomials()]
+        # The twin has the same images: the nearer one of both counts.
         if one.sign_ambiguous:
             ends.append(self.twin(ends[0])[0])
         sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
         return Rival(cost, sigmas) if cost < _AS_WELL and sigmas > _ELSEWHERE else None
 
     def twin(self, polynomials: Array) -> tuple[Array, Array]:
-        """Return polynomials (k, m) with the even part of all phases negated, and the matrix (k, k) that does it."""
+        """Return polynomials (k, m) with all even parts negated, and the matrix (k, k) that negates them."""
         one = self.stars.one
+        # 1 - 2 P, P the projection on the even part.
         flip = 2.0 * ((one.directions * one.even) @ one.inverse).T
         other = polynomials - flip @ polynomials
         other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ one.inverse)
         return other, np.eye(len(flip)) - flip
 
     def best_shape(self, found: Found) -> Found:
-        """Return the fit with the shape of blur that is most likely, and the fewest unknowns that are as likely."""
+        """Return the fit with the likeliest shape of blur, and the fewest unknowns that are as likely."""
         own, polynomials, squares = found.of_stars(), found.polynomials(), found.squares()
 
         def behind(shape: Shape, widths: Array, most: int) -> Found:
@@ -505,7 +510,7 @@ class Search:
         return best
 
     def regained(self, found: Found) -> Found:
-        """Return the fit with stars that it has rejected, if it is the polynomials that were wrong there."""
+        """Return the fit with stars that it rejected, if the polynomials were wrong there."""
         # A star that fits by itself is no double: polynomials that miss it were led astray, or are far from the rest.
         every = np.arange(self.stars.count)
         for _ in range(_ROUNDS):
@@ -524,7 +529,7 @@ class Search:
         return found
 
     def _through(self, found: Found, waves: Array, more: NDArray[np.intp], others: Array) -> Found | None:
-        """Return the fit from wavefronts of its stars and of others on, None where it is not of more, or worse."""
+        """Return the fit from wavefronts of its stars and of others; None unless it has more stars and is as good."""
         every = np.concatenate([found.model.chosen, more])
         through = np.concatenate([waves, others])
         polynomials, _ = robust(self.basis(every), through, np.ones(len(every)), self.metric)
@@ -537,7 +542,7 @@ class Search:
         return again if better else None
 
     def _by_themselves(self, lost: NDArray[np.intp], found: Found) -> tuple[NDArray[np.bool_], Array]:
-        """Return which stars fit from wavefronts of a field on, or from random ones, and the wavefronts (r, k)."""
+        """Return which stars fit from the wavefronts of a field, or from random ones, and the wavefronts (r, k)."""
         stars, squares = self.stars, found.squares()
         model = self.basis(lost) @ found.polynomials().T
         fits, waves, alone = np.zeros(len(lost), dtype=bool), model.copy(), SingleStars(stars, lost, self.widest)
@@ -563,7 +568,7 @@ class Search:
         return float(goodness_of_fit.most(found.scores.spread[0], SURE))
 
     def outcome(self, found: Found) -> Outcome:
-        """Return the fit of all stars from that of some, with what tests it."""
+        """Return the fit of all stars, started from that of some, with its tests."""
         places = self.places
         found, lost = self.whole(found)
         if slopes := slope_findings(found.model, found.x):
@@ -578,15 +583,16 @@ class Search:
         return Outcome(found, lost, held_out, bright, self.places, *tested)
 
     def _on_slopes(self, found: Found) -> Found:
-        """Return a fit with the slope of each background unknown."""
+        """Return a fit with the slope of each background free."""
         self.first, self.stars = self.first.on_slopes(), found.model.of.on_slopes()
         self.rough = self.rough.on_slopes()  # another search may begin with single stars
         model, own = self.model(found.model.chosen), np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
         return replace(found, model=model, x=model.row(found.polynomials(), found.squares(), own))
 
     def held_out(self, found: Found) -> tuple[float, float]:
-        """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""
+        """Return chi2 of a fifth of the stars with wavefronts predicted by the others, and its standard deviation."""
         chosen = found.model.chosen
+        # Sorted along one oblique direction and every fifth taken: spread over the field, without a random choice.
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
         out = np.zeros(len(chosen), dtype=bool)
         out[order[2::5]] = True
@@ -607,7 +613,7 @@ def _silent(step: int, chi2: float) -> None:
 
 
 def outliers(each: Quality) -> NDArray[np.bool_]:
-    """Return which stars have a chi2 that is too large beside those of the others."""
+    """Return which stars have too large a chi2 compared with the others."""
     middle = float(np.median(each.chi2))
     # Beside their own noise, stars of a model that is not quite right differ as they do.
     spread = np.maximum(each.spread, 1.4826 * float(np.median(np.abs(each.chi2 - middle))))

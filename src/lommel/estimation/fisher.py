@@ -83,7 +83,9 @@ class Information:
         unit = np.where(zero, 1.0, length)
         relative = error / unit
         scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / unit[..., None, :]
+        # Singular values of columns of length 1: parameters of any unit are compared alike.
         _, size, direction = np.linalg.svd(scaled, full_matrices=False)
+        # A direction is lost where its singular value is within the error of the derivatives.
         lost = size <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
         least = np.where(lost, math.inf, size)
         turned = np.swapaxes(direction, -1, -2)
@@ -124,20 +126,22 @@ class Information:
         stack = self.matrix.shape[:-2]
         width = max(len(str(name)) for name in self.names)
         errors = self.errors.items()
-        lines = [f"{name!s:{width}} {_shown(np.asarray(value), self.units[name])}" for name, value in errors]
+        lines = [
+            f"{name!s:{width}} {_errors_in_words(np.asarray(value), self.units[name])}" for name, value in errors
+        ]
         return "\n  ".join([f"<{type(self).__name__}{f' of a stack of {stack}' if stack else ''}", *lines]) + ">"
 
 
 def _over_deviations(covariance: Array) -> Array:
-    """Return the correlation of a covariance; 0 beside vanishing variances, and 1 on the diagonal."""
+    """Return the correlation of a covariance; 0 for vanishing variances, and 1 on the diagonal."""
     errors = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
     errors = np.where(errors > 0.0, errors, 1.0)
     found = np.clip(covariance / errors[..., None] / errors[..., None, :], -1.0, 1.0)
     return np.asarray(np.where(np.eye(found.shape[-1], dtype=bool), 1.0, found))
 
 
-def _shown(errors: Array, unit: str) -> str:
-    """Return the least and the largest of the standard errors of a stack as text."""
+def _errors_in_words(errors: Array, unit: str) -> str:
+    """Return the smallest and largest standard error of a stack as text."""
     known = errors[np.isfinite(errors)]
     missing = errors.size - known.size
     if not known.size:
@@ -267,6 +271,7 @@ def fisher(
         answer = answers[0 if one else index[-len(images)]]
         own = answer.pupil.shape
         place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(own) :], own, strict=True))
+        # Electrons over the excess are Poisson's (Noise.poisson).
         light = float(flux[index]) / excess, float(level[index]) / excess
         roots[index], errors[index] = _root(answer, place, names, *light, read)
     per_light = np.array([1.0 / excess if name in _OWN else 1.0 for name in names])
@@ -276,7 +281,7 @@ def fisher(
 
 
 def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
-    """Return the pupils of all images of a scene; TypeError where there are none."""
+    """Return the pupils of all images of a scene; TypeError if there are none."""
     if isinstance(pupil, BasePupil):
         return [pupil]
     stated: object = pupil
@@ -286,7 +291,7 @@ def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
 
 
 def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
-    """Return the PSF and its derivatives by the first of the plans whose tolerance can be met."""
+    """Return the PSF and its derivatives by the first plan whose tolerance can be met."""
     derivatives = tuple(name for name in names if name not in _OWN)
     for plan in plans[:-1]:
         with suppress(ToleranceError):
@@ -297,11 +302,12 @@ def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> P
 def _root(
     answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], photons: float, background: float, read: Array
 ) -> tuple[Array, Array]:
-    """Return a triangular root of the information in one image, and bounds on the errors of its columns."""
+    """Return a triangular root of the information of one image, and bounds on the errors of its columns."""
     values = answer.values[place]
     peak = float(values.max())
     slack = _EPS if answer.error_bound is None else answer.error_bound
     # The error bound adds to the variance: a dark pixel computed too dark would hold too much information.
+    # The root of Fisher's information of a Poisson mean: its derivatives over the standard deviation.
     variance = np.maximum(photons * values + background, 0.0) + photons * peak * slack + read
     weight = np.divide(1.0, np.sqrt(variance), out=np.zeros(values.shape), where=variance > 0.0)
     columns, bounds = np.empty((values.size, len(names))), np.empty(len(names))
@@ -315,6 +321,7 @@ def _root(
             bounds[k] = photons * peak * answer.derivative_bounds[name]
         columns[:, k] = (weight * slope).ravel()
     root = np.zeros((len(names), len(names)))
+    # R of the QR decomposition: R^T R is the information, without the loss of digits in a product.
     triangle = _triangle(columns)
     root[: len(triangle)] = triangle
     rounding = columns.size * _EPS * np.sqrt((columns**2).sum(axis=0))
@@ -322,7 +329,7 @@ def _root(
 
 
 def _triangle(columns: Array) -> Array:
-    """Return R of the QR decomposition of a matrix, in blocks of rows: LAPACK is slow on few long columns."""
+    """Return R of the QR decomposition of a matrix, in blocks of rows, as LAPACK is slow on few long columns."""
     count = columns.shape[1]
     most = max(2 * count, 8192 // count)
     while len(columns) > most:
@@ -332,7 +339,7 @@ def _triangle(columns: Array) -> Array:
 
 
 def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
-    """Return the information of images of one scene along these axes of their stack."""
+    """Return the information of one scene from its images along these axes of their stack."""
     count, stack = len(names), errors.shape[:-1]
     scenes = tuple(side for axis, side in enumerate(stack) if axis not in axes)
     last = range(len(scenes), len(stack))

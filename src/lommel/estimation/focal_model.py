@@ -42,15 +42,15 @@ Transfer = Callable[[Lens, Array, Spectrum, float], Callable[[Array], Array]]
 LARGEST = 128.0
 """Pixels: the largest structures of the texture whose contrast is given; those of 2 pixels are the smallest."""
 
-_FARTHEST = 1.5 * math.sqrt(2.0)  # cycles per pixel, of the aliases next to the band
-_STEP = 0.25  # radians that the overlap of the pupils turns by between nodes of a transfer function
+_FARTHEST = 1.5 * math.sqrt(2.0)  # cycles per pixel: largest frequency of aliases next to the band
+_STEP = 0.25  # radians by which the overlap of the pupils turns between nodes of a transfer function
 _LEAST_NODES, _MOST_NODES = 160, 20_000
 _TOL = 1e-7
 
 
 @dataclass(frozen=True)
 class Band:
-    """Frequencies of images of pixels, up to half a cycle a pixel: an octant, with the share of the plane of each."""
+    """Frequencies of pixel images, up to half a cycle a pixel: an octant, with the share of each in the plane."""
 
     fx: Array
     fy: Array
@@ -61,11 +61,13 @@ class Band:
         """Return the middles of `count` intervals along either axis, and first frequency 0, whose share is 0."""
         axis = 0.5 * (np.arange(count) + 0.5) / count
         i, j = np.triu_indices(count)
+        # Frequencies off the diagonal stand for two of the quadrant.
         share = np.where(i == j, 1.0, 2.0) / count**2
         return cls(np.append(0.0, axis[i]), np.append(0.0, axis[j]), np.append(0.0, share))
 
     def places(self) -> NDArray[np.intp]:
-        """Return which of the frequencies have the values at the middles of all intervals of the quadrant."""
+        """Return the indices of frequencies whose values are at the interval midpoints of the quadrant."""
+        # The octant has n (n + 1) / 2 frequencies and one more: solved for n.
         count = round(math.sqrt(2.0 * len(self.fx) - 1.75) - 0.5)
         whole = np.zeros((count, count), dtype=np.intp)
         upper = np.triu_indices(count)
@@ -78,13 +80,14 @@ def texture_power(f: Array, contrast: float) -> Array:
 
     Its structures of 2 to 128 pixels have the rms `contrast`; beyond these it is constant.
     """
+    # The integral of the power over the ring from 1 / 128 to 1 / 2 cycles a pixel is contrast^2.
     scale = contrast**2 / (2.0 * math.pi * math.log(0.5 * LARGEST))
     return np.asarray(scale / np.maximum(f, 1.0 / LARGEST) ** 2)
 
 
 @dataclass(frozen=True)
 class FocalLight:
-    """Mean light of a frame and its noise: electrons of a pixel, rms electrons, and what frames get of the light."""
+    """Mean light of a frame and its noise: electrons of a pixel, rms read noise, and relative exposures."""
 
     mean: float
     read: float
@@ -92,17 +95,19 @@ class FocalLight:
     contrast: float
 
     def binned(self, pixels: int) -> Self:
-        """Return the same of squares of `pixels` a side."""
+        """Return the light of squares of `pixels` a side."""
+        # Sums of n pixels have n times the light, and sqrt(n) times the rms noise of reading.
         return type(self)(self.mean * pixels**2, self.read * pixels, self.exposures, self.contrast)
 
     @property
     def variance(self) -> float:
-        """The variance of a pixel of a frame of exposure 1."""
+        """Variance of a pixel in a frame of exposure 1."""
         return self.mean + self.read**2
 
     def relative(self) -> Array:
         """Return the variance of each frame, divided by its exposure, over that of a frame of exposure 1."""
         e = np.asarray(self.exposures)
+        # A frame of exposure e is divided by e, its variance by e^2.
         return np.asarray((self.mean * e + self.read**2) / e**2 / self.variance)
 
     def power(self, f: Array) -> Array:
@@ -165,6 +170,7 @@ class FocalModel:
         white = binned.relative()
         noise = np.broadcast_to(white[:, None], (len(vergence), len(lenses), fx.size)).copy()
         folded = np.zeros((len(vergence), len(lenses) + 1, fx.size))
+        # The eight copies of the band next to it; texture beyond falls as the inverse square of the frequency.
         for across, down in product((-1.0, 0.0, 1.0), repeat=2):
             if across or down:
                 x, y = fx - across, fy - down
@@ -206,7 +212,9 @@ class FocalModel:
         root = np.sqrt(self.noise)
         h, d = self.transfer / root, slope / root
         hh, along, whole = (h * h).sum(axis=1), (h * d).sum(axis=1), (d * d).sum(axis=1)
+        # The part of the slope orthogonal to h; rounding may make it negative.
         across = np.maximum(whole - along**2 / np.maximum(hh, 1e-300), 0.0)
+        # The second term of J alone: it needs no known power of the texture.
         signal = 1.0 + self.texture * hh
         return np.asarray((self.texture**2 * hh * across / signal) @ self.band.share)
 

@@ -35,15 +35,15 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_STARTS, _STEPS = 20, 60  # at most
+_STARTS, _STEPS = 20, 60  # default largest numbers of starts, and of steps of each
 _SPREAD = 1.5  # radians rms of random starts
-_AT_ONCE = 2  # random starts in one stack
+_AT_ONCE = 2  # random starts computed in one stack
 # Starts that agree before the lowest minimum so far counts as the lowest: in 54 simulated sets of images (0.7 to
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, none of the others ended lower.
 _AGREEING = 3
-_VISIBLE = 5.0  # standard errors of its flux that a star exceeds
-_DECIDED = 2.0  # times as far from the given wavefront: a twin that the start decides against
-_NORMALIZED = 0.05  # by which the sum of a normalised image may differ from 1
+_VISIBLE = 5.0  # standard errors of its flux that a visible star exceeds
+_DECIDED = 2.0  # ratio of distances from the given wavefront at which the start decides between twins
+_NORMALIZED = 0.05  # largest difference of the sum of a normalised image from 1
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -408,6 +408,7 @@ def _search(
                 raise
             tries += at_once
             continue
+        # A start that has not settled is taken only if its chi2 is less than half.
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
@@ -417,6 +418,7 @@ def _search(
         # Noise alone makes a chi2 beyond SURE now and then; starts that agree within the standard errors settle it.
         ends = np.concatenate([ends, model.nearest(x[settled])])
         away = ends - lowest
+        # Distance in the metric of the information: less than one standard error.
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
@@ -464,17 +466,20 @@ def _centroid_starts(model: StarImages) -> Array:
 
 
 def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, count: int, tries: int) -> Array:
-    """Return so many starts: the first of all as given, others at random."""
+    """Return `count` starts: the very first as given, the others at random."""
     x = first[(tries + np.arange(count)) % len(first)].copy()
     k = len(model.unknowns.terms)
+    # The first start leaves the symmetric point between two signs, where the slope by even terms is 0.
     if k and (tries or model.sign_ambiguous):
         scatter = draw.normal(size=(count, k))
         step = np.zeros_like(x)
         step[:, model.waves] = scatter
+        # Scaled to an rms of the phase over the aperture, whatever the terms are.
         x[:, model.waves] += scatter * ((_SPREAD if tries else 0.3 * _SPREAD) / model.rms(step))[:, None]
     centred = (np.arange(count) + tries) % len(first) == 0
     edge = model.base + (x[centred, model.waves] @ model.directions)[:, None]
     for j, slope in enumerate(model.mean_slopes(edge)):
+        # Aberrations move the centroid: tilts start without that part.
         model.per_image(x)[centred, j] -= slope
     return x
 
@@ -560,7 +565,7 @@ def _build_retrieval(
 def _build_blurred_retrieval(
     found: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
 ) -> Retrieval:
-    """Return the result of a field of one star, whose images are blurred."""
+    """Return the result of a field fit of a single star with blurred images."""
     errors = np.sqrt(np.diag(found.covariance))
     wavefront = found.field.pupil(0.0, 0.0).wavefront
     center, mean = found.stars.centers[0], found.model[0]
@@ -593,7 +598,7 @@ def _build_blurred_retrieval(
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
-    """Return the finding of the image whose star is within the noise."""
+    """Return the finding on the image whose star is within the noise."""
     visible = flux / errors
     k = int(np.argmin(visible))
     text = f"the flux of image {k} is within the noise"
@@ -601,7 +606,7 @@ def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
 
 
 def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
-    """Return the finding of even terms whose sign the images leave open."""
+    """Return the finding on even terms whose sign the images leave open."""
     if not model.sign_ambiguous:
         return []
     start = np.pad(model.start, (0, model.size - len(model.start)))

@@ -25,19 +25,19 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
-_LEAST, _STEP = 96, 16  # samples across the aperture, and what their number is a multiple of
-_FINE = 4  # parts of a cell along an axis, by which it is known what is clear
+_LEAST, _STEP = 96, 16  # least samples across the aperture, and the number that they are a multiple of
+_FINE = 4  # parts of a cell along an axis, which determine its clear share
 SLANT = "light that slopes across the pupil"
 FOLDS = tuple(f"light of {n} folds in the pupil" for n in ("two", "three", "four"))
 SHIFT, OVAL = "obscuration off the middle", "aperture that is not round"
 ASPECT = "image that is longer along y than along x"
-_FEWEST, _MOST = 48, 256  # such samples of light that is uneven
-_TURN = 0.6  # radians by which phases may change from cell to cell
-_ANGLES = 4  # points along an edge for each cell across
+_FEWEST, _MOST = 48, 256  # least and most samples across for uneven light
+_TURN = 0.6  # radians: largest change of the phase from cell to cell
+_ANGLES = 4  # points along an edge for each cell across the aperture
 
 
 class SampledPupil:
-    """An aperture in cells, images of which are wanted on a grid, and terms of the wavefront there."""
+    """An aperture in cells, whose images are computed on a grid, and wavefront terms there."""
 
     def __init__(self, pupil: Pupil, grid: Grid, terms: Sequence[tuple[int, int]]) -> None:
         step = grid.step(pupil) / grid.side
@@ -57,6 +57,7 @@ class SampledPupil:
         light = clear / _FINE**2 * pupil.illumination.at(np.minimum(rho, 1.0) ** 2) + 0.0j
         if pupil.segmented:
             light *= np.exp(1j * pupil.opening.phase(x, y))
+        # The share of light in a pixel: its area in v over 4 pi times the transmission, as of lommel.psf.
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._light = (light * (4.0 * scale / (math.pi * side**2))).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
@@ -66,7 +67,7 @@ class SampledPupil:
         self._shape = grid.shape
 
     def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
-        """Return images (r, h, w) of wavefronts (r, first terms), if wanted, and derivatives by some terms."""
+        """Return images (r, h, w) of wavefronts (r, first terms), if `values`, and derivatives by some terms."""
         found = np.empty((values + len(by), len(edge), *self._shape), np.float32)
         factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
         if not len(found):
@@ -117,7 +118,7 @@ def _sums(parts: Array) -> Array:
 
 
 def changes_of(pupil: Pupil) -> dict[str, int]:
-    """Return changes of a round pupil and the number of derivatives of images by each; none of other pupils."""
+    """Return changes of a round pupil, and the number of derivatives of images by each; none for other pupils."""
     if not pupil.circular or pupil.mask is not None:
         return {}
     inner = {SHIFT: 2} if pupil.obscuration else {}
@@ -137,6 +138,7 @@ class UnevenLight:
         at, inside, width = cell_centers(side), pupil.obscuration, 2.0 / side
         rho, theta = np.hypot(at, at[:, None]), np.arctan2(at[:, None], at)
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi
+        # Cells at the edge count with the part that is inside it, along the radius.
         clear = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
         if inside:
             clear -= np.clip(0.5 + (inside - rho) / width, 0.0, 1.0)
@@ -144,7 +146,7 @@ class UnevenLight:
         folds = [rho**n * turn(n * theta) for n in (2, 3, 4) for turn in (np.cos, np.sin)]
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
         self._light = (light * factors).astype(np.float32)
-        self._terms = _of(terms, rho, theta)
+        self._terms = _zernike_values(terms, rho, theta)
         self._places = [unit * places for places in (grid.y, grid.x)]
         self._waves = [_plane_waves(places, at) for places in self._places]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _ANGLES * side, endpoint=False)
@@ -163,7 +165,11 @@ class UnevenLight:
                     scale * radius * (angles[1] - angles[0]) * float(pupil.illumination.at(np.array(radius**2)))
                 )
                 self._rims.append(
-                    (_of(terms, np.full(angles.shape, radius), angles), waves, amplitude * np.stack(turns))
+                    (
+                        _zernike_values(terms, np.full(angles.shape, radius), angles),
+                        waves,
+                        amplitude * np.stack(turns),
+                    )
                 )
 
     def images(self) -> list[Values]:
@@ -178,15 +184,16 @@ class UnevenLight:
             for terms, (rows, columns), moves in self._rims:
                 rim = np.exp(1j * np.tensordot(one, terms, 1))
                 changes += [(rows * (move * rim)) @ columns.T for move in moves]
+            # I = |U|^2: I' = 2 Re(U* U').
             found.append([2.0 * (field.conj() * each).real for each in (*changes, stretched)])
         return list(np.asarray(found, np.float32).swapaxes(0, 1))
 
 
-def _of(terms: Sequence[Term], rho: Array, theta: Array) -> Values:
+def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:
     """Return Zernike terms at points, 1 at the edge."""
     return np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
 
 
 def _plane_waves(places: Array, at: Array) -> Array:
-    """Return waves (places, points) of points of the pupil along one axis."""
+    """Return waves (places, points) of pupil points along one axis."""
     return np.exp(-1j * np.multiply.outer(places, at)).astype(np.complex64)

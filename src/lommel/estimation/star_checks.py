@@ -44,21 +44,21 @@ from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
 from lommel.special import zernike
 
-_TERM = 0.1  # radians rms: the size that a missing term may have
-_WIDTH, _SHARE = 0.1, 0.3  # pixels^2 of a blur besides; of the light, behind a wider one
-_VARIED = 0.3  # pixels^2 of a blur, by which it may differ from the middle to the edge of the field
-_SLOPE, _NONLINEAR = 1.0, 0.05  # electrons per pixel; share of electrons that is lost at 10^4
+_TERM = 0.1  # radians rms: expected size of a missing term
+_WIDTH, _SHARE = 0.1, 0.3  # expected sizes: pixels^2 of further blur; share of light behind a wider one
+_VARIED = 0.3  # pixels^2: expected difference of blur from the middle to the edge of the field
+_SLOPE, _NONLINEAR = 1.0, 0.05  # expected: electrons per pixel; share of electrons lost at 10^4
 _CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
 # Amplitude at the edge; radii; share of the scale.
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
-_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels by which it falls to 1/e, and that are looked at
+_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels of its decay to 1/e, pixels computed
+_KNOWN, _KEPT = 0.5, 0.25  # of expected sizes: how well constants are known, and how far charge is not late
+_ONE = 0.01  # share of a stated number whose effect is reported
+_CHANGED = 0.03  # radians rms: expected change of a term over the images
 _RIPPLES, _POLISHED = 0.1, 0.2  # radians rms of all ripples together; the share of these that is there unseen
-_KNOWN, _KEPT = 0.5, 0.25  # of sizes, to which constants are known at least, and within which charge is where it was
-_ONE = 0.01  # share of a stated number, of which the effect is said
-_CHANGED = 0.03  # radians rms, by which a term may change from the middle image to the last
 _CHANGES = " that changes over the images"
-_DEFOCUS = 0.1  # radians: the size that an error of the defocus of one image may have
-_MOST_FOCI = 9  # of which that is tested
+_DEFOCUS = 0.1  # radians: expected error of the defocus of one image
+_MOST_FOCI = 9  # largest number of images whose defoci are tested one by one
 # Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
 _CERTAIN = 0.25
 # Factor by which a standard error may change within one standard deviation of the answer.
@@ -112,7 +112,7 @@ class Lacking(NamedTuple):
 
 
 def lacking_constants(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
-    """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci where these differ."""
+    """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci that differ."""
     found: list[Name] = []
     if pupil.circular and pupil.mask is None:
         if pupil.wavelength is not None and not {"f_number", "wavelength"} & {*estimated}:
@@ -164,34 +164,35 @@ def lacking_changes(terms: Sequence[Term], slopes: Iterable[Array], exposures: i
 
 
 def apodized(pupil: Pupil) -> Pupil | None:
-    """Return a pupil of which the amplitude falls towards the edge, None where that is not tested."""
+    """Return a pupil whose amplitude falls towards the edge; None if that is not tested."""
     if pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
         return replace(pupil, apodization=pupil.apodization + APODIZED)
     return None
 
 
 def lacking_light(image: Array, other: Array) -> Lacking:
-    """Return an amplitude that falls towards the edge, of electrons and those of the pupil that is `apodized`."""
+    """Return an amplitude that falls towards the edge, from electrons and those of the `apodized` pupil."""
     return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
 def lacking_uneven_light(changes: Mapping[str, int], images: Iterable[Array]) -> Iterator[Lacking]:
-    """Yield light of the pupil that is not where its aperture says, of derivatives of electrons by `changes_of`."""
+    """Yield uneven light of the pupil, from derivatives of electrons by `changes_of`."""
     left = iter(images)
     for name, count in changes.items():
         yield Lacking(name, _UNEVEN_LIGHT[name], tuple(itertools.islice(left, count)))
 
 
 def lacking_charge(image: Array) -> Iterator[Lacking]:
-    """Yield charge that arrives late along each axis, of electrons of stars alone (r * e, height, width)."""
+    """Yield charge that arrives late along each axis, from electrons of stars alone (r * e, height, width)."""
     later = np.exp(-np.arange(_REACH) / _LATE)
     for name, axis, way in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
         kernel = np.concatenate([np.zeros(_REACH + 1), later / later.sum()])[::way]
+        # Charge leaves its own pixel for later ones: the sum stays.
         yield Lacking(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
 
 
 def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[Lacking]:
-    """Yield blurs of each exposure, of derivatives of electrons by these (r * e, height, width)."""
+    """Yield further blurs of each exposure, from derivatives of electrons by these (r * e, height, width)."""
     if gaussian:
         yield Lacking(_GAUSSIAN, _WIDTH, _alone(exposures, blurs["Gaussian"]))
     yield Lacking(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
@@ -200,28 +201,29 @@ def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool)
 
 
 def uneven_blur(image: Array, places: Array, exposures: int) -> Lacking:
-    """Return a blur that varies over the field, of derivatives of electrons by it, at places (r * e, 2)."""
+    """Return a blur that varies over the field, from derivatives of electrons by it, at places (r * e, 2)."""
     return Lacking(_UNEVEN, _VARIED, _alone(exposures, *(image * each[:, None, None] for each in places.T)))
 
 
 def lacking_slopes(images: int, shape: tuple[int, int], exposures: int) -> Lacking:
-    """Return backgrounds that slope, of each exposure, for so many images."""
+    """Return sloping backgrounds of each exposure, for `images` images."""
     return Lacking(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
 
 
 def lacking_gain(mean: Array) -> Lacking:
-    """Return a gain that is not linear, of expected electrons."""
+    """Return a non-linear gain, from expected electrons."""
+    # Counts lack the share s m / 10^4 of m electrons: the derivative by s.
     return Lacking(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
 
 
 def _alone(exposures: int, *each: Array) -> tuple[Array, ...]:
-    """Return images (r * e, height, width) that are 0 in all exposures but one, for each exposure."""
+    """Return images (r * e, height, width) that are 0 except in one exposure, for each exposure."""
     of = np.arange(len(each[0])) % exposures
     return tuple(one * (of == i)[:, None, None] for i in range(exposures) for one in each)
 
 
 def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
-    """Return candidates of which columns follow each other, from the first on."""
+    """Return candidates with consecutive columns, from `first` on."""
     found = []
     for one in lacking:
         found.append(Candidate(one.name, tuple(range(first, first + len(one.images))), one.scale))
@@ -276,13 +278,13 @@ def untested_constants(
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding of what the stars favour."""
+    """Return the finding on what the stars favour."""
     likely = seen(tests)
     return [other_explanation(likely, [_in_words(test) for test in likely])] if likely else []
 
 
 def _in_words(test: ScoreTest) -> str:
-    """Return the size that a test found, in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
+    """Return the result of a test in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
     what, unit = _WORDS.get(test.name, (test.name, " rad"))
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > (2 if test.name in _WORDS else 1):
@@ -341,7 +343,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
-    """Return why the standard errors at the answer `x` do not hold."""
+    """Return findings on standard errors at the answer `x` that do not hold."""
     error, axes = uncertainty(model, inverse)
     if error > _CERTAIN:
         text = (

@@ -33,10 +33,10 @@ from lommel.special import zernike
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
 LINEAR = 0.22
 """Radians rms, standard error of all terms together, up to which images are linear in them."""
-_NODES = 256  # degree of a rule whose nodes fill the aperture
-_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
-_LEAST = 0.05  # electrons squared: the smallest variance of reading
-_ORDERS = 2  # radial orders of Zernike terms, beyond those that are estimated, that are tested
+_NODES = 256  # degree of the rule whose nodes test the symmetry of an aperture
+_PART, _LOOSEST = 0.3, 1e-4  # errors of images far from the answer: of a pixel's noise, and over the peak
+_LEAST = 0.05  # electrons squared: least variance of reading
+_ORDERS = 2  # radial orders beyond the estimated terms that are tested
 _RIPPLE_ORDERS, _ZONES = 4, 20  # radial orders of ripples, and the last one of zones
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
@@ -128,7 +128,7 @@ def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
 
 
 def label(name: Name) -> str:
-    """Return the label of a term in a table, with Noll's index and the usual name of the aberration."""
+    """Return the label of a term in a table: Noll's index and the usual name of the aberration."""
     if isinstance(name, str):
         if name in POWERS or name in OF_PUPIL:
             return name
@@ -138,21 +138,21 @@ def label(name: Name) -> str:
 
 
 def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
-    """Return counts, variances of reading, these at least above 0, and validity (4, ..., pixels) of images."""
+    """Return counts, variances of reading, the same kept above 0, and validity (4, ..., pixels) of images."""
     counted = np.where(valid, electrons, 0.0)
     star = np.stack([counted, variance, np.maximum(variance, _LEAST), valid])
     return star.reshape(*star.shape[:-2], -1)
 
 
 def single(pupil: Pupil, why: str) -> Pupil:
-    """Return a pupil that is no stack; TypeError or ValueError otherwise."""
+    """Return a pupil that is not a stack; TypeError or ValueError otherwise."""
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, {why}, got a stack of shape {pupil.shape}")
     return pupil
 
 
 def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
-    """Return the known C_d of each of so many images or exposures."""
+    """Return the known C_d of each image or exposure."""
     known = validation.real_array("defocus", defocus)
     if known.shape not in ((), (count,)):
         raise ValueError(f"defocus must be a number, or one for each of {count} {of}, got shape {known.shape}")
@@ -160,13 +160,13 @@ def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
 
 
 def slants(images: int, shape: tuple[int, int]) -> list[Array]:
-    """Return rows and columns of pixels from the middle, for so many images (n, height, width) each."""
+    """Return rows and columns of pixels from the middle, for `images` images (n, height, width) each."""
     made = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
     return [np.broadcast_to(one, (images, *shape)) for one in made]
 
 
 def centroids(star: Array, shape: tuple[int, int]) -> Array:
-    """Return row and column from the middle (n, 2) of the light of images that exceeds noise and background."""
+    """Return row and column from the middle (n, 2) of the light above noise and background in images."""
     counted, _, read, valid = star.reshape(4, -1, *shape)
     good, rim = valid > 0.0, np.ones(shape, dtype=bool)
     rim[1:-1, 1:-1] = False
@@ -181,8 +181,9 @@ def centroids(star: Array, shape: tuple[int, int]) -> Array:
 
 
 def loosest_tolerance(star: Array, tol: float) -> float:
-    """Return the tolerance of images far from the answer, which may be off by a part of the noise."""
+    """Return the tolerance of images far from the answer, whose error may be a part of the noise."""
     brightest = max(float(star[0].max()), 1.0)
+    # The largest value is about the brightest pixel: an error of `tol` of it, against the noise of the darkest.
     return min(max(tol, _PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
 
 
@@ -259,16 +260,17 @@ class StarImages(RowModel):
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
+        # Mean square of a term of 1 at the edge: 1 / (n + 1), and half of that with an angle.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
     def mean_slopes(self, edge: Array) -> Array:
-        """Return by how much mean slopes of phases of edge terms (..., terms) move light, as tilts (places, ...)."""
+        """Return the shift of light by the mean slopes of phases (..., terms at the edge), as tilts (places, ...)."""
         # Each term R_n^1 moves it as far as a tilt.
         orders = np.array([m for _, m in self.terms])
         return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
 
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return the coefficients of wavefronts of edge terms of a shape, and the rest of them, which is fixed."""
+        """Return the coefficients of wavefronts, from terms at the edge of this shape, and the fixed rest of them."""
         whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
         found = whole @ self.inverse
         return found, np.asarray(whole - found @ self.directions)
@@ -279,6 +281,7 @@ class StarImages(RowModel):
         if not _point_symmetric(self.pupil):
             return False
         even = self.even * np.vstack([self.directions, self.base])
+        # The even part must lie within the estimated terms: only then can they be negated.
         missed = even - even @ self.inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
         return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
@@ -288,11 +291,11 @@ class StarImages(RowModel):
         return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self.inverse
 
     def even_part_negated(self, x: Array) -> Array:
-        """Return the parameters of the wavefront with the even part of its phase negated."""
+        """Return the parameters of the wavefront whose even part is negated."""
         return np.concatenate([self.negated(x[:, self.waves], self.base[0]), x[:, self.waves.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
-        """Return parameters, or those of the other sign of the even terms, whichever are nearer to the start."""
+        """Return the parameters, or those of the other sign of the even terms, whichever are nearer to the start."""
         if not self.sign_ambiguous:
             return x
         other = self.even_part_negated(x)
@@ -300,11 +303,12 @@ class StarImages(RowModel):
         far, near = (self.rms(part - start) for part in (x, other))
         even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
         alike = near < far * (1.0 + 1e-6)
+        # Both equally near: the first even term is positive.
         swap = (near < far * (1.0 - 1e-6)) | (alike & (other[:, even] > x[:, even]))
         return np.where(swap[:, None], other, x)
 
     def wavefront(self, x: Array) -> Wavefront:
-        """Return the wavefront for parameters `x`, shape (p,), without tilts and known defoci."""
+        """Return the wavefront of parameters `x`, shape (p,), without tilts and known defoci."""
         edge = self.fixed + x[self.waves] @ self.directions
         return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
 
@@ -322,7 +326,7 @@ class StarImages(RowModel):
         return replace(made, **optics) if optics else made
 
     def optics_of(self, x: Array) -> dict[str, float]:
-        """Return the estimated numbers of the pupil, of the first set of parameters."""
+        """Return the estimated numbers of the pupil, from the first set of parameters."""
         return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.optics].tolist(), strict=True))
 
     def ratio(self, optics: dict[str, float]) -> float:
@@ -360,7 +364,7 @@ class StarImages(RowModel):
         return own[:, -2, :, None] * psf + own[:, -1, :, None]
 
     def variance(self, mean: Array) -> Array:
-        """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
+        """Return the variance of pixels, at least a quarter of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
@@ -396,7 +400,7 @@ class StarImages(RowModel):
         return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
-        """Return the parameters with flux and background from linear least squares, given the PSFs of images."""
+        """Return the parameters with flux and background from linear least squares for these PSFs."""
         found = x.copy()
         own = self.per_image(found)
         psf = values.reshape(len(x), self.count, -1).astype(np.float64)
@@ -404,8 +408,9 @@ class StarImages(RowModel):
         return found
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place: tilts to the window, flux and numbers of the pupil to steps from `before`."""
+        """Limit parameters in place: tilts to the window, flux and pupil numbers to steps from `before`."""
         own, old = self.per_image(x), self.per_image(before)
+        # A flux of 0 would leave all other parameters undetermined.
         np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
         for j, largest in enumerate(self.largest_tilts):
             place = own[:, j]
@@ -443,7 +448,7 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
 
 
 def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
-    """Return the factor by which the standard error of each shared parameter changes near the answer `x`, (1, p)."""
+    """Return the factor by which each shared standard error changes near the answer `x`, (1, p)."""
     # The geometric rms of those at two opposite points, one standard deviation away along all principal axes.
     found = np.ones(model.shared)
     known = np.isfinite(np.diag(inverse)[: model.shared])
@@ -453,6 +458,7 @@ def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
         squares = [one for stack in stacks for one in model.scores(stack, fast=True).information]
         there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
+        # Half: information and covariance are squares of standard errors.
         ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
         found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
     return found

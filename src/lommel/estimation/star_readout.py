@@ -25,15 +25,15 @@ from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
 _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
-_WIDTHS = 3.7  # standard deviations of blur beyond them
+_WIDTHS = 3.7  # standard deviations of blur: further samples beyond them
 _EDGE = 1.0 / STEP - 1.0
-_ALONE = 2**18  # multiplications up to which BLAS uses one thread
-_TOGETHER = 6  # images, whose samples stay in the cache of a processor
-_WIDER = (3.0, 15.0)  # times the middle variance of a blur, by which Gaussians are wider that it may lack
-_LEAST = 0.05  # pixels^2 of that variance
+_ALONE = 2**18  # multiplications up to which BLAS uses a single thread
+_TOGETHER = 6  # images read together, so that their samples stay in the cache
+_WIDER = (3.0, 15.0)  # times the mean variance of a blur: Gaussians of wings and of a halo
+_LEAST = 0.05  # pixels^2 added to that variance
 OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
 """Blurs of which images have derivatives, beside that of their shape."""
-_FALL = 2.2  # of the error function, in half the width of the fall of T
+_FALL = 2.2  # argument of the error function in half the width of the fall of T
 
 
 class StarReadout:
@@ -57,6 +57,7 @@ class StarReadout:
         ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = STEP * max(halves)
+        # Nodes for the fastest cosine, half a turn each two nodes, and 30 more.
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * _EDGE * (2.0 * length)) + 30)
         self._f: Array = _EDGE * nodes
         middle = 0.5 * (1.0 + _EDGE)
@@ -80,6 +81,7 @@ class StarReadout:
         For both sides, that of the even and of the odd parts of images: k is even, and sums over both sides of the
         axis are those over one, of half as many samples.
         """
+        # d/ds exp(-2 pi^2 s p^2 f^2), s the variance in pixels^2.
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
         faded = self._weights * np.exp(np.multiply.outer(variances, rate))
         for weights in (faded, faded * rate) if slopes else (faded,):
@@ -166,7 +168,7 @@ class StarReadout:
         return found
 
     def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
-        """Return images behind the mixture of Gaussians of matrices of rows and columns (c, pixels, samples)."""
+        """Return images behind the mixture of Gaussians, from matrices of rows and columns (c, pixels, samples)."""
         each = zip(self.blur.weights, rows, columns, strict=True)
         parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in each]
         return np.asarray(sum(parts))
@@ -190,7 +192,7 @@ def _halves(images: Values) -> tuple[Values, Values]:
 
 
 def unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
-    """Return images (..., height, width) of which the parts are that are even and odd."""
+    """Return images (..., height, width) from their even and odd parts."""
     (even, right), (down, both) = parts
     found = np.empty((*even.shape[:-2], *window), np.float32)
     (y, x), (height, width) = (side // 2 for side in window), window

@@ -30,18 +30,18 @@ from lommel.base.threads import side_by_side
 from lommel.blur.mixtures import Shape
 from lommel.estimation.field_signs import highest_degree, monomials
 
-_STEP = 0.45  # lambda*N from sample to sample, at most
-_FINE = 0.285  # the same of objects
+_STEP = 0.45  # largest distance of samples, lambda*N
+_FINE = 0.285  # largest distance of samples of objects, lambda*N
 _MARGIN = 8.0  # lambda*N of samples of PSFs beyond the outer pixels
-_PAD = 5.0  # lambda*N that what is cut off at the edge of the transforms needs to ring down
-_ALIAS = 12.0  # minus the logarithm of what the Gaussian leaves where copies of the spectrum begin
-_APART = 12.0  # standard deviations of the Gaussian: lines farther apart do not touch
-_FLAT = 6.5  # of them: beyond, an edge is flat
-_ENDLESS = 1e30  # lambda*N: the side of squares of one crossing alone
-_TURNS = 90  # directions, of half a turn, in which a crossing is looked for
-_LIGHT_DEGREE, _LIGHT_TURNS = 4, 10  # of the polynomial of uneven light, and of its search
-_BLURRED = 2  # pixels beside lines whose light is left out
-_LEAST = 10  # white pixels of a window
+_PAD = 5.0  # lambda*N in which what the transforms cut off at their edge fades
+_ALIAS = 12.0  # minus the logarithm of the Gaussian where copies of the spectrum begin
+_APART = 12.0  # standard deviations of the Gaussian: lines farther apart are separate
+_FLAT = 6.5  # standard deviations from an edge beyond which it is flat
+_ENDLESS = 1e30  # lambda*N: side of the squares of a single crossing
+_TURNS = 90  # directions, over half a turn, in which a crossing is searched
+_LIGHT_DEGREE, _LIGHT_TURNS = 4, 10  # of the polynomial of uneven light, and iterations of its fit
+_BLURRED = 2  # pixels beside lines that are left out
+_LEAST = 10  # least number of white pixels of a window
 
 
 class Target(NamedTuple):
@@ -52,7 +52,7 @@ class Target(NamedTuple):
 
     @property
     def angles(self) -> int:
-        """How many angles are unknown."""
+        """Number of unknown angles."""
         return 2 if self.kind == "crossing" else 0
 
 
@@ -90,6 +90,7 @@ class TargetReadout:
         plain = inside * area * turned
         if target.kind == "pinhole":
             reach = math.pi * target.size * pixel * np.sqrt(square)
+            # The spectrum of a uniform disc: 2 J1(x) / x, 1 in the middle.
             disc = np.where(reach > 1e-6, 2.0 * special.j1(reach) / np.maximum(reach, 1e-6), 1.0)
             self._plain: Values = (plain * disc * self._every**2).astype(np.complex64)
             return
@@ -97,13 +98,14 @@ class TargetReadout:
         step = self.step / self._finer
         variance = _ALIAS / (2.0 * (math.pi * (1.0 / step - 1.0)) ** 2)
         self._width = math.sqrt(variance)
+        # The narrow Gaussian that objects are sampled with is divided out.
         plain *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._finer**2
         self._plain = plain.astype(np.complex64)
         y, x = (step * self._finer * side * fft.fftfreq(self._finer * side) for side in self._sides)
         self._x, self._y = x[None].astype(np.float32), y[:, None].astype(np.float32)
 
     def _lines(self, angle: float) -> tuple[Values, Values, Values, Values]:
-        """Return along the normal of a line e, g, g1 of the formula above, summed over lines, and dp/da."""
+        """Return e, g, g1 of the module's formula along the normal of a line, summed over lines, and dp/da."""
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
         along = self._y * math.cos(angle) - self._x * math.sin(angle)
         pitch = min(self.target.size * self.pixel, _ENDLESS)
@@ -123,7 +125,7 @@ class TargetReadout:
         return even, density, first, along / self._width
 
     def _corners(self, angles: Array) -> list[Values]:
-        """Return spectra of the corner between lines of two angles, black and white at -1/2 and 1/2, and slopes."""
+        """Return spectra of the corner between two lines, black and white at -1/2 and 1/2, and slopes by angles."""
         (e, g, e1, along), (other, h, h1, across) = (self._lines(float(angle)) for angle in angles)
         between = float(angles[0] - angles[1])
         cosine, sine = math.cos(between), math.sin(between)
@@ -143,7 +145,7 @@ class TargetReadout:
         return np.asarray(kept[:, : columns // 2 + 1])
 
     def _spectra(self, squares: Array, angles: Array, *, slopes: bool) -> list[Values]:
-        """Return spectra of what samples are convolved with, and slopes by the squares (b,) and by angles."""
+        """Return spectra that samples are multiplied with, and slopes by the squares (b,) and by the angles."""
         shape = self.blur
         each = [
             np.float32(weight) * np.exp(np.float32(variance) * self._rate)
@@ -183,7 +185,7 @@ class TargetReadout:
 
 
 def _line(at: Values, sign: Values | float) -> tuple[Values, Values, Values]:
-    """Return e, g, g1 of the formula above of one line, `at` standard deviations of the Gaussian from it."""
+    """Return e, g, g1 of the module's formula for one line, `at` standard deviations of the Gaussian from it."""
     bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))
     return sign * special.erf(at * math.sqrt(0.5)), bell, at * bell
 
@@ -194,13 +196,16 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
     y, x = (np.arange(side) - side // 2 for side in (height, width))
     x, y = x[None].astype(float), y[:, None].astype(float)
     window = np.exp(-0.5 * (x**2 + y**2) / (0.3 * min(height, width)) ** 2)
+    # A crossing is odd about each line: the level between black and white must be 0.
     plain = image - np.median(image)
     patterns = []
     for turn in np.pi * np.arange(_TURNS) / _TURNS:
         p, q = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
         pattern = np.tanh(p) * np.tanh(q) * window
+        # A flat image must not match.
         patterns.append(pattern - pattern.mean())
     stack = np.array(patterns)
+    # Twice the sides: the correlation must not wrap around.
     size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
     matched = fft.irfft2(fft.rfft2(plain, size) * np.conj(fft.rfft2(stack, size)), size)
     near = [max(2, side // 5) for side in (height, width)]

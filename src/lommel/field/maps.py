@@ -27,12 +27,12 @@ from lommel.special import zernike
 
 Spectrum = float | Sequence[tuple[float, float]]
 
-_STEPS = 50
-_OFF = 1e-10  # of the size of the field: accuracy of the inverse
+_STEPS = 50  # largest number of steps of Broyden's method
+_OFF = 1e-10  # accuracy of the inverse, over the size of the field
 
 
 def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float], ...]:
-    """Return pairs of wavelength, None for that of the map, and weight, which sum to 1."""
+    """Return pairs of wavelength (None for that of the map) and weight, summing to 1."""
     if wavelength is None:
         return ((None, 1.0),)
     if not isinstance(wavelength, Sequence | np.ndarray):
@@ -62,7 +62,7 @@ def shift_of(pupil: Pupil, spectrum: Sequence[tuple[float | None, float]]) -> tu
 
 
 def tilt_by(pupil: Pupil, dx: Array, dy: Array) -> dict[tuple[int, int], Array]:
-    """Return the terms (radians at the edge) that move the image of a pupil by `dx` and `dy`."""
+    """Return the tilt terms (radians at the edge) that move the image of a pupil by `dx` and `dy`."""
     return {(1, 1): math.pi / pupil.scale * dx, (1, -1): math.pi / pupil.scale * dy}
 
 
@@ -78,8 +78,11 @@ def inverse(
     The displacement is known on a convex set with `middle` in it: positions beyond are drawn back towards this.
     """
     size = max(float(np.hypot(x - middle[0], y - middle[1]).max(initial=0.0)), np.finfo(float).tiny)
+    # The position itself is the first guess: distortion moves light by little of the field.
     at = np.stack(_drawn_back(x, y, contains, middle), axis=-1)
     goal = np.stack([x, y], axis=-1)
+    # Broyden's method updates the inverse Jacobian: no derivative of the displacement is needed, and the identity is
+    # a good start as distortion is small.
     slope = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()  # of positions by their images
     off = at + np.stack(displacement(at[..., 0], at[..., 1]), axis=-1) - goal
     for _ in range(_STEPS):
@@ -93,8 +96,9 @@ def inverse(
         along = np.einsum("...j,...ji", step, slope)
         moved = np.einsum("...ij,...j", slope, off - before)
         length = (step * moved).sum(axis=-1)
-        known = np.abs(length) > 0.1 * (step * step).sum(axis=-1)  # else the update would be of rounding errors
+        known = np.abs(length) > 0.1 * (step * step).sum(axis=-1)  # a smaller one would amplify rounding errors
         gain = np.divide(1.0, length, out=np.zeros(length.shape), where=known & (length != 0.0))
+        # Sherman and Morrison: the inverse of the Jacobian after Broyden's rank-1 update.
         slope += gain[..., None, None] * (step - moved)[..., :, None] * along[..., None, :]
     return at[..., 0], at[..., 1], np.asarray(np.abs(off).max(axis=-1) <= 10.0 * _OFF * size)
 
@@ -102,11 +106,12 @@ def inverse(
 def _drawn_back(
     x: Array, y: Array, contains: Callable[[Array, Array], NDArray[np.bool_]], middle: tuple[float, float]
 ) -> tuple[Array, Array]:
-    """Return positions, those outside moved to the edge on the line to `middle`."""
+    """Return positions, those outside moved to the edge along the line to `middle`."""
     outside = ~contains(x, y)
     if not outside.any():
         return x, y
     dx, dy = x[outside] - middle[0], y[outside] - middle[1]
+    # Bisection: 50 halvings reach the precision of float64.
     low, high = np.zeros(dx.shape), np.ones(dx.shape)
     for _ in range(50):
         share = 0.5 * (low + high)
@@ -172,13 +177,15 @@ class Vignetting:
         """Return the vignetting at (`x`, `y`), None where there is none; ValueError beyond the last height."""
         r = _within(math.hypot(x, y), self.height[-1])
         far, size = (float(np.interp(r, self.height, part)) for part in (self.shift, self.radius))
+        # The second circle then contains the whole aperture.
         if abs(far) + 1.0 <= size:
             return None
+        # On the axis any direction will do: the shift is 0 there.
         along = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
         return CatEye((far * along[0], far * along[1]), size)
 
 
-_ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
+_ROUND = 1e-5  # pupils of less ellipticity count as circles, which all methods support
 
 
 @dataclass(frozen=True, init=False)
@@ -226,6 +233,7 @@ class Foreshortening:
     def at(self, x: float, y: float) -> Ellipse | None:
         """Return the pupil at (`x`, `y`), None where it is the aperture; ValueError beyond the last height."""
         r = _within(math.hypot(x, y), self.height[-1])
+        # In r^2: a symmetric field is even in the height.
         squares = np.square(self.height)
         a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
         return None if min(a, b) > 1.0 - _ROUND else Ellipse(a, b, math.atan2(y, x))
@@ -239,6 +247,7 @@ class Foreshortening:
 def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
     """Return a circular or annular pupil that is seen as an ellipse, with its obscuration."""
     eps = pupil.obscuration
+    # The obscuration is seen at the same angle: an ellipse with the same ratio of axes.
     if eps == 0.0:
         return replace(pupil, vignetting=ellipse)
     stop = Disc() - Ellipse(eps * ellipse.a, eps * ellipse.b, ellipse.angle)
@@ -292,6 +301,7 @@ class Shading:
         ----------
         D. S. Goodman, "General principles of geometric optics", in Handbook of Optics, McGraw-Hill (1995), ch. 1.
         """
+        # The table only passes the checks; cos4 is computed from the distance.
         made = cls([0.0, 1.0], [1.0, 1.0])
         vars(made).update(height=(), light=(), distance=validation.real("distance", distance, above=0.0))
         return made
@@ -313,6 +323,7 @@ def _heights(height: ArrayLike) -> Array:
 
 
 def _within(r: float, most: float) -> float:
+    # Room for the rounding of a hypotenuse.
     if r > most * (1.0 + 1e-12):
         raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {most:.6g}")
     return r
@@ -335,7 +346,7 @@ class ApertureKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class ApertureOptions:
-    """What says which aperture it is, together.
+    """Options that state the aperture.
 
     Parameters
     ----------
@@ -550,6 +561,7 @@ class FieldMap:
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
         wavefront = self._wavefronts.wavefront(across, down) + self._added
         bare = self.pupil_without_wavefront
+        # A colour model may depend on the position, too.
         pupil = replace(bare, wavefront=wavefront, colour=bare.colour and bare.colour.at(across, down))
         if self.vignetting is None:
             return pupil
@@ -656,6 +668,7 @@ class FieldMap:
         """
         pupil = self.pupil(*self.undistorted(x, y, wavelength))
         dx, dy = shift_of(pupil, spectrum_of(wavelength))
+        # The opposite tilt moves the light back to its own position.
         return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilt_by(pupil, -dx, -dy)), None)
 
     def seen_through(
@@ -715,6 +728,7 @@ class FieldMap:
         if self.vignetting is not None:
             places = [(0.0, 0.0), *zip(across.ravel().tolist(), down.ravel().tolist(), strict=True)]
             bare, edge = self.pupil_without_wavefront, self.vignetting
+            # Transmission over that on the axis: illumination is 1 there.
             axis, *passing = (edge.applied(bare, *place).transmission for place in places)
             light = light * np.reshape(passing, across.shape) / axis
         return numbers(light, across.shape)
@@ -867,7 +881,7 @@ def require_light(light: Pupil, lens: Lens) -> None:
 
 
 def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
-    """Return a stack ``positions + (k,)`` of pupils of the field, with the defocus of a lens at k distances."""
+    """Return a stack ``positions + (k,)`` of pupils of the field, with a lens's defocus at k distances."""
     validation.instance("lens", lens, Lens)
     require_light(pupil, lens)
     distances = np.atleast_1d(np.asarray(depths))
@@ -889,8 +903,8 @@ def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
 MAX_SCATTERED = 4000
 """Most scattered positions: the interpolation solves a dense system of this size."""
 
-_ROUNDING = 1e-9  # of the size of the map: positions this far outside count as on its edge
-_AXIS = 1e-6  # radians: nonradial terms on the axis below this are rounding errors
+_ROUNDING = 1e-9  # of the size of the map: distance outside within which positions count as on its edge
+_AXIS = 1e-6  # radians: smaller nonradial terms on the axis are rounding errors
 
 
 class WavefrontsOnSensor(ABC):
@@ -922,7 +936,8 @@ class OnGrid(WavefrontsOnSensor):
         from scipy.interpolate import RectBivariateSpline
 
         self.x, self.y = _rising("x", x), _rising("y", y)
-        values, self.terms = _known(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
+        values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
+        # Splines of lower degree through fewer than four rows or columns.
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
         down, across = self._scaled(self.x, self.y)[::-1]
@@ -966,7 +981,8 @@ class Scattered(WavefrontsOnSensor):
         if across.ndim != 1 or across.shape != down.shape:
             raise ValueError(f"x and y must be of one shape (n,), got {across.shape} and {down.shape}")
         count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
-        values, self.terms = _known(wavefront, (count,), "of x and y")
+        values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
+        # Sorted by x and then y, equal positions are neighbours.
         order = np.lexsort((down, across))
         same = (np.diff(across[order]) == 0.0) & (np.diff(down[order]) == 0.0)
         if same.any():
@@ -981,15 +997,18 @@ class Scattered(WavefrontsOnSensor):
         except QhullError:
             raise ValueError(f"positions must not all lie on one line, got {count} that do") from None
         quadratic = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
+        # Points on a conic do not determine a quadratic polynomial: a linear one then.
         degree = 2 if np.linalg.matrix_rank(quadratic, tol=1e-6) == 6 else 1
         self.interpolate = RBFInterpolator(points, values, kernel="cubic", degree=degree)
         self.reach = float(np.hypot(across, down).max())
 
     def _scaled(self, x: Array, y: Array) -> Array:
+        # The kernel is scaled to the size of the map: its matrix is then independent of the unit of length.
         return np.asarray((np.stack([x.ravel(), y.ravel()], axis=1) - self.middle) / self.size)
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Return which positions are in the convex hull."""
+        # Outward normals: a point inside is on the inner side of all edges.
         beyond = self._scaled(x, y) @ self.edges[:, :2].T + self.edges[:, 2]
         return np.asarray((beyond <= _ROUNDING).all(axis=1).reshape(x.shape))
 
@@ -1011,8 +1030,9 @@ class Radial(WavefrontsOnSensor):
         from scipy.interpolate import CubicSpline
 
         self.height, self.azimuth = _heights(height), validation.real("azimuth", azimuth)
-        values, self.terms = _known(wavefront, self.height.shape, "of height")
+        values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
+        # On the axis a symmetric lens has no direction: astigmatism, coma and tilt are 0.
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
                 "the wavefront at height 0, on the axis of a rotationally symmetric lens, must not depend on the "
@@ -1028,6 +1048,7 @@ class Radial(WavefrontsOnSensor):
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
+        # The minimum keeps rounding from leaving the last height.
         along = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
         turn = np.arctan2(y, x) - self.azimuth
         turned = zernike.rotated({term: along[..., k] for k, term in enumerate(self.terms)}, turn)
@@ -1063,8 +1084,10 @@ def _span(known: Array) -> str:
     return f"{known[0]:.6g} to {known[-1]:.6g}"
 
 
-def _known(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, tuple[tuple[int, int], ...]]:
-    """Return the coefficients of the terms at the edge, shape ``shape + (k,)``, and (n, m) of each."""
+def _coefficients_and_terms(
+    wavefront: Wavefront, shape: tuple[int, ...], what: str
+) -> tuple[Array, tuple[tuple[int, int], ...]]:
+    """Return the edge coefficients of the terms, shape ``shape + (k,)``, and (n, m) of each."""
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

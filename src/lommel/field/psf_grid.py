@@ -122,7 +122,7 @@ class PSFGrid(Measured, PSFGridLike):
 
 
 def sides(sensor: object, unit: str) -> tuple[float, float]:
-    """Return the height and width of a sensor; TypeError or ValueError if it has none."""
+    """Return the height and width of a sensor; TypeError or ValueError unless it is such a pair."""
     if not isinstance(sensor, tuple | list) or len(sensor) != 2:
         raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
     height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))

@@ -34,30 +34,31 @@ BY_CHANCE = 1e-4
 """Probability with which noise alone makes a fit a misfit."""
 SURE = 1e-3
 """The same with which a search goes on although its fit is right."""
-_DOUBTED = 1e-2
-_EXCEEDS = 5.0  # standard deviations from which on an excess is spoken of
-_RANGE = 0.8, 1.4  # of the share: that of a register of high gain is 1, and a misfit may add to it
-_CELLS = 8  # of pixels ordered by their light
-_FLAT = 0.3  # largest difference of a cell's share from that of all, besides five of its standard deviations
-_OF_LIGHT = 0.1  # s, from which on a pixel says something of the variance of light
-_REAL = 1e-6  # of the variance of both parts: what is less is of a transform that is real
+_DOUBTED = 1e-2  # chance below which a chi2 is reported
+_EXCEEDS = 5.0  # standard deviations from which on an excess is reported
+_RANGE = 0.8, 1.4  # of the share: 1 for a register of high gain, and more where there is a misfit as well
+_CELLS = 8  # groups of pixels, in the order of their light
+_FLAT = 0.3  # largest difference of a cell's share from that of all, besides five standard deviations
+_OF_LIGHT = 0.1  # s above which a pixel has information on the variance of light
+_REAL = 1e-6  # of the variance of both parts: below, the transform is real
 _LEAST_SIDE = 6  # pixels of windows in which stripes are looked for
 
 
 def most(spread: Any, probability: float = BY_CHANCE) -> Array:
     """Return the chi2 that noise exceeds with a probability, for standard deviations `spread` of chi2."""
+    # The gamma distribution of mean 1 and standard deviation s has the shape 1 / s^2.
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammainccinv(shape, probability) / shape)
 
 
 def least(spread: Any, probability: float = BY_CHANCE) -> Array:
-    """Return the chi2 below which noise is with a probability."""
+    """Return the chi2 below which noise stays with a probability."""
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammaincinv(shape, probability) / shape)
 
 
 def chance(chi2: float, spread: float) -> float:
-    """Return the probability with which noise alone makes a chi2 as large."""
+    """Return the probability that noise alone makes a chi2 as large."""
     shape = 1.0 / max(spread, 1e-9) ** 2
     return float(special.gammaincc(shape, shape * chi2))
 
@@ -107,11 +108,11 @@ class ExcessTest:
 
     @property
     def found(self) -> bool:
-        """Whether it is that of an electron-multiplying register: near 1, beyond chance, and flat."""
+        """Whether it is the noise of an electron-multiplying register: near 1, beyond chance, and flat."""
         return self.flat and self.sigmas > _EXCEEDS and _RANGE[0] <= self.share <= _RANGE[1]
 
     def findings(self, excess: float) -> list[Finding]:
-        """Return the finding of a register; none where its `excess`, above 1, was stated."""
+        """Return the finding on a register; none if an `excess` above 1 was stated."""
         if not self.found or excess > 1.0:
             return []
         factor = 1.0 + self.share
@@ -185,6 +186,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     twice = both[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(half) % width]
     spread = total**2 - np.abs(twice) ** 2
     real = spread < _REAL * total**2
+    # The inverse of the 2 x 2 covariance of real and imaginary part, in complex form.
     parts = 2.0 * (total * np.abs(pull) ** 2 - (pull**2 * twice.conj()).real) / np.where(real, 1.0, spread)
     squares = np.where(real, np.abs(pull) ** 2 / total, parts).sum(axis=0)
     freedom = np.where(real, 1.0, 2.0).sum(axis=0)
@@ -194,6 +196,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     alone[:2, :2] = alone[-1, :2] = 1.0  # as wide as the window are backgrounds and their slopes
     i, j = np.unravel_index(int(alone.argmin()), alone.shape)
     power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
+    # The least of so many independent chances is as rare as one that is their number times smaller.
     chances = {"stripes": float(alone[i, j]) * height * half}
     for name, at, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:half], width)):
         found, of = float(squares[at].sum()), float(freedom[at].sum())
@@ -203,6 +206,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     if (chance := len(chances) * chances[kind]) >= SURE:
         return []
     beyond, share = power[kind]
+    # The mean square of F is W(0) for noise alone: what is beyond, as the mean square of an offset.
     size = excess * math.sqrt(beyond / (share * float(total.sum())))
     numbers: dict[str, float] = {"size": size, "chance": chance}
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"

@@ -22,10 +22,10 @@ from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 from lommel.fit.scoring import covariance
 
-SEEN = 3.0  # ln of the Bayes factor, besides that of the number of candidates
-RIVAL = 5.0  # of ln of the Bayes factor: candidates so near to the best explain the data as well
-_EXPLAINED = 0.5  # of what chi2 exceeds its expectation by
-_BLIND = 1e-9  # of the information of a candidate: less is nothing
+SEEN = 3.0  # log of the Bayes factor of a seen candidate, besides that of the number of candidates
+RIVAL = 5.0  # difference of logs of Bayes factors within which candidates explain the data as well
+_EXPLAINED = 0.5  # of chi2's excess over its expectation
+_BLIND = 1e-9  # of the information of a candidate: less is rounding
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,7 @@ class Candidate:
         """Return information and slope with a prior of the standard deviation `scale` in place of the known one."""
         at, less = list(self.columns), self.known**-2 - self.scale**-2
         information, slope = information.copy(), slope.copy()
+        # Information on an unknown with a prior holds 1 / known^2.
         information[at, at] -= less
         slope[at] += less * np.asarray(self.offset)
         return information, slope
@@ -91,6 +92,7 @@ def score_tests(
     found = []
     free = [one for one in candidates if not {*one.columns} & {*unknowns}]
     together = [j for one in free for j in one.columns]
+    # All candidates that are not estimated share one elimination.
     squares, slopes = _eliminated(information, slope, unknowns, together)
     first = 0
     for one in candidates:
@@ -109,6 +111,7 @@ def score_tests(
             continue
         spread = np.asarray(np.linalg.inv(square))
         size = spread @ pull + one.offset
+        # Prior and data are independent: variances add.
         near = spread + np.eye(len(at)) * one.known**2
         away = float(size @ np.linalg.solve(near, size))
         sigmas = math.copysign(math.sqrt(away), size[0]) if len(at) == 1 else sigmas_of(away, len(at))
@@ -129,6 +132,7 @@ def marginalized(
 ) -> Marginal:
     """Return the steps and the covariance of the first `count` unknowns, which allow for what the model lacks."""
     free = [*unknowns, *(column for one in lacking for column in one.columns)]
+    # A normal prior of mean 0 for what the model lacks.
     known = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
     wide = covariance(information[np.ix_(free, free)] + np.diag(known))[:count]
     determined = np.isfinite(np.diag(wide))
@@ -183,7 +187,7 @@ def untested_findings(
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:
-    """Return information and slope of columns with unknowns eliminated."""
+    """Return information and slope of columns with the unknowns eliminated (Schur's complement)."""
     rest = list(unknowns)
     mixed = information[np.ix_(rest, at)]
     carried = _solved(information[np.ix_(rest, rest)], mixed)
@@ -191,8 +195,9 @@ def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: S
 
 
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
-    """Return ln of the Bayes factor of a size (q,) of N(0, scale^2) against N(0, known^2)."""
+    """Return the log of the Bayes factor of a size (q,), N(0, scale^2) against N(0, known^2)."""
     found = 0.0
+    # Twice minus the logarithm of a normal density, but for its constant: distance squared plus log determinant.
     for width, sign in ((known, 0.5), (max(scale, known), -0.5)):
         each = covariance + np.eye(len(size)) * width**2
         found += sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
@@ -200,25 +205,27 @@ def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float)
 
 
 def favoured(tests: Sequence[ScoreTest]) -> set[str]:
-    """Return the names of candidates that the data favour, beyond chance or not: Bayes factors above 1."""
+    """Return the names of candidates with Bayes factors above 1, beyond chance or not."""
     return {test.name for test in tests if test.log_bayes > 0.0}
 
 
 def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
-    """Return the best candidate, if the data want it beyond chance, and its rivals."""
+    """Return the best candidate, if it is beyond chance, and its rivals."""
+    # The best of n candidates is larger by ln n by chance.
     if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):
         return ()
     return tuple(test for test in tests if test.log_bayes >= max(tests[0].log_bayes - RIVAL, 0.0))
 
 
 def causes_of_misfit(causes: str, chi2: float, spread: float, tests: Sequence[ScoreTest]) -> str:
-    """Return causes in words, "" where what the data favour explains more than half of the excess of chi2."""
+    """Return causes in words, or "" where what the data favour explains more than half of the excess of chi2."""
+    # The standard deviation of chi2 over n degrees of freedom is sqrt(2 / n): n = 2 / spread^2.
     excess = (chi2 - 1.0) * 2.0 / max(spread, 1e-9) ** 2  # over all degrees of freedom
     return "" if any(test.sigmas**2 > _EXPLAINED * excess for test in seen(tests)) else causes
 
 
 def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:
-    """Return the finding of candidates that were seen, each in words."""
+    """Return the finding on seen candidates, each in words."""
     first, *others = words
     text = f"the data favour {first}"
     if others:
@@ -229,13 +236,13 @@ def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Find
 
 
 def _solved(square: Array, right: Array) -> Array:
-    """Return the solution of scaled equations."""
+    """Return the solution of equations scaled to a diagonal of 1."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(square), 1e-300))
     alike = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
     return np.asarray(scale[:, None] * np.linalg.solve(alike, scale[:, None] * right))
 
 
 def sigmas_of(square: float, count: int) -> float:
-    """Return by how many standard deviations one normal number is as rarely off as a sum of so many squares."""
+    """Return the standard deviations that are as rare for one normal number as a sum of `count` squares is."""
     chance = special.gammaincc(0.5 * count, 0.5 * square)
     return float(-special.ndtri(0.5 * chance)) if chance > 1e-300 else math.sqrt(square)

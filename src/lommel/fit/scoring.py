@@ -18,17 +18,17 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.fit import goodness_of_fit
 
-_SETTLED = 1e-2  # squared length of a step, in standard errors, that is not worth taking
-_NEARLY = 1.0  # the same of a fast search, whose last step is taken
+_SETTLED = 1e-2  # squared length of a step, in standard errors, below which it is not taken
+_NEARLY = 1.0  # the same for a fast search, whose last step is taken
 _SWINGS = 0.5  # damping of steps that swing
-_LONGEST = 2.0  # radians rms: no step changes the wavefront by more
-_FIRST, _LEAST, _MOST = 1e-2, 1e-6, 1e8  # damping at first, at least, and where a search gives up
-_STRETCH = 16.0  # times the length of a step, at most
+_LONGEST = 2.0  # radians rms: largest change of the wavefront in a step
+_FIRST, _LEAST, _MOST = 1e-2, 1e-6, 1e8  # damping: first, least, and where a search gives up
+_STRETCH = 16.0  # largest factor of a step's length
 _STALLED = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
-_PATIENCE = 3  # such steps one after the other
+_PATIENCE = 3  # number of such steps in a row that ends a search
 
 Report = Callable[[int, float], object]
-"""Gets the number of a step and the best chi2 before it."""
+"""Called with the number of a step and the best chi2 before it."""
 
 
 class Scores(NamedTuple):
@@ -98,12 +98,12 @@ class Problem(Protocol):
         """The rms phase of steps, radians; None where steps do not stretch."""
 
     def attempt(self, x: Any, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
-        """Return parameters so many steps on and their scores, None where these cannot be computed."""
+        """Return parameters after steps times `factor` and their scores; None if these cannot be computed."""
 
 
 @dataclass(frozen=True)
 class Policy:
-    """How a search goes on.
+    """Rules for the course of a search.
 
     `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
     damping above `most`. A search of infinite `patience` goes on in a minimum that does not fit.
@@ -188,7 +188,7 @@ def fisher_scoring(
 
 
 class _RowProblem:
-    """The problem of a model of rows: a `fast` one computes images as exactly as a search needs."""
+    """The problem of a model of rows; a `fast` one computes images only as exactly as a search needs."""
 
     def __init__(self, model: RowModel, fast: bool) -> None:
         self.model, self.fast, self.rms = model, fast, model.rms
@@ -199,6 +199,7 @@ class _RowProblem:
         step, promised = self.model.steps(there, damping)
         # What is at a limit, such as the place of a star that its window does not show, is at its best there.
         allowed = self.model.within(x[at] + step, x[at]) - x[at]
+        # Not below 0: a promise is an increase.
         return step, np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
 
     def attempt(self, x: Array, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Array, Scores | None]:
@@ -244,6 +245,7 @@ def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tu
 
     Weights are those of the counts themselves: 1 / (counted + read + 1) of valid pixels.
     """
+    # 1 electron more keeps dark pixels from an infinite weight.
     flux, level, middle = weighted_light(psf, counted, valid / (np.maximum(counted, 0.0) + read + 1.0))
     flux = np.maximum(flux, 1.0)
     return flux, level - flux * middle
@@ -256,6 +258,7 @@ def weighted_light(psf: Array, counted: Array, weight: Array) -> tuple[Array, Ar
     """
     total, data = weight.sum(axis=-1), weight * counted
     middle, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+    # Sums about the weighted mean: flux and background are uncorrelated.
     square = (weight * psf * psf).sum(axis=-1) - total * middle * middle
     return ((data * psf).sum(axis=-1) - total * middle * level) / np.maximum(square, 1e-300), level, middle
 
@@ -265,13 +268,15 @@ def damped_steps(scores: Scores, damping: Array) -> tuple[Array, Array]:
     scale = information_roots(scores.information)
     matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
     diagonal = np.arange(scale.shape[1])
+    # Relative to the diagonal: damping does not depend on the units of parameters.
     matrix[:, diagonal, diagonal] += damping[:, None]
     step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
+    # Slope times step: to first order, and twice the gain of a full step in a quadratic function.
     return step, np.einsum("si,si->s", step, scores.slope)
 
 
 def covariance(information: Array) -> Array:
-    """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
+    """Return the inverse (p, p) of an information matrix, with infinite variances for undetermined parameters."""
     scale = information_roots(information[None])[0]
     alike = information / np.outer(scale, scale)
     # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
@@ -291,6 +296,6 @@ def covariance(information: Array) -> Array:
 
 
 def information_roots(information: Array) -> Array:
-    """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
+    """Return the square roots (s, p) of the diagonal of information (s, p, p), or 1 where it is 0."""
     diagonal = information.diagonal(axis1=1, axis2=2)
     return np.asarray(np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0)))

@@ -32,7 +32,7 @@ from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_GAPS = 12  # between the windows that are tried first, or twice as many and so on: a radian apart at most
+_GAPS = 12  # gaps between the windows tried first (doubled until at most a radian wide)
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,6 +101,7 @@ class Bank:
 
     def used(self, defocus: float) -> Array:
         """Return the weight of each pixel, about 0 to 1, at one `defocus` C_d (radians), shape (side, side)."""
+        # Cubic interpolation over four windows, as the compiled core has it.
         first, weights = self._mixture(defocus)
         return self._spread_out(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
 
@@ -124,9 +125,11 @@ class Bank:
 
     def _mixture(self, defocus: float) -> tuple[int, Array]:
         """Return the first of the four windows that one defocus is interpolated from, and their weights."""
+        # Positions outside of the bank are clipped to its ends.
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
+        # At either end the four are the outermost ones, which makes the interpolation one-sided there.
         t = position - first
         return first, np.array([math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)])
 
@@ -148,13 +151,14 @@ def build_bank(
     """Return the bank of one channel over a range of C_d; ValueError if it would be too large."""
     low, high = defocus
     assert light.pupil.wavelength is not None
+    # Shorter wavelengths have more radians of defocus: windows must resolve the fastest.
     per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
     whole = energy == 1.0
     step = math.pi * per_radian * light.pixel / light.pupil.scale
     inner = inner_energy(step) if whole else energy
     half, parabola = light.enough(defocus, inner, largest)
     reach = reach_of(half, step) if whole else half
-    # A window beyond either end, so that every pixel is in the middle of four.
+    # One window beyond either end, so that every point lies in the middle gap of four.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
     at = DefocusNodes.of(
@@ -181,9 +185,9 @@ def build_bank(
         error = _interpolation_error(exact, together[1::2]) + truncated
         if error <= tol:
             break
-        # The error falls sixteenfold where windows are twice as close, more slowly where they are far apart.
+        # Cubic interpolation: the error falls sixteenfold where windows are twice as close, less far apart.
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
-    cuts = find_cuts(exact, half, inner + 1e-12)  # rounding is not to leave less
+    cuts = find_cuts(exact, half, inner + 1e-12)  # rounding must not leave less than requested
     if whole:
         used = math.ceil(cuts.max())
         cells = (used + 1) * (used + 2) // 2
@@ -193,6 +197,7 @@ def build_bank(
         return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, filled)
     quarter = cut(exact, cuts)
     energies = sums_of_quarters(quarter)
+    # Sums are interpolated with the weights (-1, 9, 9, -1) / 16 of a cubic half-way.
     between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
     held = min(float(energies.min()), float(between.min()))
     return Bank(start, spacing, stored_windows(quarter, np.dtype(dtype)), cuts, energies, 1.0 - held, error)
@@ -202,7 +207,7 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
     """Return windows, shape (count + 1, half + 1, stride), with the padding that the compiled core needs."""
     count, side, _ = quarter.shape
     shape = count + 1, side, ((side - 1) // 16 + 1) * 16
-    # Rows begin at cache lines where the stride lets them: vectors then are loaded faster.
+    # Rows begin at cache lines where the stride allows: vector loads are faster then.
     size = math.prod(shape) * dtype.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
     first = -room.ctypes.data % 64
@@ -212,7 +217,8 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
 
 
 def _interpolation_error(exact: Array, middle: Array) -> float:
-    """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
+    """Return the largest error half-way between windows, over the peak there, without the first and last gap."""
+    # (-1, 9, 9, -1) / 16, in place: the arrays are as large as the bank.
     off = exact[1:-2] + exact[2:-1]
     off *= 9.0
     off -= exact[:-3]
@@ -224,39 +230,40 @@ def _interpolation_error(exact: Array, middle: Array) -> float:
 
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
-_MOST = 16  # products
-_LOOSE = 1.2  # tolerances that products may be off together: one more costs a twentieth of a photograph
-_TURNS = 4  # of the alternation: more change the error by less than one product more does
-_SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
+_MOST = 16  # most products
+_LOOSE = 1.2  # error of all products over the tolerance: one product more costs a twentieth of a photograph
+_TURNS = 4  # alternations: further ones change the error by less than one product more does
+_SAMPLES = 4  # values of defocus, per pixel of the windows, from which the products are found
 
 
 def inner_energy(step: float) -> float:
-    """Return the share of the light that windows hold if a remainder holds the rest, for pixels `step` in v wide."""
+    """Return the share of light held by windows that have a remainder, for pixels `step` in v wide."""
+    # Encircled energy 1 - 2 / (pi v) of a disc, at about three pixels beyond the shadow.
     return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
 
 
 def reach_of(half: int, step: float) -> int:
-    """Return the pixels from the middle up to which the remainder is tabulated, for windows up to `half`."""
+    """Return the radius in pixels up to which the remainder is tabulated, for windows up to `half`."""
     return max((3 * half) // 2 + 6, min(96, int(math.cbrt(7e6 / step**2))))
 
 
-# Beyond the shadow of the aperture a PSF hardly depends on defocus. So where a window does not reach, the PSF is,
-# closely, sum_r a_r(c) g_r(q); within, the window holds exactly the PSF less this sum, whatever that is there. The
-# g_r are values on pixels up to a reach, from alternating least squares in which every pixel counts only for those
-# defocus whose windows leave it out. Farther away they are sums of (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean of
-# the tail of an aperture without its fine rings; these have Fourier transforms in closed form, and the light beyond
-# the reach, which is known, is held exactly. So is all light: the a_r are those of least error that lose none.
+# Beyond the shadow of the aperture a PSF hardly depends on defocus: it is nearly sum_r a_r(c) g_r(q) there; a window
+# holds the exact PSF less this sum. The g_r are tabulated up to a reach, by alternating least squares in which a
+# pixel counts only for those values of defocus whose windows exclude it. Farther out they are sums of
+# (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean tail of an aperture without its fine rings, with Fourier transforms in
+# closed form; the light beyond the reach is known and held exactly. The a_r minimise the error under the condition
+# that no light is lost (certificate, section 13).
 @dataclass(frozen=True, eq=False)
 class Remainder:
-    """The light beyond the windows of one channel."""
+    """Light beyond the windows of one channel."""
 
-    knots: Array  # (count, rank): the a_r at the windows of the bank, interpolated by the same cubics as these
-    table: Array  # (rank, reach + 1, reach + 1): the g_r less their smooth part, from the middle row and column on
+    knots: Array  # (count, rank): a_r at the windows of the bank, interpolated by the same cubics
+    table: Array  # (rank, reach + 1, reach + 1): g_r less the smooth part, from the middle row and column on
     smooth: Array  # (rank, 3): factors of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
     scale: float  # s, pixels
-    off: NDArray[np.float32]  # (count - 3, near): largest errors of K, near each gap between windows
-    far: Array  # largest errors of the pixels after these up to the reach, at any defocus
-    rings: float  # sum of the fine rings beyond the reach, which are left out there; estimated
+    off: NDArray[np.float32]  # (count - 3, near): largest errors of K in each gap between windows
+    far: Array  # largest errors of the further pixels up to the reach, at any defocus
+    rings: float  # estimated sum of the fine rings beyond the reach, which are left out
     held: float  # largest error of the light beyond the reach
 
     def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
@@ -267,6 +274,7 @@ class Remainder:
             off = off[np.flatnonzero(np.bincount(gaps))]
         reach = self.table.shape[1] - 1
         table = quarters(np.append(off.max(axis=0), self.far)[None], reach)[0]
+        # Each pixel of the quadrant stands for its mirror images, those on an axis once.
         once = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
         height, width = (reach + 1, reach + 1) if shape is None else shape
         near = float(once[:height] @ table[:height, :width] @ once[:width])
@@ -274,7 +282,7 @@ class Remainder:
             return near + self.rings + self.held
         if max(shape) - 1 <= reach:
             return near
-        # Rings fall as the tail does: the integral of r^-3 outside of a rectangle of a by b is hypot(a, b) / a b.
+        # Rings fall as the tail does: the integral of r^-3 outside of an a by b rectangle is hypot(a, b) / (a b).
         sides = height - 0.5, width - 0.5
         known = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
         some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
@@ -301,7 +309,7 @@ class Remainder:
         return np.ascontiguousarray(np.moveaxis(four @ powers.T, 2, 1))
 
     def values(self, half: int) -> Array:
-        """Return the g_r from the middle row and column on, up to `half` pixels, which may exceed the reach."""
+        """Return the g_r from the middle row and column on, up to `half` pixels, possibly beyond the reach."""
         away = np.arange(half + 1.0)
         made = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
         known = min(half + 1, self.table.shape[1])
@@ -319,20 +327,22 @@ def fit(
     reach: int,
     tol: float,
 ) -> tuple[Remainder, Array]:
-    """Return the remainder of a bank, and its part of the windows (count, cells), which these are to leave out."""
+    """Return the remainder of a bank, and its part within the windows (count, cells), to be subtracted there."""
     near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
     at = start + spacing * np.arange(len(exact), dtype=np.float64)
+    # The extremes of the reach are always among the samples: there pixels count for one defocus only.
     some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
     some = np.unique(np.append(some, [cuts.argmin(), cuts.argmax()]))
     all_left = 1.0 - ring_shares(cuts, reach)
     shown, left = nodes.values(at[some]), all_left[some][:, distance]
+    # Errors count relative to the typical brightness of each pixel, which falls as r^-3.
     typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
     weights: Array = alike / typical
     kernels, factors = _products(shown, left, weights, alike, _LOOSE * tol)
-    # What is beyond the reach is like one more pixel, that no window holds.
+    # The light beyond the reach is treated as one more pixel, which no window holds.
     beyond = 1.0 - shown @ alike
     held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
-    # Farther than any window reaches, sums over pixels are all that matters.
+    # Farther than any window reaches all pixels count, and sums over them replace the pixels.
     first, last = kernels[:, :near], kernels[:, near:]
     rest = nodes.sums(last * weights[near:]).values(at)
     left = all_left[:, distance[:near]]
@@ -348,7 +358,7 @@ def fit(
     column, row = octant(reach)
     squared = (column**2 + row**2).astype(np.float64)
     table = quarters(kernels - smooth @ _smooth(squared, scale), reach)
-    # What is off is looked for at each window and half-way between them; far away, where all is smooth, at some.
+    # Errors are evaluated at each window and half-way between; farther out, where all is smooth, at some.
     within, halfway = knots @ first, _halfway(knots)
     missed = left * (within - exact)
     between = np.abs(_halfway(exact + missed) - middle)
@@ -357,37 +367,37 @@ def fit(
     inner = some[(some > 0) & (some < len(at) - 2)]
     there = nodes.values(at[inner] + 0.5 * spacing)
     wrong = np.vstack([knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:]])
-    # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
-    # to 1 / begin - 1 / reach.
+    # Beyond the reach the misfit falls as the tail r^-3 or faster: its sum is to that of the ring as 1 / reach to
+    # 1 / begin - 1 / reach (certificate, section 13).
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
-    # Points so far away are of many defocus, whose rings differ: no one of them is the worst everywhere.
+    # Rings of points with different defocus differ: no single misfit is the worst everywhere.
     rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
     lacking = float(np.abs(knots[some] @ held - beyond).max())
     return Remainder(knots, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
-    """Return the g_r on the octant, shape (rank, cells), and the a_r of these samples, shape (samples, rank)."""
+    """Return the g_r on the octant, (rank, cells), and the a_r of the samples, (samples, rank)."""
     seen, far = left.max(axis=0) > 0.0, left.min(axis=0) == 1.0
     near = seen & ~far
     values, parts, scale = shown[:, near], left[:, near], scales[near]
     weights = parts**2 * scale
-    # Pixels that no window holds count for all samples alike: sums over them are those of their products.
+    # Pixels outside of all windows count for all samples alike: their Gram matrix replaces them.
     beyond = shown[:, far]
     common = beyond * np.sqrt(scales[far])
     gram = common @ common.T
-    # Those of greatest weight come last.
+    # Principal components of the far pixels, largest last, as the start of the alternation.
     sizes, basis = np.linalg.eigh(gram)
     basis = basis[:, ::-1]
     most, factors = min(_MOST, len(shown)), basis[:, :0]
     for rank in range(1, most + 1):
-        # A product that is left out is missed by little less than its size.
+        # An omitted component is missed by little less than its size: below ten tolerances products suffice.
         if rank < most and sizes[-rank - 1] > (10.0 * tol) ** 2:
             factors = basis[:, :rank]
             continue
         factors = np.column_stack([factors, basis[:, rank - 1]])
         for _ in range(_TURNS):
-            # Turn by turn the one is linear in the other.
+            # Alternating least squares: each factor is linear given the other (Gabriel and Zamir).
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
             onto = np.linalg.solve(_normal(np.ones((1, len(shown))), factors.T, 1e-10)[0], factors.T)
             factors = _solved(
@@ -407,12 +417,10 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
 
 
 def _normal(weights: Array, basis: Array, ridge: float = 0.0, more: Array | float = 0.0) -> Array:
-    """Return the normal matrix of each row of weights for a basis of shape (rank, n), plus `more` for all.
-
-    Shape (rows, rank, rank).
-    """
+    """Return the normal matrices, (rows, rank, rank), of rows of weights for a basis (rank, n), each plus `more`."""
     rank = len(basis)
     normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank) + more
+    # A tiny ridge keeps the matrix invertible where products coincide.
     normal += (ridge / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     return np.asarray(normal)
 
@@ -422,7 +430,7 @@ def _solved(normal: Array, right: Array) -> Array:
 
 
 def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
-    """Return the least squares of each row whose product with `sums` is `light`, by Lagrange's multiplier."""
+    """Return the least-squares solution of each row whose product with `sums` is `light` (Lagrange multiplier)."""
     rank = sums.shape[1]
     normal = normal + (1e-14 / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     both = np.linalg.solve(normal, np.stack([right, sums], axis=-1))
@@ -432,14 +440,14 @@ def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
 
 
 def _far(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
-    """Return the smooth parts that are least off on a ring, of those that hold the light beyond the reach; and s."""
-    scale = max(8.0, reach / 8.0)  # so large that sums over pixels are integrals
+    """Return the smooth parts with the least error on a ring that hold the light beyond the reach; and s."""
+    scale = max(8.0, reach / 8.0)  # large enough that sums over pixels equal integrals (certificate, section 13)
     first, second = octant(reach)
     smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
     totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike
     basis = smooth[:, ring]
     weighted = basis * (alike[ring] / basis[0] ** 2)
-    # Least squares, and Lagrange's multiplier for the light.
+    # Least squares with a Lagrange multiplier for the light.
     system = np.block([[weighted @ basis.T, totals[:, None]], [totals, np.zeros(1)]])
     found = np.linalg.solve(system, np.vstack([weighted @ kernels[:, ring].T, held]))
     return np.ascontiguousarray(found[:-1].T), scale
@@ -454,10 +462,9 @@ def _smooth(squared: Array, scale: float) -> Array:
 
 
 def smooth_transforms(frequency: Array, scale: float) -> Array:
-    """Return the Fourier transforms of the smooth parts over the plane, at cycles a pixel up to 1/2.
+    """Return the Fourier transforms of the smooth parts over the plane, at up to 1/2 cycle per pixel.
 
-    Those of their values on pixels differ by less than ``exp(-pi s)`` of the largest: by all at a frequency of 1/2
-    and more.
+    Those of values on pixels differ by less than ``exp(-pi s)`` of the largest, except at frequencies near 1/2.
     """
     phase = (2.0 * math.pi * scale) * frequency
     near = (2.0 * math.pi / scale) * np.exp(-phase)
@@ -468,16 +475,16 @@ def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
 
 
-_COPIES = 9.04  # sum of 1 over the cubed distances from one point of a square lattice to the others: 9.0336
+_COPIES = 9.04  # sum of |k|^-3 over a square lattice without its origin: 9.0336
 
 
-# Of an image between two mirrors, half a pixel beyond its first and its last pixel, a convolution with an even
-# kernel is diagonal in the discrete cosine transform of type II, whatever the reach of the kernel: it multiplies by
-# sum_q g(q) cos(pi k q / n), the transform of the kernel at the frequencies k / 2 n. Where no mirror is wanted, an
-# image is continued first, and the mirror is farther away: the last pixels go on for half of the height and width;
-# darkness is as wide as it takes for light from its mirrors to be less than half of the tolerance.
+# For an image between two mirrors, half a pixel beyond its first and last pixel, convolution with an even kernel is
+# diagonal in the discrete cosine transform of type II, however far the kernel reaches: it multiplies by
+# sum_q g(q) cos(pi k q / n), the kernel's transform at the frequencies k / 2 n (Martucci 1994). Without mirrors the
+# image is first continued: "extend" repeats the last pixels over half of height and width, and "zero" adds darkness
+# wide enough that light from the mirrors is below half of the tolerance.
 class MirroredKernels:
-    """The g_r of a remainder, as they act on images of one shape and border."""
+    """The g_r of a remainder as convolutions of images of one shape and border."""
 
     def __init__(
         self, remainder: Remainder, shape: tuple[int, int], border: str, dtype: np.dtype[np.floating], tol: float
@@ -491,6 +498,7 @@ class MirroredKernels:
 
             tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
             light = _COPIES * math.prod(shape) * tail
+            # A n 9.04 / (2 m)^3 <= tol / 2, solved for m: certificate, section 13, "Between mirrors".
             dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
             self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
             self.error = light / (2.0 * dark) ** 3
@@ -500,7 +508,7 @@ class MirroredKernels:
 
     @cached_property
     def eigenvalues(self) -> Values:
-        """Transforms of the g_r, shape (rank, height, width) of the image as it is continued; kept."""
+        """Transforms of the g_r, shape (rank, height, width) of the continued image; kept."""
         table, scale = self.remainder.table.astype(self.dtype), self.remainder.scale
         down, across = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
         made = down @ table @ across.T
@@ -521,24 +529,24 @@ class MirroredKernels:
         return np.asarray(made)
 
     def image(self, transform: Values, threads: int = 1) -> Values:
-        """Return the image of a transform."""
+        """Return the image of a transform, without its continuation."""
         from scipy.fft import idctn
 
         return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
 
     def known(self, plane: Values, threads: int = 1) -> Values:
-        """Return the transform of a plane with darkness around it: the transpose of :meth:`image` but for a scale."""
+        """Return the transform of a plane surrounded by darkness: the transpose of :meth:`image` up to a scale."""
         from scipy.fft import dctn
 
         return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
 
     def taken(self, r: int, known: Values) -> Values:
-        """Return the transpose of :meth:`transformed`, but for that scale, of a transform."""
+        """Return the transpose of :meth:`transformed` (up to that scale) applied to a transform."""
         from scipy.fft import idctn
 
         taken = idctn(self.eigenvalues[r] * known, overwrite_x=True)
         if self.border == "extend":
-            # What copies of the edges took goes to these.
+            # The transpose of repeating edges: what the copies collected is added to the edges.
             for lines, (before, after) in zip((taken, taken.T), self._around, strict=True):
                 lines[before] += lines[:before].sum(axis=0)
                 lines[-after - 1] += lines[-after:].sum(axis=0)
@@ -547,7 +555,8 @@ class MirroredKernels:
 
 @lru_cache(maxsize=8)
 def _cosines(side: int, reach: int, kind: str) -> Values:
-    """Return the cosines that an even kernel is multiplied by, and 2 where a value stands for two."""
+    """Return the cosines of an even kernel, doubled where a value stands for two."""
+    # Modulo a period: large arguments would lose digits in the cosine.
     turns = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
     made = 2.0 * np.cos((math.pi / side) * turns)
     made[:, 0] = 1.0

@@ -30,14 +30,14 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator
 
 
-_BAND = 2**17  # points that are spread in one go where somebody watches
+_BAND = 2**17  # points spread at a time while progress is watched
 
 
 class Points(NamedTuple):
     """Points of one channel that spread light."""
 
-    positions: Array  # in the bank, below 0 for points that spread nothing
-    layers: Values | None = None  # of each point, counted from the front
+    positions: Array  # in the bank; negative for points that spread nothing
+    layers: Values | None = None  # layer of each point, counted from the front
 
 
 @shares(BlurKeywords, Settings)
@@ -80,10 +80,10 @@ class DepthBlur(LinearBlur):
         If an argument is out of range; if the blur exceeds `largest`.
     """
 
-    # Called with a number of points each time that so many have been spread, if it is set; see `_bands`.
+    # Called with the number of points spread since the last call, if set; see `_bands`.
     watch: Callable[[int], object] | None = None
 
-    # Where the points are in the banks, of the defocus and for the banks that come first.
+    # Positions of the points in the banks, with the defocus and the banks that they belong to.
     _placed: tuple[Array, tuple[Bank, ...], tuple[Array, ...]] | None = None
 
     def __init__(
@@ -106,6 +106,7 @@ class DepthBlur(LinearBlur):
         self.place(depth)
         tell_of_depths(lens, self.pixel, depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
+        # Half the image at most: a larger window would spread more light outside than inside.
         largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
         self.channels = len(self.spectra)
@@ -116,6 +117,7 @@ class DepthBlur(LinearBlur):
                 light, reach, tol=settings.tol, energy=settings.energy, largest=largest, dtype=self.dtype
             )
 
+        # Channels with equal spectra share a bank, and distinct ones are computed side by side.
         distinct = tuple(dict.fromkeys(self.spectra))
         known = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
         self.banks = tuple(known[spectrum] for spectrum in self.spectra)
@@ -134,7 +136,7 @@ class DepthBlur(LinearBlur):
             )
 
     def place(self, depth: ArrayLike) -> None:
-        """Put the points at another `depth` (metres), within the range of the first; ValueError unless > 0."""
+        """Set another `depth` (metres) within the range of the first; ValueError unless it is > 0."""
         distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
@@ -180,6 +182,7 @@ class DepthBlur(LinearBlur):
                 made.append(self.spread(channel, [(plane, points)], slopes=slopes))
         if self.beyond is not None:
             light = planes if weight is None or transposed else [plane * weight for plane in planes]
+            # Light beyond the windows is smooth and common to all points: it is added to the whole image.
             far = self.beyond.act(self, range(self.channels), light, slopes=slopes, transposed=transposed)
             for onto, more in zip(made, far, strict=True):
                 onto += more if weight is None or not transposed else more * weight
@@ -216,7 +219,7 @@ class DepthBlur(LinearBlur):
                 engine.spread(*parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
-        if self.border == "reflect":  # The mirrored image sends in what leaves this one.
+        if self.border == "reflect":  # light that leaves a mirrored image enters from the mirror
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
         return room[top:, left:][: self.shape[0], : self.shape[1]]
@@ -249,7 +252,7 @@ class DepthBlur(LinearBlur):
             yield without_copies(taken, rows, columns, self.shape)
 
     def _require(self, plane: Any, points: Any) -> None:
-        """Raise TypeError unless a plane has this shape and the type of the sums."""
+        """Raise TypeError unless a plane has the shape and dtype of the operator."""
         validation.instance("points", points, Points)
         if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
             raise TypeError(
@@ -257,21 +260,23 @@ class DepthBlur(LinearBlur):
             )
 
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
-        """Return the rows and columns of the image with copies of its edges, and the margins of their windows."""
+        """Return the rows and columns of the image with copies of its edges, and the margins for their windows."""
         bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
+        # A reflected edge is folded back afterwards; darkness needs no copies.
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (copies(side, margin, self.border) for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
-        """Yield bands of rows that are spread at once, all unless `watch` is set, and the rows that they reach."""
+        """Yield bands of rows that are spread together (all unless `watch` is set), and the rows that they reach."""
+        # Bands of at least eight windows: the overlap of neighbouring bands is computed twice.
         height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
         for first in range(0, len(rows), height):
             last = min(first + height, len(rows))
             yield slice(first, last), slice(first, last + 2 * half)
 
     def _shown(self, seen: Values | None, around: list[tuple[int, int]]) -> Values | None:
-        """Return the layers that pixels see, with margins."""
+        """Return the layers seen by each pixel, with margins."""
         return (
             None if seen is None else np.pad(seen, around, mode="symmetric" if self.border == "reflect" else "edge")
         )
@@ -287,7 +292,7 @@ class DepthBlur(LinearBlur):
         return placed[2][channel]
 
     def _positions(self, channel: int, weight: Values | None) -> Array:
-        """Return positions as :meth:`positions`, below 0 for the points outside of `weight`."""
+        """Return positions as :meth:`positions`, negative for the points outside of `weight`."""
         positions = self.positions(channel)
         if weight is None:
             return positions
@@ -299,7 +304,7 @@ class DepthBlur(LinearBlur):
 
 
 def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
-    """Return what the compiled core takes of a bank."""
+    """Return windows, half widths and energies of a bank in the layout of the compiled core."""
     return bank.windows, bank.halves, bank.energies
 
 
@@ -325,7 +330,7 @@ def require_depth(depth: ArrayLike) -> Array:
 
 
 def require_metres(kind: DType) -> None:
-    """Raise TypeError unless depth is in floats: integers are levels, of a scale that only their author knows."""
+    """Raise TypeError unless depth is in floats: the scale of integer levels is known to their author only."""
     if kind.kind != "f":
         raise TypeError(
             f"depth must hold metres in floats, got {kind}; for levels of a millimetre give 0.001 * depth"
@@ -336,9 +341,10 @@ _IN_FOCUS = 2.0  # pixels, the largest blur that `lommel info` calls sharp
 
 
 def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
-    """Warn where all finite distances are such that they can hardly be metres before this lens."""
+    """Warn if all finite distances are implausible as metres for this lens."""
     distances = np.asarray(depth, dtype=np.float64)
     low, high = (float(end(distances, initial=other)) for end, other in ((np.min, math.inf), (np.max, 0.0)))
+    # Hyperfocal distance f (1 + D / c), c the circle of confusion.
     hyperfocal = lens.focal_length * (1.0 + lens.aperture_diameter / (_IN_FOCUS * pixel))
     if hyperfocal < low < math.inf:
         where = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on it"
@@ -350,12 +356,12 @@ def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
     validation.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
 
 
-_ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9
-_LARGE = 2**16  # pixels from which threads are worth their start
+_ROUNDING = 32.0  # units of rounding of a sum in single precision; measured: 9
+_LARGE = 2**16  # pixels from which starting threads pays
 
 
 class Beyond:
-    """The remainders of all channels of a blur: of every point a little light on every pixel, and the transpose."""
+    """Remainders of all channels of a blur (a little light from every point on every pixel), with the transpose."""
 
     def __init__(self, remainders: Sequence[Remainder], tol: float) -> None:
         self._remainders, self._tol = remainders, tol
@@ -364,7 +370,7 @@ class Beyond:
 
     def error(self, blur: DepthBlur) -> float:
         """Return the sum over pixels of the largest error of K, of any channel, for this scene."""
-        # In darkness nothing comes from farther away than the image is large.
+        # With darkness around, light comes from no farther than the size of the image.
         shape = blur.shape if blur.border == "zero" else None
         found = max(
             remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error

@@ -43,9 +43,9 @@ FORMATS = ("png", "tif", "exr", "zarr")
 """Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
 
 ON_ERROR = ("raise", "skip")
-"""What becomes of a photo or depth map that cannot be used."""
+"""Whether a photo or depth map that cannot be used raises an error or is skipped."""
 
-_CALLED = {"scale": "depth_scale", "inverse": "inverse_depth"}  # of depth maps, among other arguments
+_CALLED = {"scale": "depth_scale", "inverse": "inverse_depth"}  # names of render_dataset for those of DepthValues
 _RECORD = "dataset.json"
 _FORMAT = 3
 _PARTS = "parts"
@@ -105,11 +105,14 @@ class LensRanges:
 
     def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
         """Return a lens and a pixel pitch in metres drawn by `random`, which always gives five numbers."""
+        # Five numbers even for constant parameters: those of the other parameters then stay the same.
         length, stops, dioptres, pitch, spherical = random.random(5)
         nearest, farthest = _ends(self.focus_distance)
+        # Uniform in 1 / distance, as blur is linear in it.
         inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
             focal_length=_between(self.focal_length, length),
+            # Uniform in the logarithm: as many lenses between f/2 and f/2.8 as between f/4 and f/5.6.
             f_number=math.exp(_between(tuple(math.log(n) for n in _ends(self.f_number)), stops)),
             focus_distance=1.0 / inverse if inverse > 0.0 else math.inf,
             wavelength=self.wavelength,
@@ -144,7 +147,7 @@ def _between(value: Any, share: float) -> float:
 
 @dataclass(frozen=True)
 class Rendered:
-    """One picture of a data set, which :func:`lommel.imaging.render_dataset` has just written, or could not render.
+    """One picture of a data set: just written by :func:`lommel.imaging.render_dataset`, or why it could not be.
 
     Attributes
     ----------
@@ -202,7 +205,7 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
 
 @dataclass(frozen=True, kw_only=True)
 class _Job:
-    """What all pictures of a data set have in common."""
+    """The arguments that all pictures of a data set share."""
 
     lenses: LensRanges
     seed: int
@@ -215,10 +218,11 @@ class _Job:
     settings: Settings
 
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> Json:
-        """Return the arguments that the pictures depend on, as JSON holds them."""
+        """Return the arguments that determine the pictures, as JSON holds them."""
         apart = ("lenses", "noise", "settings", "values")
         given = {name: value for name, value in vars(self).items() if name not in apart}
         given |= {_CALLED.get(name, name): value for name, value in vars(self.values).items()}
+        # The number of threads changes no value.
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
         given |= {
@@ -380,7 +384,7 @@ def render_dataset(
 
 
 def _begin(folder: Path, record: Json) -> None:
-    """Make the folder of a data set, with a file of its arguments; ValueError if it is of others."""
+    """Create the folder of a data set and its file of arguments; ValueError if the folder has others."""
     file = folder / _RECORD
     if not file.exists():
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
@@ -392,6 +396,7 @@ def _begin(folder: Path, record: Json) -> None:
         raise ValueError(
             f"{validation.line(file)} is damaged; remove {validation.line(folder)}, or give another folder"
         )
+    # Pictures of other arguments must not mix with those already written.
     if known != record:
         names = [name for name in record if known.get(name) != record[name]]
         raise ValueError(
@@ -400,15 +405,15 @@ def _begin(folder: Path, record: Json) -> None:
 
 
 def _read(file: Path) -> Any:
-    """Return what a file in JSON holds; None if it is missing or damaged."""
+    """Return the content of a JSON file; None if it is missing or damaged."""
     try:
         return reading.json(reading.contents(file))
     except (FileNotFoundError, ValueError):
         return None
 
 
-def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers of pictures all of whose files are there, and their facts."""
+def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
+    """Yield the numbers and facts of pictures all of whose files exist unchanged."""
     if shard is None:
         for number in range(total):
             facts = _read(folder / f"{number:06d}.json")
@@ -422,6 +427,7 @@ def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, J
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
         whole = _shard(folder, index)
+        # Pictures are separate tar files until their shard is complete.
         tars = {whole: numbers} if whole.exists() else {_part(folder, number): [number] for number in numbers}
         for tar, held in tars.items():
             if tar.exists():
@@ -429,7 +435,7 @@ def _there(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, J
 
 
 def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers of the pictures in a tar file, and their facts."""
+    """Yield the numbers and facts of the pictures in a tar file."""
     try:
         with tarfile.open(path) as tar:
             members = {member.name: member for member in tar}
@@ -453,6 +459,7 @@ def _rendered(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures as they are written."""
+    # A lock: two processes in one folder would render the same pictures.
     with atomic.locked(folder / _RECORD, folder):
         yield from _missing(folder, job, pairs, shard, workers, skip)
 
@@ -460,12 +467,13 @@ def _rendered(
 def _missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
-    """Yield pictures that are not there yet as they are written."""
+    """Yield the missing pictures as they are written."""
     total = len(pairs) * job.copies
     where = folder if shard is None else folder / _PARTS
     where.mkdir(exist_ok=True)
+    # Copies share their photo: each file is read once for its checksum.
     there, sums = set(), cache(of_file)
-    for number, facts in _there(folder, shard, total):
+    for number, facts in _complete_pictures(folder, shard, total):
         for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
             if sums(file) != known:
                 raise ValueError(
@@ -476,6 +484,7 @@ def _missing(
     left = [number for number in range(total) if number not in there]
     done = total - len(left)
     if shard is not None:
+        # A run that ended between a picture and its shard left parts to pack.
         for index in range(-(-total // shard)):
             _pack(folder, index, shard, total)
     make = partial(_write, job, where, shard is not None, skip)
@@ -497,6 +506,7 @@ def _missing(
         for number in left:
             yield told(number, *make(number, *pairs[number // job.copies]))
         return
+    # Processes share the processors: together as many threads as there are processors.
     threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
     shared = replace(job, settings=replace(job.settings, threads=threads))
     make = partial(_write, shared, where, shard is not None, skip)
@@ -506,7 +516,7 @@ def _missing(
 def _by_processes(
     make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
 ) -> Iterator[tuple[int, list[str], Json, str | None, list[str]]]:
-    """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
+    """Yield numbers of pictures and the results of a function for each, computed by other processes."""
     from multiprocessing import get_context
 
     # Spawned: a fork copies locks that other threads hold.
@@ -514,6 +524,7 @@ def _by_processes(
     numbers, running = iter(left), dict[Future[Any], int]()
     try:
         while True:
+            # Two tasks a worker: none waits for the next, and few results are held in memory.
             while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
                 running[pool.submit(make, number, *pairs[number // copies])] = number
             if not running:
@@ -526,7 +537,7 @@ def _by_processes(
 
 
 def _serve() -> None:
-    """Leave Ctrl-C to the parent, and end with it."""
+    """Ignore Ctrl-C, which the parent handles, and end when the parent ends."""
     from multiprocessing import connection, parent_process
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -535,6 +546,7 @@ def _serve() -> None:
 
         def follow() -> None:
             connection.wait([parent.sentinel])
+            # Without clean-up: the parent that would wait for it is gone.
             os._exit(1)
 
         threading.Thread(target=follow, daemon=True).start()
@@ -549,7 +561,7 @@ def _part(folder: Path, number: int) -> Path:
 
 
 def _pack(folder: Path, index: int, shard: int, total: int) -> None:
-    """Put the pictures of a shard into one tar file, if all are there and it is not."""
+    """Pack the pictures of a shard into one tar file, if all exist and it does not."""
     target = _shard(folder, index)
     numbers = range(index * shard, min(total, (index + 1) * shard))
     parts = [_part(folder, number) for number in numbers]
@@ -564,6 +576,7 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
                         for member in read:
                             made.addfile(member, read.extractfile(member))
 
+        # Parts are removed only after the whole shard is in place.
         atomic.write_by(target, fill)
     for part in parts:
         part.unlink(missing_ok=True)
@@ -576,6 +589,7 @@ def _write(
     said: list[str] = []
     try:
         with warnings.catch_warnings(record=True) as seen:
+            # Warnings would stay in the worker process: they are recorded and shown by the parent.
             warnings.simplefilter("always", UserWarning)
             try:
                 files, facts = _render(job, number, photo, depth)

@@ -1,4 +1,4 @@
-"""Methods of deconvolution: options of Richardson and Lucy's, and of total variation, when to stop, and a search."""
+"""Methods of deconvolution: options of Richardson-Lucy and total variation, stopping rules, and a search."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from lommel.base import validation
 # Why a method stopped.
 NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"
 
-# Takes the number of a step, its discrepancy, and about how many seconds are left.
+# Called with the number of a step, its discrepancy, and about how many seconds are left.
 Tell = Callable[[int, float, float], object]
 
 
 def silent(*_: object) -> None:
-    """Say nothing of progress."""
+    """Report no progress."""
 
 
-EARLIEST = 20  # steps after which a misfit can be told
+EARLIEST = 20  # steps after which a misfit can be detected
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +69,7 @@ class RichardsonLucy:
 
 
 class StoppingRule:
-    """The course of an iteration: its discrepancies, whether to stop, and how far steps are extrapolated."""
+    """Course of an iteration: its discrepancies, when to stop, and how far steps are extrapolated."""
 
     def __init__(self, method: RichardsonLucy, slack: float, tell: Tell) -> None:
         self._method, self._slack, self._tell = method, slack, tell
@@ -83,7 +83,7 @@ class StoppingRule:
         return len(self._history) - 1
 
     def judge(self, discrepancy: float) -> str | None:
-        """Return the reason to stop at this discrepancy, if there is one, and call `tell`."""
+        """Return the reason to stop at this discrepancy, if any, and call `tell`."""
         self._history.append(discrepancy)
         self._tell(self.steps, discrepancy, self._left(time.perf_counter() - self._start))
         step, target, most = self.steps, self._method.target, 1.0 + self._slack
@@ -98,21 +98,23 @@ class StoppingRule:
         return STEPS if step == self._method.steps else None
 
     def extrapolate_by(self, size: float, overlap: float) -> None:
-        """Set the pace, from the square of the last change but one, and its product with the last."""
+        """Set the pace: the product of the last two changes over the square of the earlier one."""
+        # Below 1: at 1 a geometric series of changes would have no limit.
         self.pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
 
     def _left(self, spent: float) -> float:
-        """Return about how many seconds the rest takes, as the discrepancy fell until now."""
+        """Return about how many seconds are left, if the discrepancy goes on falling as it did."""
         step, history, target = self.steps, self._history, self._method.target
         total = float(self._method.steps)
         if step >= 2 and target > 0.0 and history[step] < history[step // 2]:
+            # Discrepancies fall about as a power of the number of steps: its exponent is the slope in logarithms.
             rate = np.log(history[step // 2] / history[step]) / np.log(step / (step // 2))
             total = min(total, step * max(history[step] / target, 1.0) ** min(1.0 / rate, 8.0))
         return max(total - step, 0.0) * spent / max(step, 1)
 
 
-_SEARCHES = 6  # strengths that are tried at most
-_NEAR = (-0.1, 0.03)  # logarithms of the discrepancy over the target that are near enough
+_SEARCHES = 6  # largest number of strengths that are tried
+_NEAR = (-0.1, 0.03)  # logarithm of the discrepancy over the target: range that ends the search
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -155,7 +157,7 @@ class TotalVariation:
 
 
 def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:
-    """Return the discrepancy nearest to the target and its strength: `settle` returns that of a strength.
+    """Return the discrepancy closest to the target and its strength; `settle` returns that of a strength.
 
     It is sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the first.
     """
@@ -174,15 +176,18 @@ def search(settle: Callable[[float], float], first: float, target: float, least:
 
 
 def _next(tried: list[tuple[float, float]]) -> float:
-    """Return the strength to try, from logarithms of strengths and of discrepancies over the target, which rise."""
+    """Return the next strength, from logarithms of strengths and of discrepancies over the target, which rise."""
     at, off = tried[-1]
     below = [point for point in tried if point[1] < 0.0]
     above = [point for point in tried if point[1] >= 0.0]
     if below and above:
         (a, u), (b, v) = max(below), min(above)
+        # Between the bracket's ends by the secant, but not near either end, so that the bracket shrinks by 30 % or
+        # more.
         share = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
         return math.exp(a + share * (b - a))
-    slope = 0.3  # usually
+    slope = 0.3  # usual increase of the discrepancy's logarithm with that of the strength
     if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
         slope = max((off - tried[-2][1]) / (at - tried[-2][0]), 1e-3)
+    # At most a factor of 4 at a time: the slope is known at the last points alone.
     return math.exp(at - min(max(off / slope, -math.log(4.0)), math.log(4.0)))

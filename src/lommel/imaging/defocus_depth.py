@@ -42,12 +42,12 @@ from lommel.show import estimates
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_MOST = 2001  # candidates
-_LEAST_OF_BLOCK = 2.0  # pixels, of windows that take blocks of four: smaller ones take blocks of two
-_ROWS = 1024  # that are answered for at once
-_WHOLE = 16  # pixels a side of whole squares and blocks
-_LEAST_SIDE = 160  # of what is taken at once: around smaller photographs there are unknown pixels
-_LEAST_VARIANCE = 1e-3  # of a pixel, over the mean light, where it is read without noise
+_MOST = 2001  # largest number of candidates
+_LEAST_OF_BLOCK = 2.0  # rms width of windows, pixels, above which blocks have a side of four; below, of two
+_ROWS = 1024  # rows computed together
+_WHOLE = 16  # pixels a side that squares and blocks divide
+_LEAST_SIDE = 160  # pixels a side computed together: smaller photographs are extended by mirrored, unknown pixels
+_LEAST_VARIANCE = 1e-3  # variance of a pixel read without noise, over the mean light
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,7 @@ class DefocusDepth:
 
     @cached_property
     def verdict(self) -> DefocusVerdict:
-        """Whether registration, noise and lenses agree with the photographs; some seconds when it is first asked."""
+        """Whether registration, noise and lenses agree with the photographs; computed on first use, some seconds."""
         return self._judge()
 
     @cached_property
@@ -273,6 +273,7 @@ def depth_from_defocus(
     registered = Registration(magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
+    # Registration makes NaN of what depends on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
     means = images[..., valid].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
@@ -280,6 +281,7 @@ def depth_from_defocus(
         raise ValueError(f"photographs must hold light on average, got {told} electrons a pixel")
     mean, exposed = float(means[0]), tuple((means / means[0]).tolist())
     exposed = exposed if exposures is None else relative_exposures(exposures, len(lenses))
+    # All frames at the exposure of the first: one level of light holds for all tables.
     images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
     channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
     spectra = [((each, 1.0),) if isinstance(each, float) else tuple(each) for each in channels]
@@ -289,6 +291,7 @@ def depth_from_defocus(
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _LEAST_VARIANCE * mean)
     engine = FocalEngine(task, FocalLight(mean, read, exposed, CONTRAST))
     position, spread, misfit = _search(engine, images, valid, progress)
+    # Blur changes linearly with 1 / distance, so candidates have equal steps of it.
     step = float(vergence[1] - vergence[0])
     found, errors = vergence[0] + step * position.astype(np.float64), step * spread
     stated = f_number_error
@@ -296,6 +299,7 @@ def depth_from_defocus(
         stated = _add_lens_errors(engine, lenses, (f_number_error, focus_error), found, errors, spread)
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / found, 1.0 / vergence
+        # d(1 / v) = -dv / v^2.
         sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
 
     def sharpen(filled: Array) -> Values:
@@ -313,12 +317,12 @@ def depth_from_defocus(
 
 
 def _one_of_each(photographs: Any, lenses: Sequence[Lens]) -> list[Any]:
-    """Return the photographs, with their masks; ValueError unless there are as many as lenses, two or more."""
+    """Return the photographs, with their masks; ValueError unless as many as lenses, at least two."""
     if len(lenses) < 2:
         raise ValueError(
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
-    given = list(photographs) if isinstance(photographs, list | tuple) else _apart(photographs)
+    given = list(photographs) if isinstance(photographs, list | tuple) else _separate_photographs(photographs)
     if len(given) != len(lenses):
         count = len(given) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
@@ -363,19 +367,21 @@ def _add_lens_errors(
     found[lost], errors[lost], spread[lost] = math.nan, math.inf, math.inf
     if len(shared) == 1:
         return f_number_error
+    # Blurs of two frames differ by the difference of their foci: two independent errors e change it by sqrt(2) e.
     return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
-    """Yield the rows that are answered for at once, and those they depend on; whole squares and blocks."""
+    """Yield the rows computed together, and the rows they depend on, in whole squares and blocks."""
     for top in range(0, shape[0], _ROWS):
         bottom = min(top + _ROWS, shape[0])
+        # From a multiple of 16 rows on, so that squares and blocks are those of the whole photograph.
         above = max(0, top - reach) // _WHOLE * _WHOLE
         yield slice(top, bottom), slice(above, min(shape[0], bottom + reach))
 
 
 def _framed(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDArray[np.uint8]]:
-    """Return planes, mirrored up to a size that can be taken, and what is known of them: 2 of what is mirrored."""
+    """Return planes mirrored up to a size of whole squares, and a map of known pixels: 2 where mirrored."""
     sides = [max(_LEAST_SIDE, math.ceil(side / _WHOLE) * _WHOLE) for side in valid.shape]
     more = [(0, side - own) for side, own in zip(sides, valid.shape, strict=True)]
     planes = [np.pad(one, more, mode="symmetric") for one in images.reshape(-1, *valid.shape)]
@@ -383,7 +389,8 @@ def _framed(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDA
 
 
 def _take(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -> None:
-    """Give a stream planes that are in electrons."""
+    """Load planes, in electrons, into a stream."""
+    # Gains are polynomials in x and y: a constant 1, for photographs at equal exposure.
     gains = np.zeros((len(planes), 6), dtype=np.float32)
     gains[:, 0] = 1.0
     stream.take(planes, gains, 0.0, math.inf, known)
@@ -426,7 +433,7 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
     return out
 
 
-def _apart(photographs: Any) -> list[Any]:
+def _separate_photographs(photographs: Any) -> list[Any]:
     """Return the photographs of one array or container, with their masks; none if it has no axis for them."""
     values, hidden = validation.parted("photographs", photographs)
     if values.ndim < 3:
@@ -435,7 +442,7 @@ def _apart(photographs: Any) -> list[Any]:
 
 
 def _is_grey(values: Values) -> bool:
-    """Return whether a photograph has three channels, which are equal."""
+    """Return whether a photograph has three equal channels."""
     return values.ndim == 3 and values.shape[2] == 3 and bool((values == values[..., :1]).all())
 
 

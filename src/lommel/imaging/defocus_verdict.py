@@ -23,22 +23,22 @@ from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
-_LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0
-_LIKELY, _SURE = 1.5, 2.5  # standard errors, by which a scale that is in doubt, and wrong, differs from 1
-_DEVIATION = 0.1  # scales of a larger standard error are not told
+_LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0  # limits of too little, good, and doubtful misfit
+_LIKELY, _SURE = 1.5, 2.5  # standard errors from 1 of a doubtful and of a wrong scale
+_DEVIATION = 0.1  # largest standard error of a scale that is reported
 _LEAST_DEVIATION = 0.02  # of scales in rendered scenes, however much texture there is
 # How far the mean misfit may be off for apertures that differ: by itself, and by what the frames do not fit anyway.
 _OFF, _OFF_MISFIT = 0.0005, 0.1
 _OFF_SLOPE = 1.0  # its slope by the logarithm of the scale, by the latter
-_UNLIKE = 1.15  # misfit of cells over that of the best ones
-_STEP, _MOST, _COARSE = 0.04, 16, 2  # of the logarithm of scales that are tried, and so many steps
-_NEAR, _NEAR_MISFIT = 0.02, 0.5  # by which the misfit of scales that are looked at may be above the least
-_WALL = 2.5  # misfit over the least, beyond which larger scales are not looked at
-_SIDE, _TILES = 256, 4  # pixels, of what is looked at
-_MARGIN = 16  # pixels, beside the blur
-_CELL = 8  # blocks a side, that are taken to be independent of others
+_UNLIKE = 1.15  # largest misfit of cells over that of the best ones
+_STEP, _MOST, _COARSE = 0.04, 16, 2  # step of the logarithm of tried scales, steps on either side, coarse stride
+_NEAR, _NEAR_MISFIT = 0.02, 0.5  # largest misfit above the least, of scales that are refined
+_WALL = 2.5  # misfit over the least beyond which larger scales are not tried
+_SIDE, _TILES = 256, 4  # side of tiles, pixels, and their number
+_MARGIN = 16  # pixels besides the blur
+_CELL = 8  # blocks a side of cells, which are taken as independent
 _LEAST_CELLS = 8
-_NEWTON = 5  # steps to the least of an energy
+_NEWTON = 5  # Newton steps to the least of an energy
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -223,8 +223,10 @@ def judged(
         return DefocusVerdict.of(math.nan)
     left = float(np.median(misfit[known]))
     at = vergence[known].astype(np.float64)
+    # d(1 / v) = -dv / v^2.
     by_f_number, *by_foci = np.median(-engine.by_lenses(at) / at**2, axis=1).tolist()
     of = partial(DefocusVerdict.of, left, changes=(0.01 * by_f_number, 0.01 * sum(by_foci)), stated=stated)
+    # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
     found = _scales(engine, images, valid, weight)
     if not found:
@@ -236,17 +238,17 @@ def judged(
 
 
 class _Fit(NamedTuple):
-    """A scale of the least misfit around it."""
+    """A scale at a local least misfit."""
 
     scale: float
     error: float
     misfit: float
-    step: int  # next to it
+    step: int  # nearest step of the logarithm
     below: float  # by how much the misfit is less than at that step
 
 
 def _scales(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> list[_Fit]:
-    """Return the scales of the difference of blurs in the brightest channel that fit alike, the best first."""
+    """Return the scales of the blur difference, in the brightest channel, that fit alike, the best first."""
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))
     if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _LEAST_CELLS:
@@ -279,11 +281,12 @@ def _scales(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weigh
 
 
 def _is_as_good(one: _Fit, best: _Fit, misfits: Callable[[int], Array]) -> bool:
-    """Return whether the misfit of one scale is that of the best, but for noise and what is off anyway."""
+    """Return whether a scale's misfit equals that of the best, within noise and model error."""
     cells, shares = _cells(np.stack([misfits(one.step), misfits(best.step)]))
     if len(shares) < _LEAST_CELLS:
         return True
     weights = _weights(cells, shares)
+    # Both misfits at their least, not at the nearest step.
     more = cells[0] - cells[1] - one.below + best.below
     mean = float(more @ weights)
     error = float(np.sqrt((weights**2) @ (more - mean) ** 2))
@@ -291,7 +294,7 @@ def _is_as_good(one: _Fit, best: _Fit, misfits: Callable[[int], Array]) -> bool:
 
 
 def _settled(misfits: Callable[[int], Array], k: int) -> _Fit | None:
-    """Return the scale of the least misfit from a step on; None if there is none."""
+    """Return the scale of the least misfit near a step; None if there is none."""
     seen = set[int]()
     around = np.arange(-2, 3)
     powers = np.vander(around, 4, increasing=True)
@@ -309,6 +312,9 @@ def _settled(misfits: Callable[[int], Array], k: int) -> _Fit | None:
         weights = _weights(cells, shares)
         cubics = np.linalg.lstsq(powers, cells, rcond=None)[0]
         start, slope, bend, skew = (cubics @ weights).tolist()
+        # The cubic is least where slope + 2 bend x + 3 skew x^2 = 0: of the two roots the one with positive
+        # curvature,
+        # x = -slope / (bend + sqrt(bend^2 - 3 slope skew)), in which nothing cancels; the curvature is 2 sqrt(...).
         root = bend**2 - 3.0 * slope * skew
         if not (bend > 0.0 and root > 0.0):
             break
@@ -317,30 +323,32 @@ def _settled(misfits: Callable[[int], Array], k: int) -> _Fit | None:
             break
         curvature = 2.0 * math.sqrt(root)
         least = float(np.array([place**n for n in range(4)]) @ cubics @ weights)
+        # The error of a minimum is that of the slope there over the curvature; cells show how the slope scatters.
         slopes = weights * (cubics[1] + place * (2.0 * cubics[2] + 3.0 * place * cubics[3]))
         beyond = _STEP * _OFF_SLOPE * abs(least - 1.0)
         scale = math.exp(_STEP * (k + place))
         scatter = math.hypot(float(np.sqrt((slopes**2).sum())), beyond)
+        # d(scale) = scale d(log scale).
         error = scale * math.hypot(_STEP * scatter / curvature, _LEAST_DEVIATION)
         return _Fit(scale, error, least, k, start - least)
     return None
 
 
 def _weights(cells: Array, shares: Array) -> Array:
-    """Return the weights of cells: those with an edge of depth, which no one depth fits, have none."""
+    """Return the weights of cells, 0 for cells with a depth edge, which no one depth fits."""
     least = np.maximum(cells.min(axis=0), 1.0)
     weights = np.where(least <= _UNLIKE * np.quantile(least, 0.25), shares / least**2, 0.0)
     return np.asarray(weights / weights.sum())
 
 
 def _median(misfits: Array) -> float:
-    """Return the median misfit where it is known; infinity where that is hardly anywhere."""
+    """Return the median of known misfits; infinity if under 2 % are known."""
     known = np.isfinite(misfits)
     return float(np.median(misfits[known])) if known.mean() > 0.02 else math.inf
 
 
 def _cells(misfits: Array) -> tuple[Array, Array]:
-    """Return the mean misfit of cells by scale, (scales, cells), and the share of each that is known at all."""
+    """Return the mean misfit of cells by scale, (scales, cells), and the known share of each cell."""
     whole = np.isfinite(misfits).all(axis=0)
     scales, tiles, blocks = misfits.shape[:3]
     parts = tiles, blocks // _CELL, _CELL, blocks // _CELL, _CELL
@@ -358,7 +366,7 @@ class _Tile(NamedTuple):
 
 
 def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: FocalEngine) -> Iterator[_Tile]:
-    """Yield the squares that tell most."""
+    """Yield the squares with the smallest errors of depth."""
     from scipy.fft import dctn
     from scipy.ndimage import maximum_filter
 
@@ -395,6 +403,7 @@ class _Filters:
         from scipy.fft import idctn
 
         blocks, side, count = len(tile.variance), tile.spectra.shape[1], self._filters.shape[-1]
+        # Filters are given at fewer frequencies than a tile has: linear between them.
         at = np.clip(np.arange(side) * (count / side) - 0.5, 0.0, count - 1.0)
         between = np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(count)))
         energies, noise = np.empty((len(self._filters), blocks, blocks)), np.empty(len(self._filters))
@@ -403,7 +412,9 @@ class _Filters:
             residuals = idctn((filters * tile.spectra).sum(axis=1), axes=(1, 2), norm="ortho")
             energy = (residuals**2).sum(axis=0).reshape(blocks, side // blocks, blocks, -1).mean(axis=(1, 3))
             noise[c] = (filters**2).mean(axis=(2, 3)).sum(axis=0) @ self._white
+            # Expected energy of noise: the mean square of the filters times the variance of each frame.
             energies[c] = self._engine.averaged(energy) / tile.variance - noise[c]
+        # Beyond the ends of the range there may be a lower energy: no misfit is known there.
         best = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
         inner = np.clip(best, 2, len(energies) - 3)
         near = np.stack([np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in range(-2, 3)])
@@ -411,12 +422,13 @@ class _Filters:
 
 
 def _least(near: Array) -> Array:
-    """Return the least, within one candidate, of the quartics through the energies of five; lowest is the third."""
+    """Return the least, within one candidate of the third, of the quartic through five energies."""
     # From one candidate to the next filters are nearly parabolas in the vergence, and energies squares of filters.
     a = np.tensordot(np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True)), near, axes=1)
     place = np.zeros(near.shape[1:])
     for _ in range(_NEWTON):
         slope = a[1] + place * (2.0 * a[2] + place * (3.0 * a[3] + place * 4.0 * a[4]))
         bend = 2.0 * a[2] + place * (6.0 * a[3] + place * 12.0 * a[4])
+        # The clip keeps Newton steps within the interpolation.
         place = np.clip(place - slope / np.maximum(bend, 1e-30), -1.0, 1.0)
     return np.asarray(a[0] + place * (a[1] + place * (a[2] + place * (a[3] + place * a[4]))))

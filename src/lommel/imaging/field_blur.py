@@ -138,10 +138,12 @@ class FieldBlur(LinearBlur):
         spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
         spans.append((float(self.defocus.min()), float(self.defocus.max())))
 
+        # Channels with equal spectra share a bank: the windows are by far the largest part of the work.
         @cache
         def made(
             spectrum: tuple[tuple[float, float], ...] | None,
         ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
+            # PSFs a thousand times as exact as the blur, within what double precision holds.
             phase, accuracy = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
             light = self._points(field_map, phase, spectrum, self.pixel, accuracy, settings.threads)
             bank = build_field_bank(light, spans, self.shape, settings, tol)
@@ -211,6 +213,7 @@ class FieldBlur(LinearBlur):
             ("rows", "columns", "defocus"), (made.y, made.x, made.defocus), self.banks[0].axes, strict=True
         ):
             first, last = axis.first, axis.last
+            # A pixel's worth of rounding beyond the nodes is harmless: splines are constant beyond their ends.
             slack = 1e-6 * (last - first) + (1e-3 * self.pixel if name != "defocus" else 1e-9)
             if not (first - slack <= found.min() and found.max() <= last + slack):
                 unit = "rad" if name == "defocus" else self.field_map.unit
@@ -218,14 +221,14 @@ class FieldBlur(LinearBlur):
                     f"crop must be within the blur that it is part of: its {name} span {found.min():.6g} to "
                     f"{found.max():.6g} {unit}, and those {first:.6g} to {last:.6g}"
                 )
-        # Channels of one spectrum share a bank.
+        # Channels with one spectrum share a bank.
         parts = {id(bank): made._made(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
         made._parts = tuple(parts[id(bank)] for bank in self.banks)
         return made
 
     @property
     def _points(self) -> type[PointLight]:
-        """What computes the PSF of points."""
+        """Class that computes the PSFs of points."""
         return PointLight
 
     def window(self, row: int, column: int, channel: int = 0) -> Array:
@@ -249,7 +252,7 @@ class FieldBlur(LinearBlur):
         )
 
     def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
-        """Return y of the rows and x of the columns in the field."""
+        """Return the positions of rows (y) and columns (x) in the field."""
         unit = self.field_map.unit
         axis = [0.5 * (side - 1) for side in self.shape] if center is None else validation.position("center", center)
         pitch = [self.pixel] * 2
@@ -271,7 +274,7 @@ class FieldBlur(LinearBlur):
         return y, x
 
     def _reached(self, x: Array, y: Array) -> None:
-        """Raise ValueError for positions beyond the map."""
+        """Raise ValueError for positions outside of the map."""
         self.field_map.pupil(x, y)
 
     def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
@@ -280,6 +283,7 @@ class FieldBlur(LinearBlur):
             missing = "lens" if lens is None else "depth"
             raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
         if lens is None or depth is None:
+            # A view of one number: no depth means no defocus anywhere.
             return np.broadcast_to(0.0, self.shape)
         require_lens(lens, "field_map, shape, pixel, and depth= and lens=")
         distances = require_depth(depth)
@@ -296,7 +300,9 @@ class FieldBlur(LinearBlur):
         made = partial(MixedBlur, border=self.border, threads=self.threads)
         focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
         near: WindowBlur | MixedBlur | None = None
+        # Small windows are mixed for each point directly; of larger ones transforms are faster.
         if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
+            # ArithmeticError: parabolas in place of the splines would need too many tiles.
             with suppress(ArithmeticError):
                 near = WindowBlur(
                     bank.coefficients, bank.axes, self.y, self.x, self.defocus,
@@ -305,6 +311,7 @@ class FieldBlur(LinearBlur):
         near = near or made(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
             return (near,)
+        # All light: each point sends what its own window does not hold through the common kernel.
         held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
         inside = [down @ plane @ across.T for plane in np.moveaxis(held, 2, 0)]
         beyond = 1.0 - sum(share * inside[node] for node, share in focus.shares(self.defocus))
@@ -314,12 +321,12 @@ class FieldBlur(LinearBlur):
 
 
 _KEPT = 2**29  # bytes of spectra that are kept, 512 MiB
-_LONGEST = 512  # side of a transform, where windows do not make it longer
+_LONGEST = 512  # longest transform, unless windows are longer
 _OVERHEAD = 20_000  # of a block, in samples of a transform
 
 
 class Block(NamedTuple):
-    """Some of the points that spread light, and the nodes whose windows they mix."""
+    """A block of points that spread light, and the nodes whose windows they mix."""
 
     rows: slice
     columns: slice
@@ -349,9 +356,9 @@ class MixedBlur:
         share: Values | float = 1.0,
     ) -> None:
         self.windows, self.focus, self.defocus, self.threads, self.share = windows, focus, defocus, threads, share
-        self.beyond = windows.shape[-1] - 1  # rows and columns that a block spreads beyond its own
+        self.beyond = windows.shape[-1] - 1  # rows and columns by which a block spreads light beyond itself
         margin = 0 if border == "zero" else self.beyond // 2
-        self.before = margin + self.beyond // 2  # the first pixel of the image, in what blocks make
+        self.before = margin + self.beyond // 2  # index of the image's first pixel in the padded result
         self.rows, self.columns = (copies(len(part), margin, border) for part in weights)
         self.down, self.across = weights[0][self.rows], weights[1][self.columns]
         self.down, self.across = (part.astype(windows.dtype) for part in (self.down, self.across))
@@ -365,6 +372,7 @@ class MixedBlur:
     def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         light = (self.share * plane)[self.rows[:, None], self.columns]
+        # Blocks overlap by the size of a window: their results are added (overlap-add).
         room = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
 
         def made(block: Block) -> Values:
@@ -378,6 +386,7 @@ class MixedBlur:
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
+        # Transposed: each block reads what its light would reach (overlap-save).
         room = np.pad(plane, self.before)
         taken = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
@@ -396,12 +405,12 @@ class MixedBlur:
             yield from zip(blocks, side_by_side(made, blocks, self.threads), strict=True)
 
     def _reached(self, block: Block) -> tuple[slice, slice]:
-        """Return the rows and columns that the light of a block reaches."""
+        """Return the rows and columns reached by the light of a block."""
         rows, columns = (slice(part.start, part.stop + self.beyond) for part in (block.rows, block.columns))
         return rows, columns
 
     def _shares(self, block: Block) -> list[tuple[int, Values]]:
-        """Return nodes over defocus, and the weight of each for the points of a block."""
+        """Return nodes over defocus, and their weights for the points of a block."""
         places = self.defocus[self.rows[block.rows][:, None], self.columns[block.columns]]
         return [(node, share.astype(self.windows.dtype)) for node, share in self.focus.shares(places)]
 
@@ -410,9 +419,11 @@ class MixedBlur:
         from scipy.fft import fft, rfft
 
         down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
+        # Rows are transformed once for each node across; weights down the image multiply the result.
         lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
         spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
+        # Sum over nodes before the inverse transform, which is linear: one transform back for all of them.
         spectra *= self._of(block, node)
         return np.asarray(spectra.sum(axis=(0, 1)))
 
@@ -444,7 +455,7 @@ class MixedBlur:
         return self._spectra[block.down, block.across, node]
 
     def _transformed(self, images: Values) -> Values:
-        """Return the transforms of images, smaller than these, without those of rows beyond them."""
+        """Return the transforms of small images, padded to the sides of a block."""
         from scipy.fft import fft, rfft
 
         lines = rfft(images, n=self.sides[1], axis=-1)
@@ -452,11 +463,12 @@ class MixedBlur:
 
 
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
-    """Return sides of the transforms, rows and columns, that make the work least."""
+    """Return the sides of transforms, rows and columns, that minimise the work."""
     rows, columns = (_candidates(points, window) for points, _ in (down, across))
     best = (math.inf, (0, 0))
     for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
         for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
+            # Blocks shorter than the image mix fewer nodes, at least the four of a cubic spline.
             each = 2.0 + math.prod(
                 min(count, 4.0 + block * (count - 1) / points)
                 for block, (points, count) in ((by, down), (bx, across))
@@ -466,7 +478,7 @@ def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple
 
 
 def _candidates(points: int, window: int) -> list[tuple[int, int]]:
-    """Return sides of transforms that are fast, and how many points each leaves to a block."""
+    """Return fast lengths of transforms, and the number of points that each leaves to a block."""
     from scipy.fft import next_fast_len
 
     most = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
@@ -479,7 +491,7 @@ def _candidates(points: int, window: int) -> list[tuple[int, int]]:
 
 
 def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
-    """Return parts of the points, and of the nodes that have weight there."""
+    """Return parts of the points, and the nodes with weights there."""
     parts = []
     count = math.ceil(len(weights) / length)
     edges = [round(k * len(weights) / count) for k in range(count + 1)]
@@ -489,22 +501,22 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
     return parts
 
 
-_BEYOND = 2.5  # times the window: as far the far light is known pixel by pixel, at least
-_ELSEWHERE = 1.2  # times what is off at places that were looked at, for those that were not
+_BEYOND = 2.5  # sides of the table of far light, over those of the windows
+_ELSEWHERE = 1.2  # factor on errors at the places that were checked, for all others
 
 
 @dataclass(frozen=True)
 class FarLight:
-    """The light that points spread beyond their windows, all alike but for its share."""
+    """Light that points spread beyond their windows: one kernel for all, times a share."""
 
-    kernel: Array  # the mean over the field; 0 where the window is, of the sum 1
+    kernel: Array  # mean over the field, of sum 1; 0 within the window
     half: int  # pixels from the middle of the windows to their edges
-    error: float  # largest sum of absolute differences to the light of points, with room for points not looked at
-    lost: float  # largest share of light beyond the kernel, which is within it instead
+    error: float  # largest sum of absolute differences to the light of points, with a reserve for points not checked
+    lost: float  # largest share of light beyond the kernel, which is placed within it
 
 
 def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
-    """Return the smallest windows beyond which all points spread their light alike to `tol`, and that light."""
+    """Return the smallest windows beyond which all points spread light alike to `tol`, and that light."""
     places = overview(spans)
     half = 8
     while True:
@@ -519,12 +531,12 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
                 f"allow larger windows than largest={largest}, ask for a larger tol, or for less light (energy=)"
             )
         half *= 2
-    # The smaller the window, the more there is to be off.
+    # The error grows as windows shrink: bisection for the smallest.
     half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _off(windows, smaller) <= tol)
     error, tails = _off(windows, half), windows.copy()
     tails[:, reach - half : reach + half + 1, reach - half : reach + half + 1] = 0.0
     beyond = 1.0 - windows.sum(axis=(1, 2))
-    # The share beyond a square falls as one over its side, which that of one over r^3 does.
+    # Diffraction at edges falls as r^-3, so that the light beyond a square falls as 1 over its side.
     enough = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
     side = max(reach, min(farthest, enough))
     kernel = np.pad(tails.sum(axis=0), side - reach)
@@ -534,12 +546,13 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
         ring[side - reach : side + reach + 1, side - reach : side + reach + 1] = np.inf
         ring = ring**-3.0
         kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (side + 0.5)) / ring.sum())
+    # The same law for what even the kernel leaves out.
     lost = float(beyond.max()) * (reach + 0.5) / (side + 0.5)
     return FarLight(kernel / kernel.sum(), half, error, lost)
 
 
 def _off(windows: Array, half: int) -> float:
-    """Return the largest sum of absolute differences between tails and their mean, scaled, with room for others."""
+    """Return the largest sum of absolute differences between tails and their scaled mean, with a reserve."""
     reach = windows.shape[-1] // 2
     inner = slice(reach - half, reach + half + 1)
     outside = np.ones(windows.shape[1:], dtype=np.bool_)
@@ -551,11 +564,11 @@ def _off(windows: Array, half: int) -> float:
 
 
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_CHECKED = 1500  # places half-way between nodes that are looked at, where there are more
-_FINE = 3e-4  # tolerances below which splines of degree 5 are quicker than cubic ones
-_SHARES = (0.9, 1.2, 1.4)  # of the tolerance that one, two, three axes have together: they err at different places
-_PARABOLAS = 0.03  # of the tolerance for parabolas in place of splines
-_FAR = 0.4  # of the tolerance for the light beyond the windows, where that counts
+_CHECKED = 1500  # most places half-way between nodes that are checked
+_FINE = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
+_SHARES = (0.9, 1.2, 1.4)  # of the tolerance, for 1, 2, 3 axes together: their errors peak at different places
+_PARABOLAS = 0.03  # of the tolerance, for parabolas in place of splines
+_FAR = 0.4  # of the tolerance, for the light beyond the windows, if it counts
 
 
 @dataclass(frozen=True)
@@ -625,7 +638,7 @@ def build_field_bank(
         _require_few(axes, side, tol)
         windows = light.windows(lattice([nodes.places for nodes in axes]), half)
         held = windows.sum(axis=(1, 2))
-        if far is None and held.min() < energy:  # between the places that were looked at
+        if far is None and held.min() < energy:  # between the places of the first estimate
             if half == largest:
                 raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, held)
             half = min(largest, math.ceil(1.05 * half) + 1)
@@ -640,14 +653,15 @@ def build_field_bank(
             lost = 1.0 - min(float(held.min()), least) if far is None else far.lost
             return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + beyond)
         degree = axes[0].degree
+        # The error of a spline of degree d falls as the (d + 1)th power of the spacing; aim a tenth below.
         times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
-        # Where nodes that are closer do not help, axes of a single one may need more.
+        # If closer nodes do not help, axes with a single node may need more.
         single, before = error > 0.9 * before, error
         axes = _finer(axes, times, single=single)
 
 
 def _finer(axes: Sequence[Nodes], times: float, *, single: bool) -> tuple[Nodes, ...]:
-    """Return axes with so many times as many nodes, those of a `single` one included or not."""
+    """Return axes with `times` as many nodes, those with a `single` node included or not."""
     return tuple(
         nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes for nodes in axes
     )
@@ -672,13 +686,14 @@ def _error_between(
     Windows are divided by their light if they stand for the `whole` of it.
     """
     places = lattice([nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes])
+    # A fixed seed: the same blur twice has the same error.
     if len(places) > _CHECKED:
         places = places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
     exact = light.windows(places, coefficients.shape[-1] // 2)
     held = exact.sum(axis=(1, 2))
     if whole:
         exact /= held[:, None, None]
-    error = UNEVEN * max(  # what a window holds too much, the far light lacks
+    error = UNEVEN * max(  # excess light of a window is missing in the far light: it counts twice
         off(made, one) + abs(float((made - one).sum()))
         for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
     )
@@ -686,8 +701,8 @@ def _error_between(
 
 
 def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:
-    """Return nodes that are close enough along lines through the spans."""
-    # Fewer nodes, of which more count at each place: worth it where there are many.
+    """Return nodes that are dense enough along lines through the spans."""
+    # Degree 5: fewer nodes, of which more count at each place, which pays where there are many.
     degree = 5 if tol < _FINE or spans[2][0] < spans[2][1] else 3
     many = max(1, sum(first != last for first, last in spans))
     share = _SHARES[many - 1] * tol / many
@@ -714,7 +729,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
 
 
 def _mixed(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterator[Array]:
-    """Yield the windows that splines make at places, shape (n, 3)."""
+    """Yield the windows of splines at places, shape (n, 3)."""
     weights = [nodes.weights(along) for nodes, along in zip(axes, places.T, strict=True)]
     for parts in zip(*weights, strict=True):
         used = [np.flatnonzero(share) for share in parts]
@@ -724,9 +739,9 @@ def _mixed(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterat
         yield found.astype(np.float64, copy=False)
 
 
-CORE = 0.9  # share of the light whose changes decide how close nodes must be
+CORE = 0.9  # share of the light whose changes determine the density of nodes
 
-_AT_ONCE = 2**24  # values that are computed at once
+_AT_ONCE = 2**24  # values computed at a time
 
 Span = tuple[float, float]
 
@@ -748,7 +763,7 @@ class PointLight:
         return pupil if self.phase is None else pupil.carrying(pupil.wavefront + self.phase(defocus), None)
 
     def windows(self, places: Array, half: int) -> Array:
-        """Return the share of light in each pixel of windows (n, side, side) of points at y, x and C_d (n, 3)."""
+        """Return the share of light in each pixel of windows (n, side, side), for points at y, x and C_d (n, 3)."""
         side = 2 * half + 1
         out = np.zeros((len(places), side, side))
         step = max(1, _AT_ONCE // side**2)
@@ -773,6 +788,7 @@ class PointLight:
                 return _smallest(windows, energy), _smallest(windows, min(energy, CORE))
             if half == largest:
                 raise self.too_large(places, energy, largest, held)
+            # Thirty per cent larger each time: a few windows more are cheaper than one far too large.
             half = math.ceil(1.3 * half) + 1
 
     def too_large(self, places: Array, energy: float, largest: int, held: Array) -> ValueError:
@@ -804,15 +820,15 @@ def _smallest(windows: Array, energy: float) -> int:
 
 MOST = 513  # most nodes along one axis
 
-UNEVEN = 1.2  # a spline errs most half-way between nodes, or, near the ends, by at most so much more elsewhere
+UNEVEN = 1.2  # largest error of a spline over that half-way between nodes, which occurs near the ends
 
-# Distances near the ends over those elsewhere, by the degree: splines err by five times as much there without.
+# Distances near the ends over those elsewhere, by degree: splines would err five times as much there otherwise.
 _ENDS = {3: (0.5, 0.8), 5: (0.35, 0.6, 0.8)}
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """Places along an axis, closer at its ends, and the not-a-knot splines through values at them."""
+    """Nodes along an axis, denser at its ends, and not-a-knot splines through values at them."""
 
     first: float
     last: float
@@ -821,17 +837,17 @@ class Nodes:
 
     @property
     def places(self) -> Array:
-        """Where the nodes are, shape (count,)."""
+        """Positions of the nodes, shape (count,)."""
         return np.asarray(self.first + (self.last - self.first) * self._along)
 
     @property
     def between(self) -> Array:
-        """The places half-way, shape (count - 1,)."""
+        """Positions half-way between nodes, shape (count - 1,)."""
         return np.asarray(0.5 * (self.places[1:] + self.places[:-1]))
 
     @cached_property
     def _along(self) -> Array:
-        """Where the nodes are, from 0 to 1."""
+        """Positions of the nodes on [0, 1]."""
         cells, closer = np.ones(max(0, self.count - 1)), _ENDS[self.degree]
         if len(cells) > 2 * len(closer):
             cells[: len(closer)] = closer
@@ -841,7 +857,7 @@ class Nodes:
 
     @cached_property
     def _spline(self) -> Any:
-        """Splines that are 1 at one node and 0 at all others."""
+        """Cardinal splines: 1 at one node and 0 at all others."""
         from scipy.interpolate import make_interp_spline
 
         return make_interp_spline(self._along, np.eye(self.count), k=min(self.degree, self.count - 1))
@@ -858,12 +874,13 @@ class Nodes:
         return np.moveaxis(np.tensordot(self._spline.c, values, axes=(1, axis)), 0, axis)
 
     def weights(self, places: Array) -> Array:
-        """Return the weight of each coefficient at places (n,), shape (n, count); beyond the ends that there."""
+        """Return the weight of each coefficient at places (n,), shape (n, count), constant beyond the ends."""
         return np.ones((len(places), 1)) if self.count == 1 else np.asarray(self._matrix(places).toarray())
 
     def shares(self, places: Array) -> list[tuple[int, Array]]:
-        """Return the columns of :meth:`weights` that are not 0, each with its number, as places; of one node 1."""
+        """Return the nodes with weights that are not 0, and these, in the shape of places; 1 for a single node."""
         if self.count == 1:
+            # By columns of the sparse matrix: few nodes have weight at any place.
             return [(0, np.ones(()))]
         matrix, found = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
@@ -881,7 +898,7 @@ class Nodes:
         return BSpline.design_matrix(along, self._spline.t, self._spline.k)
 
     def finer(self, times: float) -> Nodes:
-        """Return nodes whose distances are so many times smaller, and at least one more of them."""
+        """Return nodes `times` as dense, and at least one more."""
         cells = max(1, self.count - 1)
         return replace(self, count=max(self.count, math.ceil(cells * times)) + 1)
 
@@ -892,7 +909,7 @@ def off(one: Values, other: Values) -> float:
 
 
 def enough(sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3) -> Nodes | None:
-    """Return nodes whose splines err by no more than `tol` on ``sample(places)``, or None if it takes too many."""
+    """Return nodes whose splines err by at most `tol` on ``sample(places)``, None if that takes too many."""
     if first == last:
         return Nodes(first, first, 1, degree)
     nodes = Nodes(first, last, 3, degree)
@@ -901,7 +918,7 @@ def enough(sample: Callable[[Array], Array], first: float, last: float, tol: flo
         return replace(nodes, count=1)
 
     def over(nodes: Nodes) -> float:
-        """Return how far from close enough nodes are, over their distance."""
+        """Return the factor by which the spacing of nodes exceeds the sufficient one."""
         made = interpolated(nodes, sample(nodes.places), nodes.between)
         # The error falls by 2^(degree + 1) where nodes are twice as close.
         return float((UNEVEN * off(made, sample(nodes.between)) / tol) ** (1.0 / (degree + 1)))
@@ -910,7 +927,7 @@ def enough(sample: Callable[[Array], Array], first: float, last: float, tol: flo
         nodes = replace(nodes, count=2 * nodes.count - 1)
         if nodes.count > MOST:
             return None
-    # They need not be closer than enough.
+    # Doubling overshoots: nodes are thinned out to what suffices.
     fewer = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
     while fewer.count < nodes.count and (ratio := over(fewer)) > 1.0:
         fewer = replace(fewer, count=max(fewer.count + 1, math.ceil((fewer.count - 1) * ratio) + 1))

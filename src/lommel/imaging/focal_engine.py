@@ -28,7 +28,7 @@ MAGNIFICATIONS = ("registered", "lens")
 
 
 def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
-    """Return stated exposures over the first; TypeError or ValueError unless they are `count` numbers above 0."""
+    """Return exposures over the first; TypeError or ValueError unless they are `count` numbers above 0."""
     values = validation.real_array("exposures", given, least=1e-6, most=1e6)
     if values.shape != (count,):
         raise ValueError(f"exposures must be {count} numbers > 0, one for each lens, got {validation.shown(given)}")
@@ -56,6 +56,7 @@ class Registration:
     def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
         self.scales = (1.0,) * len(lenses)
         if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+            # The image of a direction is as large as the sensor is distant from the pupil.
             self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)
         self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in self.scales]
         self._made = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
@@ -65,7 +66,7 @@ class Registration:
         return any(self._scales)
 
     def __call__(self, frames: list[Frame], full: float, known: NDArray[np.uint8] | None) -> list[Frame]:
-        """Return frames, in arrays that the next call overwrites; NaN is what depends on unknown pixels."""
+        """Return frames, in arrays that the next call overwrites; NaN where they depend on unknown pixels."""
         made = list(frames)
         for k, (scale, out) in enumerate(zip(self._scales, self._made, strict=True)):
             if scale is not None and out is not None:
@@ -125,7 +126,7 @@ class FrameForm:
         return self._known is not None
 
     def checked(self, name: str, frame: Frame) -> Frame:
-        """Return a frame as the core takes it."""
+        """Return a frame as the C++ core expects it."""
         if not isinstance(frame, np.ndarray):
             raise TypeError(f"{name} must be an ndarray, got {validation.shown(frame)}")
         validation.refuse_masked(name, frame)
@@ -138,14 +139,15 @@ class FrameForm:
         raise TypeError(f"{name} must be of uint8, uint16 or floats, got {frame.dtype}")
 
     def full(self, dtype: DType) -> float:
-        """Return the value from which on pixels are full."""
+        """Return the value at which pixels are saturated."""
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 
     def known(self, frames: Sequence[Frame], full: float, given: ArrayLike | None) -> NDArray[np.uint8] | None:
-        """Return what is known of the sensor and, in all channels and by their own mask, of frames; None for all."""
+        """Return the known pixels of the sensor and of frames, in all channels and by mask; None if all are."""
         masks = [] if self._known is None else [self._known]
         if given is not None:
             masks.append(self._mask(given))
+        # A channel at saturation makes the depth of its pixel unknown in all channels.
         if self.channels > 1:
             for frame in frames:
                 with np.errstate(invalid="ignore"):
@@ -161,7 +163,7 @@ class FrameForm:
         return np.ascontiguousarray(mask).view(np.uint8)
 
     def image(self, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
-        """Return where an image is written to; ValueError unless `out` is as a frame, of float32."""
+        """Return the array an image is written to; ValueError unless `out` is a frame of float32."""
         if out is None:
             return np.empty(self.shape, dtype=np.float32)
         if out.shape != self.shape or out.dtype != np.float32 or not out.flags.c_contiguous:
@@ -175,20 +177,20 @@ BLOCK = 4
 CONTRAST = 0.2
 """Of the texture that filters are designed for: the rms over the mean of structures of 2 to 128 pixels."""
 
-_USUAL = 61  # candidates
+_USUAL = 61  # least number of candidates by default
 _STEP, _LARGEST_STEP = 0.75, 2.0  # radians of defocus from one candidate to the next
-_EDGE = 0.3  # or pixels that the edge of the blur moves by, where that is more
-_MOST_RANK = 48
-_KNOWN = 0.17  # of the range of vergence: depths of a larger standard error are not known
+_EDGE = 0.3  # or pixels of movement of the blur's edge, where that is more
+_MOST_RANK = 48  # largest number of images whose products make energies
+_KNOWN = 0.17  # of the range of vergence: largest standard error of a known depth
 _MARGIN = 0.02  # of the range, by which the vergence of what is known may lie beyond it
-_CHANGE = 0.01  # of f-numbers, and of candidates, for derivatives
-_SOME = 15  # candidates, between which that is interpolated
-_FOCI = 5  # that images of other foci have their basis from
-_MOST_WEIGHTS = 30
+_CHANGE = 0.01  # relative change of f-numbers, and of candidates, for derivatives
+_SOME = 15  # candidates at which these derivatives are computed
+_FOCI = 5  # foci that the basis of refocused images is made from
+_MOST_WEIGHTS = 30  # largest number of weights on a side of a window
 
 
 class FocalTask(NamedTuple):
-    """Frames, and what is asked of them: of `block` pixels a side, so many depths along either axis of each."""
+    """Frames and the request for depths: blocks of `block` pixels a side, with `fine` depths along either axis."""
 
     lenses: Sequence[Lens]
     vergence: Array
@@ -200,7 +202,7 @@ class FocalTask(NamedTuple):
     fine: int
     threads: int
     transfer: Transfer = transfer_curve
-    scales: tuple[float, ...] = ()  # of frames that are resampled: their pitches since, in pixels
+    scales: tuple[float, ...] = ()  # pixel pitches of resampled frames, in pixels
 
     def model(
         self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None
@@ -282,18 +284,18 @@ class FocalEngine:
 
     @property
     def rank(self) -> int:
-        """Images whose products make all energies of a channel."""
+        """Number of images whose products make all energies of a channel."""
         return max(one.rank for one in self.channels)
 
     @property
     def blur(self) -> float:
-        """The farthest that light is spread, pixels."""
+        """Largest radius of the blur, pixels."""
         ends = np.asarray(self.task.between)
         return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.task.lenses) / self.task.pixel
 
     @property
     def reach(self) -> int:
-        """How far what a depth depends on may be from its pixel, pixels."""
+        """Distance from a pixel within which its depth depends on the frames, pixels."""
         tables = self.channels[0]
         filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
         return filters + math.ceil(self.blur) + (len(self._weights) + 1) * self.task.block
@@ -303,6 +305,7 @@ class FocalEngine:
         """Largest bias of the filters by themselves within the range, in standard errors of a window."""
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
         found = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
+        # Tables give biases and errors of a pixel; the error of a window of n independent pixels is sqrt(n) less.
         return float(max(found)) * math.sqrt(self._pixels) / self.binning
 
     def by_lenses(self, vergence: Array) -> Array:
@@ -315,7 +318,7 @@ class FocalEngine:
 
     @cached_property
     def _by_lenses(self) -> tuple[Array, Array]:
-        """That of some candidates, (1 + frames, candidates), after the vergence of these."""
+        """Derivatives at some candidates, (1 + frames, candidates), and before them the vergence of these."""
         step, every = self.channels[0].step, self.task.vergence
         at = every[np.linspace(1, len(every) - 2, _SOME).round().astype(int)]
         threes = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
@@ -323,6 +326,7 @@ class FocalEngine:
         closed = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
         other = self.task._replace(vergence=at).model(self.light, 0, self.binning, closed)
         found = [step / _CHANGE * shifts(model, other)]
+        # Central differences: groups of three candidates, one step apart.
         slope, own = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
         for frame in range(len(closed)):
             # The transfer function is that of the difference of the vergence from that in focus, but for 1 - f u.
@@ -333,24 +337,24 @@ class FocalEngine:
 
     @property
     def known(self) -> float:
-        """The largest standard error of vergences that are known, 1 / m."""
+        """Largest standard error of a known vergence, 1 / m."""
         near, far = self.task.between
         return _KNOWN * (1.0 / near - 1.0 / far)
 
     @property
     def of_least(self) -> float:
-        """How far the least of an energy is below that of the true depth, on average."""
+        """Mean amount by which the least of an energy is below that of the true depth."""
         return self.binning**2 / self._pixels
 
     def averaged(self, blocks: Array) -> Array:
-        """Return the means of blocks, (rows, columns), over windows."""
+        """Return means of blocks, (rows, columns), over windows."""
         from scipy.ndimage import correlate1d
 
         along = np.append(self._weights[:0:-1], self._weights)
         return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
 
     def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
-        """Make tables of sharp images, and of other foci; by the filters of the depth if a stream is to be shared."""
+        """Compute tables of sharp images, and of other foci; with the filters of depth if a stream is shared."""
         task, tables = self.task, self.channels[0]
         taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
         near, far = (1.0 / each for each in task.between)
@@ -363,10 +367,11 @@ class FocalEngine:
             self.images.append(SharpTables(model, taps, degree, targets))
 
     def stream(self, shape: tuple[int, int], *, images: bool = False) -> FocalStream:
-        """Return what finds depth in frames of a shape, and makes images of the first channel."""
+        """Return the stream that finds depth in frames of a shape, and makes images of the first channel."""
         tables, rank = self.channels[0], self.rank
         residuals = np.zeros((len(self.channels), rank, *tables.basis.shape[1:]))
         forms = []
+        # Channels have different ranks: all are filled up with zeros to the largest.
         for one, basis in zip(self.channels, residuals, strict=True):
             basis[: one.rank] = one.basis
             forms.append(one.forms(rank))
@@ -378,20 +383,20 @@ class FocalEngine:
         )
 
     def image_stream(self, shape: tuple[int, int], channel: int = 0) -> FocalStream:
-        """Return what makes sharp images of a channel of frames of a shape."""
+        """Return the stream that makes sharp images of a channel of frames of a shape."""
         tables = self.images[channel]
         none = np.zeros((1, 0, *tables.basis.shape[1:]))
         return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
 
     def tables(self, white: float, offset: float, full: float) -> bytes:
-        """Return what cpp/include/lommel/focal/file.hpp reads: tables of one channel, and of sharp images if any."""
+        """Return tables of one channel and of sharp images, as cpp/include/lommel/focal/file.hpp reads them."""
         one, count = self.channels[0], len(self.task.vergence)
         images = self.images[0] if self.images else None
         taps, degree = (one.taps, one.degree) if images is None else (images.taps, images.degree)
         kept = np.zeros((0, *one.basis.shape[1:])) if images is None else images.basis
         mixes = np.zeros((count, 0)) if images is None else self.factors(0, None)
         whole = [
-            0x464D4C4C,
+            0x464D4C4C,  # the letters LLMF, little-endian
             1,
             one.binning,
             self.task.block // one.binning,
@@ -411,9 +416,10 @@ class FocalEngine:
         return np.asarray(whole, "<i4").tobytes() + b"".join(np.asarray(each, "<f4").tobytes() for each in arrays)
 
     def _numbers(self, binning: int) -> tuple[float, ...]:
-        """Return the numbers of a stream."""
+        """Return the scalar parameters of a stream."""
         tables, margin = self.channels[0], _MARGIN * len(self.task.vergence)
         return (
+            # Sums over binning^2 pixels have binning^2 times the variance of reading.
             (self.light.read * binning) ** 2,
             self._pixels / binning**2,
             float(tables.vergence[0]),
@@ -448,7 +454,7 @@ class FocalEngine:
         )
 
     def factors(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
-        """Return what mixes images to a sharp one of a channel, or to that of a lens."""
+        """Return the weights that mix basis images to a sharp one of a channel, or to that of a lens."""
         return self._factors(channel, lens)
 
     def _factors_of(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
@@ -457,19 +463,22 @@ class FocalEngine:
         return np.ascontiguousarray(images.mixes(target), dtype=np.float32)
 
     def _target(self, lens: Lens, spectrum: Spectrum, model: FocalModel) -> Array:
-        """Return what a lens transfers of each candidate."""
+        """Return the transfer function of a lens for each candidate, with that of the pixel."""
         curve = self.task.transfer(lens, self.task.vergence, spectrum, self.task.pixel)
         band = model.band
+        # A square pixel's transfer function, sinc fx sinc fy, with frequencies in cycles a pixel.
         return np.asarray(curve(np.hypot(band.fx, band.fy)) * (np.sinc(band.fx) * np.sinc(band.fy)))
 
 
 def block_weights(window: float, block: int) -> tuple[Array, float]:
-    """Return weights of blocks, from the middle on, for a window of an rms width, and its independent pixels."""
+    """Return block weights from the middle on, for a window of an rms width in pixels, and its independent pixels."""
+    # The variance of a block's own width, side^2 / 12, is part of the window's.
     rms = math.sqrt(max(window**2 - block**2 / 12.0, 0.04)) / block
     away = np.arange(min(math.ceil(2.0 * rms), _MOST_WEIGHTS) + 1)
     weights = np.exp(-0.5 * (away / rms) ** 2)
     weights /= weights[0] + 2.0 * weights[1:].sum()
     along = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block
+    # Independent pixels of weights w: (sum w)^2 / sum w^2, along each axis.
     return weights, 1.0 / along**2
 
 
@@ -478,7 +487,7 @@ def _single(values: ArrayLike) -> NDArray[np.float32]:
 
 
 def processors() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of processors this process may use."""
     import os
 
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -26,13 +26,13 @@ from lommel.imaging.deconvolution import (
 from lommel.imaging.linear import Made, PlaneOperator, Take
 from lommel.imaging.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
-_EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
-_MOST_AHEAD = 4.0  # times the light of a step, to which it is extrapolated
-_DIM = 0.01  # of the mean light: a specimen that starts so dim leaves to the background what is flat
+_EVERY = 2  # stride along each axis of the voxels that determine the extrapolation
+_MOST_AHEAD = 4.0  # largest factor by which a step is extrapolated
+_DIM = 0.01  # of the mean light: start of a specimen whose flat part is left to the background
 
 
 class Background(NamedTuple):
-    """Light beside that of the specimen: a known level, or None for one to estimate, at so many by so many points."""
+    """Light besides that of the specimen: a known level, or None to estimate it at `points` by `points` places."""
 
     level: float | None
     points: int = 1
@@ -42,7 +42,7 @@ _NONE = Background(0.0)
 
 
 class Move(NamedTuple):
-    """How far a step is extrapolated, levels of the background, and the weight of the total variation."""
+    """Extrapolation of a step, levels of the background, and the weight of the total variation."""
 
     pace: float
     background: Array
@@ -50,26 +50,26 @@ class Move(NamedTuple):
 
 
 class State(NamedTuple):
-    """Light of a specimen, and, of each plane, of what is beyond its margin; None where an iteration begins flat."""
+    """Light of a specimen, and of each plane beyond its margin; None where an iteration begins flat."""
 
     light: Values | None = None
     outside: Values | None = None
 
     def less(self, level: float) -> State:
-        """Return the state with so much less light everywhere."""
+        """Return the state with `level` less light everywhere."""
         light, outside = (None if each is None else each - np.float32(level) for each in self)
         return State(light, outside)
 
 
 class Iteration:
-    """Steps of Richardson and Lucy, with no more memory than twice the specimen and once the recording.
+    """Richardson-Lucy steps with memory for twice the specimen and once the recording.
 
-    The `background`, light of each voxel beside that of the specimen, is estimated with it where it is unknown: the
-    specimen starts with next to nothing. A flat specimen and a background have the same
-    image, and as steps multiply, what is flat goes to what is bright from the start.
+    An unknown `background` (light of each voxel besides that of the specimen) is estimated along. A flat specimen
+    and a background have the same image; as steps multiply, flat light goes to what starts bright. So the specimen
+    starts with next to nothing.
 
-    An iteration with the `course` of another part of the same stack takes as many steps as that, each extrapolated
-    as far and with the same background, if that has one level.
+    With the `course` of another part of the same stack as many steps are taken, with the same extrapolations and,
+    if it has one level, the same background.
     """
 
     def __init__(
@@ -87,8 +87,9 @@ class Iteration:
         start = np.maximum(counted.start - level, least) if level is not None else np.asarray(least)
         self._like = self._given is not None and background.points == 1
         if level is None:
-            # What is flat needs no specimen.
+            # A flat recording needs no specimen: the background takes all of it.
             counted.background = 0.0
+            # Otherwise it starts from the darkest parts, which hold little else.
             dark = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
             level = max(min(dark, counted.level - least), counted.smallest)
         self._background = np.full((background.points, background.points), level)
@@ -100,33 +101,33 @@ class Iteration:
         self._before: Values | None = None
         self._misfit = np.empty(blur.shape, dtype=counted.dtype)
         blur.weigh(counted.most_weight)
-        # Of the specimen beyond its margin, if the blur has any.
+        # Light of the specimen beyond its margin, if the blur has any.
         self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=counted.dtype)
         self._outside_before = self._outside
         self._pace = 0.0
         self._strength = 0.0
-        self.strength: float | None = None  # of the total variation, that was found
+        self.strength: float | None = None  # estimated weight of the total variation
         self._earlier = np.zeros([-(-side // _EVERY) for side in blur.whole], dtype=counted.dtype)
         self.course: list[Move] = []
         self._of_specimen: list[float] = []
         self.discrepancies = np.full(len(counted.known), np.inf)
-        self.enough: Callable[[int, float], bool] | None = None  # whether a step and its discrepancy are
+        self.enough: Callable[[int, float], bool] | None = None  # further criterion to stop: step and discrepancy
 
     @property
     def state(self) -> State:
-        """A copy of the light, extrapolated, from which another iteration may start."""
+        """Copy of the extrapolated light, from which another iteration may start."""
         ahead = self._light if self._before is None else self._before
         return State(ahead.copy(), None if self._blur.outside is None else self._blur.outside.copy())
 
     def start_from(self, state: State) -> None:
-        """Start from the light of another iteration, where there is some."""
+        """Start from the light of another iteration, if there is any."""
         if state.light is not None:
             self._light = at_least(state.light, self._counted.smallest)
         if state.outside is not None:
             self._outside = self._outside_before = np.maximum(state.outside, self._counted.smallest)
 
     def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
-        """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
+        """Iterate until a stopping rule applies; return the number of steps, the reason and the discrepancies."""
         assert isinstance(method, RichardsonLucy)
         if self._given is not None:
             method = replace(method, steps=max(len(self._given), 1), target=0.0)
@@ -135,6 +136,7 @@ class Iteration:
         while True:
             found = self._look(rule.pace)
             stopped = rule.judge(found)
+            # A background explains a nearly empty stack before its specimen is there: that must fit, too.
             if self._estimated and stopped in (None, NOISE) and rule.steps < method.steps:
                 stopped = NOISE if self._explained(found, method.target) else None
             if stopped is None and self.enough is not None and self.enough(rule.steps, found):
@@ -145,12 +147,12 @@ class Iteration:
             overlap = self._step()
             if method.accelerate and rule.steps > 0:
                 rule.extrapolate_by(size, overlap)
-                if found > last:  # too far: it goes on from a plain step
+                if found > last:  # extrapolated too far: continue with a plain step
                     rule.pace = 0.0
             last = found
 
     def _look(self, pace: float) -> float:
-        """Extrapolate the last step, and return the discrepancy of that."""
+        """Extrapolate the last step, and return the discrepancy of the result."""
         move = Move(pace, self._levels, self._strength)
         if self._given:
             move = self._given[min(len(self.course), len(self._given) - 1)]
@@ -162,23 +164,22 @@ class Iteration:
         return self._counted.mean(self.discrepancies)
 
     def _explained(self, discrepancy: float, target: float) -> bool:
-        """Return whether all agrees with its noise, and what the specimen lights does or hardly changes any more.
-
-        That is little of a stack that is mostly background, which may agree with its noise long before.
-        """
+        """Return whether all agrees with its noise, and the light of the specimen does or hardly changes any more."""
+        # A stack that is mostly background may agree with its noise long before its specimen does.
         most = max(target, 1.0 + self._counted.slack) if target >= 1.0 else target
         found, slack = self._of_specimen, self._counted.of_specimen[1]
         if target == 0.0 or discrepancy > most:
             return False
+        # Compared with half as many steps: a slow improvement is not mistaken for none.
         return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
 
     def guess(self, plane: int, rows: slice, columns: slice) -> Values:
-        """Return the light, extrapolated."""
+        """Return the extrapolated light."""
         ahead = self._light if self._before is None else self._before
         return ahead[plane, rows, columns]
 
     def _extrapolate(self, levels: Array) -> None:
-        """Replace the light of the step before by what is expected of the next one."""
+        """Replace the light of the previous step by the extrapolation to the next."""
         pace, least = self._pace, self._counted.smallest
         if self._outside is not None and self._outside_before is not None:
             self._blur.outside = np.maximum(_ahead(self._outside, self._outside_before, pace), least)
@@ -195,13 +196,13 @@ class Iteration:
             at_least(_ahead(light, before, pace, out=before), least)
 
     def _step(self) -> float:
-        """Take a step, replace some of the earlier change by its own, and return the product of the two."""
+        """Take a step, update the sampled change, and return the product of this change and the one before."""
         following = np.empty_like(self._light) if self._before is None else self._before
         least = self._counted.smallest
 
         def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
             guess = self.guess(plane, rows, columns)
-            # What no voxel of the recording sees stays as it is.
+            # Light that no voxel of the recording sees stays as it is: per_seen is 0 there.
             found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
             found += 1.0
             found *= guess
@@ -215,7 +216,7 @@ class Iteration:
         return overlap
 
     def _returned(self, take: Take[Made]) -> list[Made]:
-        """Hand what the light should change by to `take`, and change what is beside it."""
+        """Pass the correction of the light to `take`, and update background and outside light."""
         misfit, least = self._misfit, self._counted.smallest
         if self._estimated:
             means = self._counted.means(misfit, len(self._levels))
@@ -229,7 +230,7 @@ class Iteration:
         return made
 
     def _moved(self, plane: int, rows: slice, columns: slice, found: Values, guess: Values) -> float:
-        """Replace some of the earlier change by that of a part, and return the product of the two."""
+        """Replace the sampled change of a part by the new one, and return their product."""
         if plane % _EVERY:
             return 0.0
         first = -rows.start % _EVERY, -columns.start % _EVERY
@@ -242,7 +243,7 @@ class Iteration:
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:
-        """Return the light within these margins; ends the iteration."""
+        """Return the light without margins; ends the iteration."""
         self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
@@ -253,20 +254,21 @@ class Iteration:
 
 
 def _ahead(light: Any, before: Any, pace: float, out: Any = None) -> Any:
-    """Return positive light as far beyond that of the step before as the pace says, by a ratio: none ends at 0.
+    """Return light extrapolated beyond that of the step before, by a ratio, so that it stays positive.
 
-    A power of the ratio would do as well, and is slower than the harmonic mean of the ratio and 1.
+    The harmonic mean of the ratio and 1 stands for a power of the ratio, which would be slower.
     """
     made = np.multiply(before, pace, out=out)
     made += (1.0 - pace) * light
     made = np.divide(light, made, out=out)
+    # A row of limits: NumPy compares two arrays much faster than an array and a number here (see `at_least`).
     made = np.minimum(made, np.full(np.shape(made)[-1:], _MOST_AHEAD, np.asarray(made).dtype), out=out)
     made *= light
     return made
 
 
 _ROUND = 0.01  # of the mean light, over which the edge of the total variation is rounded
-_STEPS_BETWEEN, _SETTLED = 20, 1e-3  # steps, and the change of the objective over these, relative to the likelihood
+_STEPS_BETWEEN, _SETTLED = 20, 1e-3  # steps between tests for convergence, and the relative change that ends them
 
 
 class VariationIteration(Iteration):

@@ -130,7 +130,7 @@ class LinearBlur(ABC):
         return np.moveaxis(made.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
-        """Return the image made by `make`, of channel and plane, from an `image`; ValueError if misshapen."""
+        """Return the image whose planes `make` returns for each channel and plane; ValueError for another shape."""
         validation.function("make", make)
         out = np.empty((*self.shape, self.channels), dtype=self.dtype)
         for channel, plane in enumerate(self.planes(image)):
@@ -142,27 +142,27 @@ class LinearBlur(ABC):
 
 
 Plane = tuple[slice, slice]
-"""Rows and columns of part of a plane."""
+"""Rows and columns of a part of a plane."""
 Made = TypeVar("Made")
 Made_co = TypeVar("Made_co", covariant=True)
 
 
 class Part(Protocol):
-    """The values of part of a plane."""
+    """Accessor of parts of planes."""
 
     def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return them."""
 
 
 class Take(Protocol[Made_co]):
-    """Consumer of parts of planes; several are called at the same time."""
+    """Consumer of parts of planes, called concurrently."""
 
     def __call__(self, plane: int, rows: slice, columns: slice, values: Values, /) -> Made_co:
-        """Return what follows from a part."""
+        """Return a result for a part."""
 
 
 class PlaneOperator(ABC):
-    """A blur of planes that are handed on part by part, so that only some of them are in memory.
+    """A blur of planes that are passed part by part, so that only some of them are in memory.
 
     Attributes
     ----------
@@ -199,7 +199,7 @@ class PlaneOperator(ABC):
 
 
 UNSEEN = 1e-6
-"""Share of the light of a point that is next to nothing."""
+"""Share of a point's light below which it counts as unseen."""
 
 
 class ImagePlanes(PlaneOperator):
@@ -215,6 +215,7 @@ class ImagePlanes(PlaneOperator):
     def __init__(self, blur: LinearBlur, weight: Values) -> None:
         self._blur, self._image = blur, weight.shape
         self.shape = self.whole = (blur.channels, *blur.shape)
+        # Richardson and Lucy divide by this: points that hardly any pixel sees would explode.
         seen = np.maximum(blur.adjoint(weight), 0.0)
         per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
         self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
@@ -233,7 +234,7 @@ class ImagePlanes(PlaneOperator):
         return [take(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
 
     def image(self, planes: Sequence[Values] | Values) -> Values:
-        """Return planes as an image, which shares the memory of a single one."""
+        """Return planes as an image; a single plane shares its memory."""
         if len(planes) == 1:
             return np.asarray(planes[0], self._blur.dtype).reshape(self._image)
         return np.stack(list(planes), axis=-1).astype(self._blur.dtype, copy=False).reshape(self._image)
@@ -253,7 +254,7 @@ class ImagePlanes(PlaneOperator):
 
 
 def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
-    """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
+    """Return the pixels, of `side`, in a window from `start` to `stop`, and their indices in the window."""
     taken = slice(max(start, 0), max(min(stop, side), 0))
     return taken, slice(taken.start - start, taken.stop - start)
 
@@ -265,7 +266,7 @@ def linear_operator(
     dims: tuple[int, ...],
     dtype: np.dtype[np.floating],
 ) -> LinearOperator:
-    """Return functions of images, of the shape `dims`, and of results, of the shape `made`, for SciPy's solvers."""
+    """Return a SciPy LinearOperator of functions of images of shape `dims`, with results of shape `made`."""
     from scipy.sparse.linalg import LinearOperator
 
     def of_vectors(way: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
@@ -282,11 +283,12 @@ def linear_operator(
 
 
 def folded(room: Values, beyond: int, count: int) -> Values:
-    """Return `count` rows of an image between two mirrors, with the light that these spread `beyond` them."""
+    """Return the `count` rows between two mirrors, with the light that the mirrors send back."""
     image = room[beyond : beyond + count]
-    for first in range(beyond % count - count, len(room), count):  # So many lie between two mirrors.
+    for first in range(beyond % count - count, len(room), count):  # periods of mirror images
         if first != beyond:
             part = room[max(0, first) : first + count]
+            # Every other image is reversed.
             onto = image[::-1] if (first - beyond) // count % 2 else image
             onto[max(0, -first) :][: len(part)] += part
     return image
@@ -295,15 +297,15 @@ def folded(room: Values, beyond: int, count: int) -> Values:
 def without_copies(
     image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
 ) -> Values:
-    """Return an image to whose points the values of their copies beyond the edges are added.
+    """Return an image with the values of copies beyond its edges added to the original points.
 
-    `rows` and `columns` say which those of the image are copies of, as :func:`copies` returns.
+    `rows` and `columns` give the original of each, as :func:`copies` returns.
     """
     return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
 
 
 def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
-    """Return sums, shape (count, any), of the rows that have the same place."""
+    """Return sums, shape (count, any), of the rows with equal index."""
     if len(places) == count:
         return taken
     total = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
@@ -312,26 +314,26 @@ def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
     return total
 
 
-LARGEST = {1: 19, 2: 31}  # side of windows, by whether defocus varies: of larger ones, transforms are quicker
-_STEP = 16  # pixels that windows are padded to multiples of, and that are loaded beyond rows
+LARGEST = {1: 19, 2: 31}  # largest side of windows mixed directly, for constant or varying defocus
+_STEP = 16  # windows are padded to multiples of this, and loads exceed rows by as many pixels
 _MOST_TILES = 32
-_ORDERS = (1, 4, 6)  # nodes over defocus that count for one point
+_ORDERS = (1, 4, 6)  # numbers of nodes over defocus that count for a point
 
 
 class Nodes(Protocol):
-    """Places along an axis, and the splines through values at them: see :mod:`lommel.imaging.field_blur`."""
+    """Nodes along an axis with splines through values at them: see :mod:`lommel.imaging.field_blur`."""
 
     @property
     def first(self) -> float:
-        """Where the axis begins."""
+        """Start of the axis."""
 
     @property
     def last(self) -> float:
-        """Where it ends."""
+        """End of the axis."""
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Number of nodes."""
 
     @property
     def knots(self) -> tuple[Array, int]:
@@ -406,7 +408,7 @@ class WindowBlur:
 
     @property
     def _inside(self) -> tuple[slice, slice]:
-        """Where the image is, in what the core makes."""
+        """Position of the image in the padded result."""
         first = self._margin + self._side // 2
         rows, columns = (slice(first, first + count) for count in self._shape)
         return rows, columns
@@ -433,22 +435,23 @@ class WindowBlur:
 
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
-    """Return which row or column each of those is a copy of that spread light, the ones beyond the edges too."""
+    """Return the index of the original row or column of each one that spreads light, copies beyond edges included."""
     mode: Any = "symmetric" if border == "reflect" else "edge"
     return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
 
 
 def _used(weights: Array) -> tuple[Array, slice]:
-    """Return the columns between the first and the last that is not 0, and which they are."""
+    """Return the columns from the first to the last that is not 0, and their slice."""
     used = np.flatnonzero(weights.any(axis=0))
     part = slice(int(used[0]), int(used[-1]) + 1)
     return weights[:, part], part
 
 
 def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
-    """Return places along an axis of splines from 0 to 1, where its pieces begin and end, and their coefficients.
+    """Return places on [0, 1] of an axis of splines, the breaks of the pieces, and their coefficients.
 
-    These are [piece][power][node]: of the share of the piece, the weight of node ``piece + node``.
+    Coefficients are [piece][power][node]: the weight of node ``piece + node`` in powers of the position in the
+    piece.
     """
     if nodes.count == 1:
         return np.zeros(places.shape), np.array([0.0, 1.0]), np.ones((1, 1, 1))
@@ -461,6 +464,7 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
     breaks = np.ascontiguousarray(knots[degree : count + 1])
     powers = np.zeros((count - degree, order, order))
     for power in range(degree + 1):
+        # Taylor coefficients of each spline at the start of a piece, in units of its length.
         known = splines(breaks[:-1], power) * np.diff(breaks)[:, None] ** power / math.factorial(power)
         for piece, weights in enumerate(known):
             powers[piece, power, : degree + 1] = weights[piece : piece + degree + 1]
@@ -468,7 +472,7 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
 
 
 def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
-    """Return where the pieces begin and end that places lie in, and the number of the first."""
+    """Return the breaks of the pieces in which places lie, and the index of the first piece."""
     pieces = len(breaks) - 1
     first, last = (
         int(np.clip(np.searchsorted(breaks, end, side="right") - 1, 0, pieces - 1))
@@ -480,10 +484,10 @@ def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
 def _parabolas(
     across: Array, nodes: Nodes, x: Array, left: slice, windows: Values, allowed: float
 ) -> tuple[NDArray[np.int64], Array, Array, float]:
-    """Return the tile of each column, the weights of nodes at places, the shares of these in columns, and the error.
+    """Return the tile of each column, weights of nodes at places, shares of places in columns, and the error.
 
-    Weights are shares of one, and so is what is between places: the error of windows anywhere is at most the largest
-    of those at the nodes down the image and over defocus.
+    Weights sum to one, between places too: the error of any window is at most the largest error at the nodes down the
+    image and over defocus.
     """
     count, tiles = len(x), 1
     at = np.arange(count) / max(1, count - 1)
@@ -494,11 +498,12 @@ def _parabolas(
         shares = np.stack([0.5 * u * (u - 1.0), 1.0 - u * u, 0.5 * u * (u + 1.0)], axis=1)
         off = across - sum(shares[:, k, None] * places[2 * tile + k] for k in range(3))
         size = np.abs(off).sum(axis=1)
+        # One column of each tile, that with the largest error of the weights, is checked on the windows themselves.
         worst = [int(np.flatnonzero(tile == k)[size[tile == k].argmax()]) for k in np.unique(tile)]
         made = np.tensordot(off[worst], windows.astype(np.float64, copy=False), axes=(1, 1))
         error = float(np.abs(made).sum(axis=(-2, -1)).max())
         if error <= allowed:
             return tile, places, shares, error
-        # It falls by 8 where tiles are half as wide.
+        # Parabolas: the error falls by 8 where tiles are half as wide.
         tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1.0 / 3.0)))
     raise ArithmeticError(f"parabolas in {_MOST_TILES} tiles are not close enough to the windows across the image")

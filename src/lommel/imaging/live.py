@@ -31,8 +31,8 @@ from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
-_MOST_DEPTHS = 961  # candidates
-_LIGHT = 5000.0  # electrons
+_MOST_DEPTHS = 961  # largest number of candidates of a single frame
+_LIGHT = 5000.0  # electrons a pixel, by default
 
 
 class LiveSharpen:
@@ -146,11 +146,12 @@ class LiveSharpen:
         return made
 
     def _places(self, depth: float | ArrayLike) -> tuple[NDArray[np.float32], int]:
-        """Return positions of candidates, and of how many pixels a side each is the middle."""
+        """Return positions in candidates, and the side in pixels of the block that each is the centre of."""
         with np.errstate(over="ignore"):
             metres = np.asarray(depth, dtype=np.float32)
         height, width = self._form.size
         sides = {(): min(height, width), (height, width): 1, (height // BLOCK, width // BLOCK): BLOCK}
+        # One depth for all pixels, for each pixel, or for each block.
         if metres.shape not in sides:
             raise ValueError(
                 f"depth must be a number, or have the shape {(height, width)} or "
@@ -169,11 +170,11 @@ def _single(values: ArrayLike) -> NDArray[np.float32]:
     return np.ascontiguousarray(values, dtype=np.float32)
 
 
-_LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons of a pixel that tables are made for
-_MOST = 241  # candidates
-_CELLS = 8  # parts of a frame a side, of which sums are taken
-_DARK = 0.05  # of the mean of the brightest frame: others are taken to be black
-_UNLIKE = 2.0  # exposures that differ by more are to be stated
+_LEVELS = (500.0, 5000.0, 50_000.0)  # default mean electrons of a pixel of the tables
+_MOST = 241  # largest number of candidates of several frames
+_CELLS = 8  # parts of a frame along a side whose light is summed
+_DARK = 0.05  # of the mean of the brightest frame: a darker frame counts as black
+_UNLIKE = 2.0  # largest ratio of measured exposures; larger ones must be stated
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -333,6 +334,7 @@ class LiveDepth:
         self._registered = Registration(magnification, lenses, form.size, count)
         scales = self._registered.scales
         task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count, scales=scales)
+        # Depth is found in the sum of the channels: variances of reading add.
         read = form.read * math.sqrt(form.channels)
         given = self._given or (1.0,) * len(lenses)
         self._levels = [
@@ -340,6 +342,7 @@ class LiveDepth:
             for mean in _levels(light, form.channels)
         ]
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
+        # Results are written to the same arrays in every call: nothing is allocated at video rate.
         self._depth, self._errors, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
@@ -353,12 +356,12 @@ class LiveDepth:
 
     @property
     def binning(self) -> tuple[int, ...]:
-        """Pixels a side of the squares that each level of light is filtered in."""
+        """Pixels a side of the squares that each level of light filters."""
         return tuple(level.engine.binning for level in self._levels)
 
     @property
     def rank(self) -> tuple[int, ...]:
-        """Images whose products give the energies of each level."""
+        """Number of images whose products give the energies of each level."""
         return tuple(level.engine.rank for level in self._levels)
 
     @property
@@ -400,6 +403,7 @@ class LiveDepth:
         first = self._levels[0].stream
         first.sums(planes, limit, mask, self._sums)
         exposures, light = self._exposed()
+        # The level whose light is nearest by ratio, as noise depends on ratios of light.
         level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
         self._gains[:, 0] = [self._form.white / each for each in exposures]
         if self._smooth:
@@ -435,16 +439,17 @@ class LiveDepth:
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
 
     def _grey(self, stored: list[Values], full: float, mask: NDArray[np.uint8] | None) -> tuple[list[Values], float]:
-        """Return the frames that depth is found in, sums of channels, and from which value on these are full."""
+        """Return the frames that depth is found in, sums of channels, and the value at which they are saturated."""
         if self._planes is None:
             return self._registered(stored, full, mask), full
         for frame, plane in zip(stored, self._planes, strict=True):
             np.sum(frame, axis=2, dtype=np.float32, out=plane)
+        # Sums of channels have no one saturation value: the mask excludes saturated pixels.
         return self._registered(list(self._planes), math.inf, mask), math.inf
 
     @property
     def _offset(self) -> float:
-        """Counts of these without light."""
+        """Offset of the sum of the channels, in counts."""
         return self._form.offset * self._form.channels
 
     def _exposed(self) -> tuple[tuple[float, ...], float]:
@@ -491,12 +496,15 @@ class LiveDepth:
         down, across = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
         y, x = down[:, None], across[None, :]
         light = [
+            # The polynomial of the gains over the field, by Horner's rule.
             (plane - self._offset) * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
         images = np.where(valid, light, 0.0)[None]
+        # Blocks become pixels; the last rows and columns, beyond whole blocks, repeat their neighbours.
         errors, misfit, vergence = (
             np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
+            # Errors of vergence 1 / depth: d(1 / v) = -dv / v^2.
             for each in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
@@ -571,16 +579,19 @@ class LiveDepth:
 
 
 def _smooth_ratios(sums: Array, offset: float) -> Array:
-    """Return what makes other frames as bright as the first, polynomials in 1, x, x^2, y, x y, y^2 from -1 to 1.
+    """Return the ratios of brightness of the first frame to the others as polynomials over the field.
 
-    Least squares over the parts of the frames, of which `sums` holds the sum of each frame and the number of pixels.
+    Coefficients are of 1, x, x^2, y, x y, y^2, x and y from -1 to 1. `sums` holds the sums of each frame, and last
+    the numbers of pixels, over parts of the field.
     """
     count = sums[-1].ravel()
+    # Least squares over the parts.
     light = sums[:-1].reshape(len(sums) - 1, -1) - offset * count
     middle = (np.arange(_CELLS) + 0.5) * (2.0 / _CELLS) - 1.0
     y, x = (each.ravel() for each in np.meshgrid(middle, middle, indexing="ij"))
     within = (1.0 / _CELLS) ** 2 / 3.0  # the mean square of positions about the middle of a part
     terms = np.stack([np.ones_like(x), x, x * x + within, y, x * y, y * y + within], axis=1)
+    # The variance of a mean of n pixels goes with 1 / n: the equations are weighted by sqrt(n).
     weight = np.sqrt(count)
     found = []
     for other in light[1:]:
@@ -590,7 +601,7 @@ def _smooth_ratios(sums: Array, offset: float) -> Array:
 
 
 class _Level:
-    """Tables for one level of light, and the streams of frames that use them."""
+    """Tables for one level of light, and the streams that use them."""
 
     def __init__(self, task: FocalTask, light: FocalLight, form: FrameForm, images: bool, refocus: bool) -> None:
         self.engine = FocalEngine(task, light)
@@ -603,7 +614,7 @@ class _Level:
 
 
 class _Taken(NamedTuple):
-    """What the last call took."""
+    """Frames and tables of the last call."""
 
     level: _Level
     frames: list[Values]

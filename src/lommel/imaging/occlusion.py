@@ -23,46 +23,47 @@ from lommel.optics.pupil import ray_height
 class Group(NamedTuple):
     """Points that spread windows of one bank."""
 
-    sources: list[tuple[int, Points]]  # 0 for light of the scene, 1 for light behind it
-    bank: Bank | None = None  # if another than that of the channel
-    hidden: bool = True  # whether pixels see only some of it
-    taken_off: bool = False  # whether it is subtracted
+    sources: list[tuple[int, Points]]  # 0: light of the scene, 1: light behind it
+    bank: Bank | None = None  # if different from that of the channel
+    hidden: bool = True  # whether occlusion applies
+    taken_off: bool = False  # whether the result is subtracted
 
 
 def spread_groups(
     blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
 ) -> Values:
-    """Return the image of light of a scene, and of light behind it, in one channel."""
+    """Return the image, in one channel, of the light of a scene and of the light behind it."""
     total = np.zeros(blur.shape, dtype=blur.dtype)
     for group in groups:
         given = [(planes[behind], points) for behind, points in group.sources]
         made = blur.spread(channel, given, seen if group.hidden else None, bank=group.bank)
         total += -made if group.taken_off else made
+    # Light beyond windows is not occluded: it is far from any edge (certificate, section 13, last paragraph).
     if blur.beyond is not None:
         total += blur.beyond.act(blur, [channel], [planes[0]])[0]
     return total
 
 
-MOST_LAYERS = 64  # layers are made thicker than a pixel of blur where there would be more of them
+MOST_LAYERS = 64  # layers become thicker than a pixel of blur if there would be more of them
 
-# The share of a point's sharp light that it keeps, so that what is divided by is never 0.
+# Share of its sharp light that each point keeps, so that no divisor is 0.
 _TRACE = 1e-9
 
 
 class Layering(NamedTuple):
-    """Layers of points by depth, and what they hide."""
+    """Layers of points by depth, and the light that they occlude."""
 
-    layers: NDArray[np.uint8]  # of each point, 0 the nearest that there is
-    behind: NDArray[np.int32] | None  # flat index of the point that stands for what each point hides, or -1; or none
-    number: int  # of layers
+    layers: NDArray[np.uint8]  # layer of each point, 0 the nearest
+    behind: NDArray[np.int32] | None  # flat index of the representative of the points that each occludes, -1: none
+    number: int  # number of layers
 
     @property
     def level(self) -> int:
-        """Number of the first layer, counted from the middle one: what is seen of layers is then rounded less."""
+        """Number of the first layer, counted from the middle one; smaller numbers are rounded less."""
         return -(self.number // 2)
 
     def edges(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """Return flat indices of the points that hide something, and of those that stand for it."""
+        """Return flat indices of occluding points, and of the representatives of what they occlude."""
         if self.behind is None:
             return (np.empty(0, dtype=np.int64),) * 2
         points = np.flatnonzero(self.behind >= 0)
@@ -70,12 +71,12 @@ class Layering(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """What pixels see in one channel, from the depth alone."""
+    """What the pixels of one channel see, determined by the depth alone."""
 
     seen: (
         Values  # the layers that each pixel sees, from the front: of the last one in part, of those behind it nothing
     )
-    total: Values  # the image of a white scene
+    total: Values  # image of a white scene
 
 
 class Occlusion(LinearBlur):
@@ -135,7 +136,7 @@ class Occlusion(LinearBlur):
     True
     """
 
-    # Of the defocus and the banks that come first: layers, and by bank what pixels see and the groups of points.
+    # For the current defocus and banks: layers, and for each bank what pixels see and the groups of points.
     _made: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Group]]] | None = None
 
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
@@ -165,9 +166,10 @@ class Occlusion(LinearBlur):
                 bank = self.blur.banks[channel]
                 spread = np.zeros(self.shape, dtype=self.dtype)
                 shares = self._composite(channel, plane, spread, known.get(bank))
-                if again:  # Many depth maps are met once.
+                if again:  # most depth maps are used once: their shares are kept from the second time on
                     known[bank] = shares
             spread += _TRACE * plane
+            # Division by the image of a white scene: partly occluded neighbourhoods keep their brightness.
             spread /= shares.total + _TRACE
             return spread
 
@@ -180,7 +182,7 @@ class Occlusion(LinearBlur):
         def make(channel: int, plane: Values) -> Values:
             shares, groups = self._shares(channel), self._groups(channel)
             even = plane / (shares.total + _TRACE)
-            # The transpose of `spread_groups`: for the scene, and for the light behind it.
+            # The transpose of `spread_groups`, for the scene and for the light behind it.
             taken = np.zeros((2, *self.shape), dtype=self.dtype)
             for group in groups:
                 given = [each for _, each in group.sources]
@@ -193,31 +195,31 @@ class Occlusion(LinearBlur):
             if self.blur.beyond is not None:
                 scene += self.blur.beyond.act(self.blur, [channel], [even], transposed=True)[0]
             scene += _TRACE * even
-            # One point may stand for several.
+            # One point may represent several occluded ones: add.at sums repeated indices.
             np.add.at(scene.reshape(-1), sources, taken[1].reshape(-1)[points])
             return scene
 
         return self.by_channel(image, make)
 
     def _current(self) -> bool:
-        """Return whether what is kept is of this defocus and of these banks."""
+        """Return whether the kept data belong to the current defocus and banks."""
         made = self._made
         return made is not None and made[0] is self.blur.defocus and made[1] is self.blur.banks
 
     def _kept(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Group]]]:
-        """Return the layers, and what is known of each bank, kept for one depth map."""
+        """Return the layers and the data of each bank, kept for one depth map."""
         if not self._current():
             self._made = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
         assert self._made is not None
         return self._made[2:]
 
     def _shares(self, channel: int) -> Shares:
-        """Return what pixels see in a channel; kept."""
+        """Return what the pixels of a channel see; kept."""
         blur, bank, known = self.blur, self.blur.banks[channel], self._kept()[1]
         if bank not in known and blur.beyond is None:
             known[bank] = self._composite(channel)
         elif bank not in known:
-            # Windows that hold all of the aperture.
+            # Windows that hold the whole PSF: occlusion acts on light, not on light less a remainder.
             within, _ = bank.apart()
             seen, total = self._composite(
                 channel, bank=replace(within, energies=sums_of_quarters(within.windows[:-1]))
@@ -225,14 +227,14 @@ class Occlusion(LinearBlur):
             groups = self._groups(channel, seen)
             behind, cover = np.zeros(blur.shape, dtype=blur.dtype), copy.copy(blur)
             behind.reshape(-1)[self._kept()[0].edges()[0]] = 1.0
-            # Darkness beyond the edges is no hole: it is as far away as the last points are.
+            # Darkness beyond the edges must not appear as a hole: it is taken to be as far as the outermost points.
             cover.border = "extend" if blur.border == "zero" else blur.border
             total = spread_groups(cover, channel, (np.ones_like(behind), behind), seen, groups)
             known[bank] = Shares(seen, total)
         return known[bank]
 
     def _groups(self, channel: int, seen: Values | None = None) -> list[Group]:
-        """Return the groups of points of a channel; kept. Of the whole PSF they depend on what is `seen`."""
+        """Return the groups of points of a channel; kept. Without truncation they depend on what is `seen`."""
         blur, (layering, _, known) = self.blur, self._kept()
         bank = blur.banks[channel]
         if bank not in known:
@@ -257,7 +259,7 @@ class Occlusion(LinearBlur):
         shares: Shares | None = None,
         bank: Bank | None = None,
     ) -> Shares:
-        """Return what pixels see, which is found unless `shares` has it; add what they see of a `plane` to `out`."""
+        """Return what pixels see (computed unless in `shares`), and add what they see of a `plane` to `out`."""
         blur, layering = self.blur, self._kept()[0]
         used, known = bank or blur.banks[channel], shares is not None
         margin = 0 if blur.border == "reflect" else used.half
@@ -265,7 +267,7 @@ class Occlusion(LinearBlur):
         if shares is None:
             nothing = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
             shares = Shares(nothing, np.zeros_like(nothing))
-        # One after another where somebody watches.
+        # Layer by layer if progress is watched.
         each = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
         for first, last in each:
             engine.composite(
@@ -301,15 +303,15 @@ def _moved(plane: Values, points: NDArray[np.int64], sources: NDArray[np.int64])
 def _groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
     """Return the groups of points for a blur that does not truncate the PSF.
 
-    The remainder must show nothing hidden: a window holds the PSF less the remainder there, which is never occluded.
-    A point that some pixel in its window does not see spreads its PSF, occluded, less the remainder within the
-    window.
+    Windows hold the PSF less the remainder, which is never occluded. So a point that some pixel of its window
+    does not see spreads its whole PSF with occlusion, less the remainder within the window without.
     """
     from scipy.ndimage import minimum_filter
 
     within, filled = blur.banks[channel].apart()
     scene, *behind = sources
     assert scene.layers is not None
+    # The least layer seen within a window: a point in front of it is seen by every pixel that it reaches.
     least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
     free = least >= scene.layers + 1
     groups = [Group([(0, Points(np.where(free, scene.positions, -1.0)))], hidden=False)]
@@ -321,26 +323,24 @@ def _groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen:
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
-    """Return the largest distance in pixels of an occluded point from the edge that hides it."""
+    """Return the largest distance in pixels of an occluded point from the occluding edge."""
     return math.ceil(2.0 * float(np.ptp(_radii(blur, reach)[1])))
 
 
 def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
-    """Return defocus over a range, and the signed radii of its circle of confusion in pixels."""
-    # Where a ray from the edge of the pupil meets the sensor, at v = 4 C_d if paraxial, else nearly in proportion to
-    # C_d. Near points have the largest.
+    """Return values of defocus over a range, and the signed radii of the circle of confusion in pixels."""
+    # The marginal ray meets the sensor at v = 4 C_d for a paraxial lens, nearly in proportion for others. Near points
+    # have the largest (signed) radii.
     defocus = np.linspace(*reach, 129)
     rim = ray_height(blur.lens.phase(defocus).edge, np.ones(1))[:, 0]
     return defocus, blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel) * rim
 
 
 def _layering(blur: DepthBlur, reach: tuple[float, float] | None = None) -> Layering:
-    """Return the layers of a scene over the defocus in `reach`, by default its own, and what they hide.
-
-    A point hides something that the lens can see if a farther one is closer than their radii differ: rays through the
-    rim of the aperture then pass the edge between them. The nearest such point marks the edge. (Diffraction reaches a
-    little beyond the rim; the percent of light there is filled by dividing.)
-    """
+    """Return the layers of a scene, over the defocus in `reach` or its own, and the points that they occlude."""
+    # A point occludes another that the lens can see if a farther point is closer than the difference of their radii:
+    # marginal rays then pass the edge between them. The nearest such point marks the edge. Diffraction reaches a
+    # little beyond the geometric rim; that per cent of light is restored by the division.
     defocus, radii = _radii(blur, reach or (float(blur.defocus.min()), float(blur.defocus.max())))
     thickness = max(0.5, float(np.ptp(radii)) / MOST_LAYERS)
     layers, behind = np.empty(blur.shape, dtype=np.uint8), np.empty(blur.shape, dtype=np.int32)

@@ -31,21 +31,21 @@ from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.poisson_counts import PhotographCounts
 
-_STEP = 0.75  # radians of defocus from one table to the next
+_STEP = 0.75  # radians of defocus between tables
 _MOST_TABLES = 961
-_DEGREES, _ENOUGH = (12, 24, 48), 0.1  # of the polynomials, the first whose loss is so small in decibels
-_LEAST_ERROR = 0.01  # over the variance of a pixel: less than that is no loss
-_BLOCK, _BLOCKS = 256, 8  # pixels a side of the blocks whose spectra are averaged, and at most so many along an axis
-_RINGS, _LOWEST = 14, 3.0  # of frequencies, from so many periods a block on
+_DEGREES, _ENOUGH = (12, 24, 48), 0.1  # degrees of the polynomials, and the loss in decibels that is small enough
+_LEAST_ERROR = 0.01  # squared error over the variance of a pixel, below which losses do not matter
+_BLOCK, _BLOCKS = 256, 8  # side in pixels of the blocks whose spectra are averaged, and their number along an axis
+_RINGS, _LOWEST = 14, 3.0  # number of rings of frequency, the first at so many periods a block
 _BAND = 48  # frequencies along half an axis
-_SLOPES = (2.0, 1.0, 3.0, 0.0)  # the usual one first
-_MORE_LIKELY = 5.0  # in log-likelihood, for which another slope is taken
-_DARK, _MOST_NOISE = 1e-2, 8.0  # power that passes the lens where noise may exceed what is stated, by up to a factor
-_EDGES = 4.0  # power of texture at edges of depth over that elsewhere
-_UNLIKE = 1.5  # tables between which depths are unlike
-_NEAR = 3.0  # pixels, rms, of what residuals are averaged over
-_AWAY = (2, 6, 16)  # pixels from which a filter takes in other depths
-_LEAST_SIDE, _WHOLE = 160, 16  # pixels a side of what is filtered at once, and of what sides are multiples of
+_SLOPES = (2.0, 1.0, 3.0, 0.0)  # slopes of the power spectrum, the usual one first
+_MORE_LIKELY = 5.0  # gain in log-likelihood for which another slope is taken
+_DARK, _MOST_NOISE = 1e-2, 8.0  # transmitted power below which noise may exceed the stated one, and by what factor
+_EDGES = 4.0  # power of texture at depth edges over that elsewhere
+_UNLIKE = 1.5  # difference in tables from which depths are unlike
+_NEAR = 3.0  # rms width in pixels of local averages of residuals
+_AWAY = (2, 6, 16)  # distances in pixels over which a filter collects light of other depths
+_LEAST_SIDE, _WHOLE = 160, 16  # least side in pixels of a filtered image, and the multiple that sides must be
 
 
 class Texture(NamedTuple):
@@ -62,7 +62,7 @@ class Texture(NamedTuple):
 
 @dataclass(frozen=True)
 class _Light(FocalLight):
-    """Light of variance 1 a pixel, whose texture is given over the noise."""
+    """Light of variance 1 a pixel, with the texture relative to the noise."""
 
     texture: Texture
 
@@ -117,7 +117,9 @@ class OnePass:
         for c, texture in enumerate(textures):
             tables = self._tables(scene.model(c, texture))
             light[..., c] = _filtered(tables, scene.planes[c], scene.places, blur.threads)
+        # Light is not negative; the linear filter does not know that.
         done = np.maximum(light, 0.0).reshape(observed.counts.shape)
+        # Filters are made for one depth: near depth edges they mix in light of another blur.
         near = _near_edges(scene.places)
         if near.any():
             done = _believed(observed, done, near, [texture.noise for texture in textures])
@@ -126,7 +128,7 @@ class OnePass:
         return Solution(done, 1, ONE_PASS, lambda other: same.solve(other, silent).light)
 
     def _tables(self, model: FocalModel) -> SharpTables:
-        """Return filters of the lowest degree that comes near to Wiener's; ValueError if none does."""
+        """Return the filters of the lowest degree with nearly Wiener's error; ValueError if none has."""
         for degree in _DEGREES:
             tables = SharpTables(model, Taps.of(5), degree)
             exact, made = tables.errors(tables.pixel)
@@ -145,7 +147,7 @@ class OnePass:
 
 
 class _Scene:
-    """An observation through a lens: its channels, and the distances that tables are made for."""
+    """A photograph through a lens: its channels, and the distances for which tables are made."""
 
     def __init__(self, observed: PhotographCounts, blur: DepthBlur) -> None:
         self._blur = blur
@@ -153,11 +155,13 @@ class _Scene:
         shape = (*blur.shape, blur.channels)
         known = (observed.weight > 0.0).reshape(shape)
         added = np.broadcast_to(observed.added, observed.counts.shape).reshape(shape)
-        # Not cut off at 0, below which noise leads.
+        # Not clipped at 0: negative noise is information, too.
         light = observed.counts.reshape(shape) - added
         self.planes = [_filled(light[..., c], known[..., c]) for c in range(blur.channels)]
         self._variances = [
-            float(np.mean(plane) + np.mean(added[..., c])) / observed.white for c, plane in enumerate(self.planes)
+            # Poisson variance: the mean count and the variance of reading, in units of light.
+            float(np.mean(plane) + np.mean(added[..., c])) / observed.white
+            for c, plane in enumerate(self.planes)
         ]
         self._beside = _beside(self.places, len(self.vergence))
         curves = {
@@ -173,7 +177,7 @@ class _Scene:
         return _Passed.of(self._curves[channel], self.places, len(self.vergence))
 
     def model(self, channel: int, texture: Texture) -> FocalModel:
-        """Return the model of a channel, in which light of other depths is noise as well."""
+        """Return the model of a channel, in which light from other depths counts as noise."""
         blur, curve = self._blur, self._curves[channel]
         given = [blur.lens], self.vergence, blur.spectra[channel], blur.pixel, _Light(1.0, 0.0, (1.0,), 0.0, texture)
         model = FocalModel.of(*given, transfer=lambda *_: curve)
@@ -181,16 +185,16 @@ class _Scene:
         return replace(model, noise=model.noise + strange)
 
     def target(self, channel: int) -> float:
-        """Return the discrepancy of Wiener's filter: the share of the power of a channel that it leaves as noise."""
+        """Return the discrepancy of Wiener's filter: the share of a channel's power that it leaves as noise."""
         texture, passed = self.texture(channel), self._passed(channel)
         seen = texture.power * passed.seen(texture.slope)
         return float((texture.noise**2 / (texture.noise + seen)) @ passed.band.share)
 
 
 def wiener_target(observed: PhotographCounts) -> tuple[float, float] | None:
-    """Return the discrepancy that a result should have by texture and noise of a photograph by a lens, and the noise.
+    """Return the discrepancy expected of a good result from texture and noise, and the noise over the stated one.
 
-    The noise is over what is stated. None where the blur is too wide for the transfer functions.
+    None if the blur is too wide for the transfer functions.
     """
     blur = lens_blur(observed.blur)
     if blur is None:
@@ -209,19 +213,20 @@ def lens_blur(blur: LinearBlur) -> DepthBlur | None:
 
 
 def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
-    """Return the 1 / distance of tables, and the place of each pixel between them."""
+    """Return the 1 / distance of tables, and the position of each pixel between them."""
+    # C_d is linear in 1 / distance (paper, Eq. 3): two distances determine the line.
     near, far = (float(each) for each in blur.lens.defocus([0.5, 1.0]))
-    slope = near - far  # a unit of vergence
+    slope = near - far  # C_d per unit of vergence
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
     count = min(max(2, math.ceil((high - low) / _STEP) + 1), _MOST_TABLES)
     defocus = np.linspace(low, max(high, low + 1e-3), count)
-    # Rounding must not lead beyond infinity.
+    # Rounding must not lead beyond infinity, to a negative vergence.
     vergence = np.maximum(1.0 + (defocus - far) / slope, 0.0)
     return vergence, np.asarray((blur.defocus - low) / (defocus[1] - low), dtype=np.float32)
 
 
 def _beside(places: NDArray[np.float32], count: int) -> Array:
-    """Return of pixels at each table the shares of those at others that are some pixels away."""
+    """Return, for pixels at each table, the shares of neighbours some pixels away at all tables."""
     at = np.rint(places).astype(np.int64)
     pairs = np.zeros((count, count))
     for away in _AWAY:
@@ -229,19 +234,20 @@ def _beside(places: NDArray[np.float32], count: int) -> Array:
             flat = np.bincount((one * count + other).ravel(), minlength=count**2)
             pairs += flat.reshape(count, count)
     pairs += pairs.T
-    # Tables between the depths of the photograph are as if any of them were beside them.
+    # Tables without pixels are taken to have neighbours as the whole photograph.
     pairs[pairs.sum(axis=1) == 0.0] = np.bincount(at.ravel(), minlength=count)
     return np.asarray(pairs / pairs.sum(axis=1, keepdims=True))
 
 
 def _strange(transfer: Array, power: Array, beside: Array) -> Array:
-    """Return the power of what filters take in from other depths, over that of the noise, (c, frequencies)."""
+    """Return the power of light from other depths in the filters, over that of the noise, (c, frequencies)."""
+    # Mean of (h_other - h)^2 over the neighbours, expanded.
     unlike = beside @ transfer**2 - 2.0 * transfer * (beside @ transfer) + transfer**2
     return np.asarray(_EDGES * power * np.maximum(unlike, 0.0))
 
 
 def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return where filters take in light of other depths."""
+    """Return where filters collect light of other depths."""
     from scipy.ndimage import maximum_filter, minimum_filter
 
     side = 2 * _AWAY[-1] + 1
@@ -249,9 +255,9 @@ def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
 
 
 def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_], noise: list[float]) -> Values:
-    """Return light mixed with the photograph near edges of depth, where that explains better what was recorded.
+    """Return light mixed with the photograph near depth edges, where that explains the counts better.
 
-    As much of the residual is mended as the noise of each channel does not explain.
+    Only the part of the residual beyond the noise of each channel is corrected.
     """
     from scipy.ndimage import gaussian_filter
 
@@ -260,6 +266,7 @@ def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_]
     model = observed.model(light)
     scale = np.sqrt(observed.weight * observed.white / model)
     off = (observed.counts - model) * scale
+    # A saturated pixel says only that at least so much light arrived: a brighter model does not contradict it.
     if observed.full is not None:
         off = np.where(observed.full, np.maximum(off, 0.0), off)
     change = (observed.model(photo) - model) * scale
@@ -267,6 +274,7 @@ def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_]
     def local(values: Values) -> Values:
         return np.asarray(gaussian_filter(values.reshape(shape), (_NEAR, _NEAR, 0.0)))
 
+    # Least-squares share of the photograph, locally: projection of the residual on the change.
     own, along, across = local(off**2), local(off * change), local(change**2)
     share = np.clip(along / np.maximum(across, 1e-30), 0.0, 1.0)
     share *= near[..., None] * np.maximum(1.0 - np.asarray(noise) / np.maximum(own, 1e-30), 0.0)
@@ -275,7 +283,7 @@ def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_]
 
 
 def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:
-    """Return a plane of which unknown pixels are as the nearest known one."""
+    """Return a plane with unknown pixels set to the nearest known one."""
     if known.all():
         return np.asarray(plane, dtype=np.float64)
     from scipy.ndimage import distance_transform_edt
@@ -285,12 +293,13 @@ def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:
 
 
 def _spectrum(plane: Array) -> tuple[Array, Array]:
-    """Return |f|, cycles per pixel, and the power of a plane, averaged over blocks with windows."""
+    """Return |f| in cycles per pixel, and the power spectrum of a plane averaged over windowed blocks."""
     sides = [min(side, _BLOCK) for side in plane.shape]
     starts = [
         np.unique(np.linspace(0, whole - side, min(-(-whole // side), _BLOCKS)).astype(int))
         for whole, side in zip(plane.shape, sides, strict=True)
     ]
+    # Hann windows: without them the jump between opposite edges would appear as texture of slope 2.
     window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
     window /= math.sqrt(np.square(window).sum())
     total = np.zeros((sides[0], sides[1] // 2 + 1))
@@ -303,7 +312,7 @@ def _spectrum(plane: Array) -> tuple[Array, Array]:
 
 
 class _Passed(NamedTuple):
-    """Power that the lens passes, mean of all pixels, in images of the band and of its aliases, (9, frequencies)."""
+    """Mean power transmitted by the lens over all pixels, in the band and its aliases, (9, frequencies)."""
 
     band: Band
     f: Array
@@ -311,10 +320,11 @@ class _Passed(NamedTuple):
 
     @classmethod
     def of(cls, curve: Callable[[Array], Array], places: NDArray[np.float32], count: int) -> Self:
-        """Return that of a transfer function of each table."""
+        """Return the transmitted power for the transfer function of each table."""
         band = Band.of(_BAND)
         weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=count) / places.size
         fs, powers = [], []
+        # Pixels sample: the nearest eight aliases fold back into the band.
         for across in (0.0, -1.0, 1.0):
             for down in (0.0, -1.0, 1.0):
                 x, y = band.fx - across, band.fy - down
@@ -323,7 +333,7 @@ class _Passed(NamedTuple):
         return cls(band, np.array(fs), np.array(powers))
 
     def seen(self, slope: float) -> Array:
-        """Return the power of a photograph of a texture of a slope."""
+        """Return the power spectrum of a photograph of a texture with a slope, without its factor."""
         return np.asarray((self.power * _falling(self.f, slope)).sum(axis=0))
 
 
@@ -332,7 +342,7 @@ def _falling(f: Array, slope: float) -> Array:
 
 
 def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
-    """Return texture and noise of a plane, whose pixels should have a variance; without frequencies none."""
+    """Return texture and noise of a plane with the expected `variance` of pixels; no texture without frequencies."""
     f, power = _spectrum(plane)
     edges = np.append(np.geomspace(_LOWEST / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
     of, ring = np.digitize(f, edges), np.digitize(passed.f[0], edges)
@@ -346,6 +356,7 @@ def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
     def ringed(values: Array) -> Array:
         return np.array([(values * share)[ring == k].sum() / share[ring == k].sum() for k in rings])
 
+    # Whittle's likelihood in rings: sum of n (log S + P / S), S the model and P the measured power.
     least = min(1.0, float(seen.min()))
     most = _MOST_NOISE if ringed(passed.power[0]).min() < _DARK else 1.0
     noise = np.geomspace(least, max(most, least * 1.0001), 40)[:, None, None]
@@ -356,13 +367,14 @@ def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
         whole = factors * shape + noise
         unlike = (count * (np.log(whole) + seen / whole)).sum(axis=2)
         a, b = np.unravel_index(np.argmin(unlike), unlike.shape)
+        # Slopes are tried in the order of their frequency: another must be clearly more likely.
         if unlike[a, b] < best - _MORE_LIKELY:
             best, found = float(unlike[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
     return found
 
 
 def _filtered(tables: SharpTables, plane: Array, places: NDArray[np.float32], threads: int) -> Values:
-    """Return a plane filtered by depth."""
+    """Return a plane filtered according to depth."""
     sides = [max(_LEAST_SIDE, -(-side // _WHOLE) * _WHOLE) for side in plane.shape]
     more = [(0, side - own) for side, own in zip(sides, plane.shape, strict=True)]
     stream = tables.stream((sides[0], sides[1]), threads or processors())

@@ -31,17 +31,17 @@ from lommel.optics.pupil import Pupil
 
 Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 
-TILE = 1024  # side of the tiles of memory maps, pixels, where none is given
+TILE = 1024  # default side of the tiles of memory maps, pixels
 
 _DaskArray: TypeAlias = Any  # dask is typed in part only
 
-_STRIP = 2**20  # depths that are read at once, for their range
+_STRIP = 2**20  # depths read at once to find their range
 
 Window = tuple[slice, slice]
 
 
 class LazyArray(Protocol):
-    """What is needed of a dask array."""
+    """The part of a dask array's interface that is used here."""
 
     shape: tuple[int, ...]
     chunks: tuple[tuple[int, ...], ...]
@@ -106,13 +106,14 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
 
 
 def stored(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
-    """Return finite light, white being 1, as stored values, and the share of them that an integer type clips."""
+    """Return finite light, white being 1, as stored values, and the share that an integer type clips."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
         return from_light(light, encoding, dtype), clipped_share(light, dtype)
     # Comparing with the edges of the levels is faster than encoding each value, and rounds alike.
     values = np.empty(light.shape, dtype=np.uint8)
     level = 1.0 / 255.0
     flat = np.ascontiguousarray(light).reshape(-1)
+    # A value is clipped where it is more than a level beyond 0 or 1.
     beyond = engine.levels(flat, _edges(encoding), -level, 1.0 + level, threads, values.reshape(-1))
     return values, beyond / light.size
 
@@ -199,6 +200,7 @@ class FocusPlan:
         require_lens(lens, "image, depth, lens, pixel")
         self.settings = Settings.of(FocusPlan, options, Keywords)
         given = validation.array("image", image)
+        # A copy: the caller may change the map between frames.
         distances = np.array(fill_missing(depth, self.settings.missing))
         require_scene("image", given.shape, distances.shape)
         self.lens, self.shape, self.dtype = lens, given.shape, given.dtype
@@ -221,11 +223,12 @@ class FocusPlan:
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
         """Return the linear operator at a `focus_distance` and `f_number`; ValueError if the blur is too large."""
-        return self._at(focus_distance, f_number).blur
+        return self._occlusion_at(focus_distance, f_number).blur
 
-    def _at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
+    def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
         """Return the operator with occlusion at a focus and f-number, and keep it."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
+        # Sensor distance and aperture diameter determine the lens: equal ones in other words are found again.
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._known:
             self._known.move_to_end(key)
@@ -262,12 +265,13 @@ class FocusPlan:
         """
         if out is not None:
             output(out, "image", self.shape, self.dtype)
-        occlusion = self._at(focus_distance, f_number)
+        occlusion = self._occlusion_at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
         values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
         made = _photograph(values, occlusion.blur, clipped)
         if out is None:
             return made
+        # Errors must leave `out` as it was, so it is written to at the end.
         np.copyto(out, made.values)
         return replace(made, values=out)
 
@@ -375,6 +379,7 @@ def depth_of_field(
                 "image and depth must both be dask arrays if one is, "
                 f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
             )
+        # dask runs chunks in parallel: a thread each by default.
         given: Keywords = {"threads": 1, **options}
         return _lazy(image, depth, lens, pixel, encoding, tile, depths, Settings(**given))
     if tile is None and any(isinstance(part, np.memmap) for part in (image, depth, out)):
@@ -414,12 +419,13 @@ def _lazy(
     depths: tuple[float, float] | None,
     settings: Settings,
 ) -> LazyArray:
-    """Return the photograph of dask arrays as a dask array."""
+    """Return the photograph of dask arrays as a dask array, computed chunk by chunk."""
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
     require_scene("image", image.shape, depth.shape)
     require_metres(depth.dtype)
     if tile is not None:
         image = image.rechunk({0: tile, 1: tile})
+    # Channels are blurred and encoded together.
     if image.ndim == 3:
         image = image.rechunk({2: -1})
     if settings.missing == "nearest":
@@ -431,6 +437,7 @@ def _lazy(
         depths = _known_range(float(low), float(high))
     blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
     distances = depth.rechunk(image.chunks[:2])
+    # dask refuses an overlap beyond the array.
     around = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
     if image.ndim == 3:
         # Chunks of the two arrays are matched by their axes, counted from the last.
@@ -449,7 +456,7 @@ def _lazy(
 
 
 class TileBlur:
-    """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows made once; can be pickled."""
+    """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows computed once; can be pickled."""
 
     def __init__(
         self,
@@ -470,22 +477,23 @@ class TileBlur:
         self.encoding, self._occlusion = encoding, settings.occlusion
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
         with np.errstate(over="ignore"):  # long doubles
+            # Only the two ends of the range: they determine the windows of all parts.
             extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
         if extremes.shape != (1, 2) or np.isnan(extremes).any():
             raise ValueError(f"depths must be the nearest and the farthest, got {validation.shown(depths)}")
         self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
         self._reach = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
-        # Pixels beyond those that a part answers for that it must know, where the image goes on.
+        # Pixels around a part that it depends on, where the image continues.
         self.overlap = self.half + (reach_behind(self.whole, self._reach) if self._occlusion else 0)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the light of a part; within `overlap` of a side where the image goes on it is not complete."""
+        """Return the light of a part; within `overlap` of a side where the image continues it is incomplete."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
     def operator(self, depth: Pixels) -> LinearBlur:
-        """Return the operator of a part, whose points occlude one another as they do in the whole."""
+        """Return the operator of a part, with occlusion as in the whole scene."""
         blur = copy.copy(self.whole)
         blur.place(fill_missing(depth, self.missing))
         low, high = self._reach
@@ -503,7 +511,7 @@ class TileBlur:
 
 
 def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
-    """Return the nearest and the farthest distance, metres, reading some rows at a time."""
+    """Return the nearest and the farthest distance, metres, reading a strip of rows at a time."""
     require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
@@ -523,7 +531,7 @@ def _known_range(low: float, high: float) -> tuple[float, float]:
 def tiles_of(
     shape: Sequence[int], side: int | Sequence[int], overlap: int
 ) -> Iterator[tuple[Window, Window, Window]]:
-    """Yield, for each tile of an image, its place in it, the part that it must know, and its place in that."""
+    """Yield the slices of each tile, of the part that it depends on, and of the tile in that part."""
     down, across = (side, side) if isinstance(side, int) else side
     for top in range(0, shape[0], down):
         for left in range(0, shape[1], across):
@@ -538,10 +546,10 @@ def tiles_of(
 
 
 PLACES = 1e-3
-"""Accuracy of the places that pixels are taken from, pixels, checked half-way between nodes."""
+"""Accuracy of the source position of pixels, pixels, checked half-way between nodes."""
 
-_FEW = 4096  # pixels whose places are computed one by one
-_MOST = 257  # nodes along a side
+_FEW = 4096  # pixels below which positions are computed one by one
+_MOST = 257  # largest number of nodes along a side
 _MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # borders as SciPy calls them
 
 
@@ -635,6 +643,7 @@ def field_photograph(
     seen = blur.forward(moved.reshape(light.shape))
     if field_map.shading is not None:
         lit = np.asarray(field_map.illumination(blur.x, blur.y[:, None]), dtype=seen.dtype)
+        # Shading is a factor of the recorded light, at the position where it arrives.
         seen = seen * lit.reshape(*shape, *(1,) * (seen.ndim - 2))
     values, clipped = stored(seen, encoding, given.dtype, settings.threads or 0)
     side = max(bank.window(blur.y[0], blur.x[0]).shape[0] for bank in blur.banks)
@@ -642,41 +651,43 @@ def field_photograph(
 
 
 class StraightLight(PointLight):
-    """The PSF of the light that arrives at a position of the sensor, centred there."""
+    """The PSF of the light that arrives at a position of the sensor, centred on it."""
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
-        """Return the stack of pupils whose light arrives at places, without the tilts that move it there."""
+        """Return the stack of pupils whose light arrives at positions, without the tilts that move it there."""
         return self.field_map.untilted(x, y, self.spectrum)
 
 
 class StraightBlur(FieldBlur):
-    """Blur of an image that is distorted already, by the PSFs of a map without their tilts."""
+    """Blur by the PSFs of a field map without their tilts, of an image that is already distorted."""
 
     @property
     def _points(self) -> type[PointLight]:
         return StraightLight
 
     def _reached(self, x: Array, y: Array) -> None:
-        """Raise ValueError where light comes from beyond the map."""
+        """Raise ValueError where light comes from outside the map."""
         for spectrum in self.spectra:
             self.field_map.undistorted(x, y, spectrum)
 
 
 def resampled(plane: Values, blur: StraightBlur, spectrum: Spectrum | None) -> Values:
-    """Return a plane of light with each point where the map moves it, by quintic splines."""
+    """Return a plane of light with each point moved as the map distorts it, by quintic splines."""
     from scipy.ndimage import map_coordinates
 
     pitch = [float(along[1] - along[0]) if len(along) > 1 else blur.pixel for along in (blur.y, blur.x)]
     down, across = _places(blur.field_map, blur.y, blur.x, spectrum, PLACES * min(pitch))
     at = np.stack([(down - blur.y[0]) / pitch[0], (across - blur.x[0]) / pitch[1]])
+    # Without distortion the image stays as it is, free of resampling errors.
     if all(np.abs(found - here).max() <= PLACES for found, here in zip(at, np.indices(plane.shape), strict=True)):
         return plane
     made: Values = map_coordinates(plane, at, order=5, mode=_MODES[blur.border], output=plane.dtype)
+    # Splines overshoot at edges; light is not negative.
     return np.maximum(made, 0.0) if plane.min() >= 0.0 else made
 
 
 def _places(field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float) -> tuple[Array, Array]:
-    """Return y and x without distortion of the light that arrives at rows and columns, off by at most `tol`."""
+    """Return y and x, without distortion, of the light that arrives at rows and columns, within `tol`."""
     from scipy.interpolate import RectBivariateSpline
 
     if len(y) * len(x) <= _FEW or min(len(y), len(x)) < 16:
@@ -695,5 +706,6 @@ def _places(field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, 
         if off <= tol:
             down, across = (s(*(np.linspace(0.0, 1.0, len(along)) for along in (y, x))) for s in splines)
             return down, across
+        # Old nodes are among the new ones, and the spacing halves.
         count = 2 * count - 1
     raise ValueError("distortion of the map must be smooth over the field, and changes between close pixels")

@@ -18,10 +18,10 @@ from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
-TINY = 1e-30  # keeps what is divided by from 0: a count of 0 has then a ratio of 0
-_MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
-_MOST_RATIO = 1e3  # of counts to those of a model
-_BLOCK, _DARKEST = 8, 10.0  # pixels of the side of means, and the percentile of these that a background starts from
+TINY = 1e-30  # added to denominators: the ratio of a count of 0 to a model of 0 is then 0
+_MANY = 3.0  # mean electrons above which the deviance of the true scene is 1 and its first correction
+_MOST_RATIO = 1e3  # largest ratio of counts to model
+_BLOCK, _DARKEST = 8, 10.0  # pixels a side of block means, and their percentile that a background starts from
 
 
 class PoissonCounts:
@@ -61,6 +61,9 @@ class PoissonCounts:
         offset = np.asarray(noise.offset, dtype=np.float64)
         gain = np.asarray(1.0 if noise.white is None else noise.white)
         read = np.asarray(noise.read, dtype=np.float64)
+        # read^2 more electrons, in units of light: a Poisson variable with that much more mean has the variance of
+        # shot
+        # and read noise together.
         added = (read / gain) ** 2 * gain
         planes = len(recorded)
         self.known = np.zeros(planes, dtype=np.int64)  # pixels of each plane that are neither unknown nor full
@@ -110,6 +113,8 @@ class PoissonCounts:
     @property
     def slack(self) -> float:
         """Three standard deviations of the discrepancy of the true scene, by which it may exceed 1."""
+        # A term of the deviance is about chi-squared with one degree of freedom: variance 2, and 2 / n for a mean of
+        # n.
         return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
 
     def mean(self, discrepancies: Array) -> float:
@@ -128,6 +133,7 @@ class PoissonCounts:
         if stopped == MISFIT:
             parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
             return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
+        # Below one electron the deviance of the true scene is itself below 1, so it says nothing about the noise.
         if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
             text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
             return Finding("too_quiet", "error", text, numbers)
@@ -138,12 +144,13 @@ class PoissonCounts:
 
         Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004.
         """
+        # Twice: the deviance is twice the logarithm of a ratio of likelihoods.
         return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1)) / self.expected
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
         """Return counts and weights; both are 0 where nothing is known."""
         given = np.asarray(self._recorded[plane, rows, columns])
-        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
+        shift, weight = (_map_part(each, rows, columns) for each in (self._shift, self._weight))
         if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
             counts = (given + shift.astype(np.float64)).astype(self.dtype)
         else:
@@ -157,14 +164,15 @@ class PoissonCounts:
 
     def _added_at(self, rows: slice, columns: slice) -> Values:
         """Return the variance of reading, in units of light, of a part."""
-        return _at(self._added, rows, columns)
+        return _map_part(self._added, rows, columns)
 
     def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
         """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
         counts, weight = self.part(plane, rows, columns)
-        added = _at(self._added, rows, columns)
-        model = np.maximum(light + added + _at(np.asarray(self.background, np.float32), rows, columns), TINY)
+        added = _map_part(self._added, rows, columns)
+        model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
         known = np.broadcast_to(weight > 0.0, counts.shape)
+        # Over the standard deviation of a Poisson count, the root of its mean in electrons.
         off = (counts - model) * np.sqrt(self.white * weight / model)
         return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
 
@@ -177,7 +185,7 @@ class PoissonCounts:
                 sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
                 (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
                 counts, weight = self.part(plane - planes, y, x)
-                light = np.maximum(counts - _at(self._added, y, x), 0.0)
+                light = np.maximum(counts - _map_part(self._added, y, x), 0.0)
                 out[down, across] = np.where(weight > 0.0, light, self.level)
             return out
 
@@ -185,6 +193,7 @@ class PoissonCounts:
 
     def set_background(self, levels: Array) -> None:
         """Take the background from its levels at points of a grid over the field."""
+        # Linear between the points along either axis.
         down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
         self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
 
@@ -196,7 +205,7 @@ class PoissonCounts:
 
     @cached_property
     def _pixel_weights(self) -> Array:
-        """The weights of all voxels of each pixel."""
+        """Sum over the planes of the weights of each pixel."""
         sides = self._recorded.shape[1:]
         made = np.zeros(sides)
         for plane in range(len(self.known)):
@@ -213,7 +222,9 @@ class PoissonCounts:
             light = np.where(known, counts - self._added, 0.0)
             for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
                 parts = (np.array_split(each, across, axis=1) for each in rows)
+                # Blocks with unknown pixels are left out.
                 found += [float(some.sum() / all_.sum()) for some, all_ in zip(*parts, strict=True) if all_.all()]
+        # A percentile: the least of many means is below the background by noise.
         return max(float(np.percentile(found, _DARKEST)), 0.0)
 
     def flat(self) -> float:
@@ -237,6 +248,9 @@ class PoissonCounts:
             of_specimen += found[1:]
         if np.any(self.background):
             lost, lit, spread = of_specimen
+            # Terms of the deviance have the variance 2: with weights w, 2 sum(w^2) / sum(w)^2 for their mean. The
+            # slack
+            # is three standard deviations.
             self.of_specimen = 2.0 * self.white * lost / max(lit, TINY), 3.0 * np.sqrt(2.0 * spread) / max(lit, TINY)
         return self.per_pixel(sums)
 
@@ -246,8 +260,8 @@ class PoissonCounts:
         Voxels have there the square of the specimen's share of the model as their weight.
         """
         counts, weight = self.part(plane, rows, columns)
-        beside = _at(np.asarray(self.background, self.dtype), rows, columns)
-        other = _at(self._added, rows, columns) + beside
+        beside = _map_part(np.asarray(self.background, self.dtype), rows, columns)
+        other = _map_part(self._added, rows, columns) + beside
         # In place throughout: new memory costs more than what is done in it.
         at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
         share = light.copy() if np.any(beside) else None
@@ -282,17 +296,19 @@ class PoissonCounts:
 
 def _between(side: int, count: int) -> Array:
     """Return the weights of evenly spaced points at each pixel, linear between two."""
+    # Hat functions around the points; one point holds everywhere.
     place = np.linspace(0.0, count - 1.0, side)
     return np.asarray(np.maximum(1.0 - np.abs(place[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
 
 
 def at_least(values: Values, least: float) -> Values:
-    """Raise values to the least, in place; a row of it is much faster than a number."""
+    """Raise values to at least `least`, in place."""
+    # numpy's maximum of an array and a row is much faster than of an array and a number.
     return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
 
 
-def _at(each: Values, rows: slice, columns: slice) -> Values:
-    """Return a part of a map, or the number that is the same everywhere."""
+def _map_part(each: Values, rows: slice, columns: slice) -> Values:
+    """Return a part of a map, or the number that holds for all pixels."""
     return each[rows, columns] if each.ndim else each
 
 

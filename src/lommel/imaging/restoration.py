@@ -68,11 +68,11 @@ from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 
-_MISFIT = 0.08  # of the photograph's own discrepancy beyond 1, which that of a result may have
+_MISFIT = 0.08  # largest discrepancy of a result beyond 1, over that of the photograph beyond 1
 _CHANGE = 4.5  # mean change of a pixel over that by the blur; up to 3.3 in photographs whose blur is as stated
-_LEAST_CHANGE = 0.8  # of the noise, which any method takes away
-_FEW = 5  # steps: results of so few may be smoother than the photograph is blurred
-_TURN = 0.1  # of the noise, by which a photograph is changed to see what a result follows
+_LEAST_CHANGE = 0.8  # of the noise: the change that removing noise makes without any deblurring
+_FEW = 5  # steps: results of so few may be smoother than the photograph
+_TURN = 0.1  # of the noise: step of the difference quotient of a result by the photograph
 
 
 Method = RichardsonLucy | TotalVariation | OnePass
@@ -88,7 +88,7 @@ def solve(method: Method, observed: PhotographCounts, tell: Tell) -> Solution:
 def noise_aware(
     method: RichardsonLucy | TotalVariation, observed: PhotographCounts
 ) -> RichardsonLucy | TotalVariation:
-    """Return a method that leaves what the photograph shows to be noise, where that is more than its target."""
+    """Return the method with the discrepancy that the photograph's noise has as target, if above its own target."""
     if not 0.0 < method.target < 1.0 or (isinstance(method, TotalVariation) and method.strength is not None):
         return method
     shown = wiener_target(observed)
@@ -96,7 +96,7 @@ def noise_aware(
 
 
 def judged(observed: PhotographCounts, found: Solution, method: Method) -> tuple[float, str]:
-    """Return the share of the photograph, 0 to 1, that a result needs to be no worse, and why the method stopped."""
+    """Return the share of the photograph, 0 to 1, with which a result is not worse, and why the method stopped."""
     after, before = (observed.mean(observed.discrepancies_of(each)) for each in (found.light, observed.image))
     # Steps of a given number need not have come to an end.
     ended = found.stopped != STEPS or not isinstance(method, RichardsonLucy)
@@ -117,6 +117,7 @@ def mixed(observed: PhotographCounts, light: Values, share: float) -> Values:
 def _is_overdone(observed: PhotographCounts, light: Values) -> bool:
     """Return whether light differs from the photograph by more than any blur like the stated one would explain."""
     known, photo = observed.certain, observed.image
+    # Of shot noise, in units of light: counts over the gain.
     noise = np.sqrt(observed.counts[known] / (observed.weight[known] * observed.white))
     by_blur = np.abs(observed.model(photo) - observed.counts)[known].mean(dtype=np.float64)
     least = _LEAST_CHANGE * noise.mean(dtype=np.float64)
@@ -131,15 +132,21 @@ def _nearest_share(observed: PhotographCounts, found: Solution) -> float:
     sigma = np.sqrt(noise * observed.counts / (np.where(known, observed.weight, 1.0) * observed.white))
     signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
     moved = _TURN * sigma * signs * known
+    # Random signs b of size sigma: b.(dx/dy b) is on average the sum of sigma^2 dx/dy, that is E[x.n] (Stein's
+    # lemma).
     other = found.alike(observed.replaced(observed.light + moved))
+    # d = x - y: the change of y itself is subtracted.
     along = (sigma * signs * (other - found.light - moved))[known].sum(dtype=np.float64) / _TURN
     change = (found.light - observed.counts + observed.added)[known].astype(np.float64)
+    # (1 - A) x in place of (1 - A) scene.
     sharpened = (found.light - (observed.model(found.light) - observed.added))[known]
+    # The floor only keeps 0 / 0 away where the result is the photograph.
     size = max(float(change @ change), 1e-300)
+    # a^2 |d|^2 + 2 a E[d.n] - 2 a d.(1 - A) x is least at this a, the share of the result; 1 - a is the photograph's.
     return min(max(1.0 - (float(change @ sharpened) - float(along)) / size, 0.0), 1.0)
 
 
-_QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next
+_QUIET, _PAUSE = 1.5, 0.2  # seconds before the first progress line, and between lines
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -280,7 +287,7 @@ def restore_with(
     """
     validation.instance("blur", blur, LinearBlur)
     validation.instance("noise", noise, Noise)
-    way = _checked(method, progress)
+    way = _checked_method(method, progress)
     recorded = blur.require(light, "light", missing=True)
     limit = validation.real("saturation", saturation, infinite=True)
     observed = PhotographCounts(blur, recorded, noise, limit)
@@ -377,7 +384,7 @@ def restore(
     (dtype('uint16'), True)
     """
     settings = Settings.of(restore, options, Keywords)
-    way = _checked(method, progress)
+    way = _checked_method(method, progress)
     validation.instance("noise", noise, Noise)
     given, hidden = validation.parted("photo", photo)
     over_field = isinstance(lens, FieldMap)
@@ -387,6 +394,7 @@ def restore(
             raise ValueError(
                 "tile is for a Lens, got a FieldMap; leave it out, or restore crops with FieldBlur(center=)"
             )
+    # Memory-mapped files may be larger than memory.
     elif not over_field and any(isinstance(each, np.memmap) for each in (photo, depth, out)):
         tile = TILE
     if out is not None:
@@ -459,7 +467,7 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
 def _over_the_field(
     shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, given: Keywords
 ) -> FieldBlur:
-    """Return the operator of a map, with its middle in the middle of a photograph of this shape."""
+    """Return the operator of a field map whose centre is at the centre of a photograph of this shape."""
     for name in ("occlusion", "missing", "tol"):
         if name in given:
             raise ValueError(
@@ -485,11 +493,11 @@ def _by_tiles(
     out: Pixels,
     progress: Callable[..., object] | None,
 ) -> Restoration:
-    """Return a photograph, given with what is hidden of it, restored by tiles, its values in `out`."""
+    """Return a photograph restored tile by tile, its values in `out`; the mask `hidden` marks unknown pixels."""
     photo, hidden = given
 
     def observed(around: Window) -> PhotographCounts:
-        """Return what was observed of a part."""
+        """Return counts of a part of the photograph."""
         try:
             unseen = None if hidden is None else hidden[around]
             light = recorded(np.asarray(photo[around]), blur.encoding, limit, unseen)
@@ -506,6 +514,7 @@ def _by_tiles(
         return math.hypot(*(at.start + at.stop - size for at, size in zip(tile[0], photo.shape, strict=False)))
 
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
+    # The central tile is solved in full; the others repeat its steps and its share of the photograph.
     middle = min(tiles, key=from_middle)
     central = observed(middle[1])
     first = solve(method, central, silent)
@@ -529,7 +538,9 @@ def _by_tiles(
         if progress is not None:
             progress(done, len(tiles))
     count = float(known.sum())
+    # Discrepancies are means per known pixel: sums of tiles are weighted by their known pixels.
     discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
+    # The central tile may agree with its noise where others do not.
     stopped = stopped if stopped != NOISE or discrepancy <= 1.0 else STEPS
     return Restoration(
         out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped,
@@ -538,7 +549,7 @@ def _by_tiles(
 
 
 def _findings(stopped: str, discrepancy: float) -> Findings:
-    """Return what is to be said of the restoration of a photograph."""
+    """Return the findings on the restoration of a photograph."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
         text = "depth, lens or noise do not fit the photograph, which is the result"
@@ -549,8 +560,8 @@ def _findings(stopped: str, discrepancy: float) -> Findings:
     return Findings()
 
 
-def _checked(method: object, progress: object) -> Method:
-    """Return a method, Richardson-Lucy for None; TypeError if it is none, or `progress` cannot be called."""
+def _checked_method(method: object, progress: object) -> Method:
+    """Return the method, Richardson-Lucy for None; TypeError if it is none, or if `progress` cannot be called."""
     validation.function("progress", progress, required=False)
     if method is None:
         return RichardsonLucy()
@@ -565,7 +576,7 @@ def _checked(method: object, progress: object) -> Method:
 
 @contextmanager
 def shown(progress: Tell | None) -> Iterator[Tell]:
-    """Give what is called at each step: `progress`, or else a line on standard error, where that is a terminal."""
+    """Yield the function called at each step: `progress`, or a line on standard error if it is a terminal."""
     validation.function("progress", progress, required=False)
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():
         yield progress or silent

@@ -22,7 +22,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
 _QUADRATURE = of_large_phases(1e-13)
-_LOCAL = 600.0  # half widths in v from which sparse rules are faster than dense ones
+_LOCAL = 600.0  # half widths in v above which sparse rules are faster than dense ones
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,9 @@ class SensorLight:
         for wavelength, weight in self.spectrum:
             there = pupil.in_light(wavelength)
             step = math.pi * self.pixel / there.scale
+            # I is relative to the peak without aberrations: the share of a pixel is the integral of I over its square
+            # in v,
+            # over 4 pi times the transmission.
             share = weight * step**2 / (4.0 * math.pi * there.transmission)
             if half * step > _LOCAL:
                 local = local_rule(half, step)
@@ -70,6 +73,7 @@ class SensorLight:
 
     def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
         """Return the half width of windows that hold `energy` of the light, and nearly 1 over their peaks."""
+        # Three defocus values determine the parabola.
         ends = np.linspace(*defocus, 3)
         pupil = self.defocused(ends)
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
@@ -87,6 +91,7 @@ class SensorLight:
             likely = (half + 0.5) * (1.0 - held) / (1.0 - energy)
             if half == largest or (likely > largest and (held := self._held(pupil, largest)) < energy):
                 raise too_large(largest, energy, pupil, self.spectrum, self.pixel, held)
+            # Half widths grow by 30 %: few tries, and little that is computed and not needed.
             half = min(math.ceil(1.3 * half) + 1, largest)
 
     def _held(self, pupil: Pupil, half: int) -> float:
@@ -98,10 +103,10 @@ class SensorLight:
         return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in each)))
 
 
-_BLOCKS = 18  # of values of U at once
-_APART = 4  # spacings between values of U
-_TAPS = 28  # values of U that those between them follow from
-_DEAR = 8.0  # a value of J0, over a step of the series at one radius
+_BLOCKS = 18  # blocks of values of U computed together
+_APART = 4  # steps of v from one computed value of U to the next
+_TAPS = 28  # values of U that interpolation uses
+_DEAR = 8.0  # cost of a value of J0 over that of a term of the series at one radius
 
 
 def _profiles(pupil: Pupil, v: Array) -> Array:
@@ -141,7 +146,7 @@ def _profiles(pupil: Pupil, v: Array) -> Array:
 # Process. Data Anal. 20, 20 (2022), doi:10.1007/s43670-022-00039-1.
 @lru_cache(maxsize=4)
 def _between(spacing: float) -> tuple[Array, Array]:
-    """Return what values make of U between them, from a block of these and from the next; shape (taps, values)."""
+    """Return the weights of interpolation, of values of U in a block and in the next one; shape (taps, values)."""
     half = _TAPS // 2
     at = half - 1 + np.arange(_TAPS * _APART) / _APART
     x = at - np.arange(2 * _TAPS)[:, None]
@@ -163,7 +168,7 @@ def too_large(
     pixel: float,
     held: float | None = None,
 ) -> ValueError:
-    """Return the error of windows that would be too large, with a size that is enough for a stack of pupils."""
+    """Return the error for too large windows, with a half width that suffices for a stack of pupils."""
     # Beyond the shadow each edge diffracts light whose mean falls as r^-3 from there on: of a round aperture
     # lambda N / (pi^3 r^3), which adds up to 8 sin(pi / 4) / pi^3 lambda N / a outside of a square of the sides 2 a.
     edges = 1.0 + pupil.obscuration + (len(pupil.spider.angles) / math.pi if pupil.spider else 0.0)
@@ -175,6 +180,7 @@ def too_large(
         light = pupil if wavelength is None else pupil.in_light(wavelength)
         shadow = max(shadow, float(light.geometric_radius().max()))
         diffracted += weight * light.scale * edges / float(np.min(light.transmission))
+    # Of the two summands, the geometric shadow and what its edges diffract.
     far = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
     enough = max(math.ceil(far / pixel), largest) + 1
     larger = f"allow larger windows (largest={enough} or more), " if enough <= MAX_HALF else ""
@@ -185,13 +191,13 @@ def too_large(
     )
 
 
-_ERROR = 1e-9  # of windows whose peaks are about 1
-_MOST = 20_000  # nodes
+_ERROR = 1e-9  # bound of the polynomial's error, for windows whose peaks are about 1
+_MOST = 20_000  # largest number of Chebyshev nodes
 
 
 @dataclass(frozen=True)
 class Parabola:
-    """The polynomial ``curvature (C - middle)^2 + least``, of curvature >= 0 and least > 0."""
+    """Parabola ``curvature (C - middle)^2 + least`` in the defocus C, curvature >= 0 and least > 0."""
 
     curvature: float
     middle: float
@@ -199,9 +205,10 @@ class Parabola:
 
     @classmethod
     def through(cls, defocus: Array, values: Array) -> Parabola:
-        """Return the parabola that is nearly 1 over `values`, none above 1, at three equally spaced defocus."""
+        """Return the parabola closest to 1 / `values`, none above 1, at three equally spaced defocus values."""
         step, (before, here, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
         bend = 0.5 * (before + after) - here
+        # Almost equal peaks need no parabola, and the division by bend would amplify rounding.
         if not bend > 1e-3 * here:
             return cls(0.0, 0.0, 1.0)
         shift = 0.25 * (after - before) / bend
@@ -228,7 +235,7 @@ class DefocusNodes:
 
     low: float
     high: float
-    parabola: Parabola  # that the windows are multiplied by
+    parabola: Parabola  # factor of the windows
     coefficients: Array  # (n, cells): of the Chebyshev polynomials, for these windows
     threads: int = 0
 
@@ -247,11 +254,14 @@ class DefocusNodes:
         """Compute as many windows as the bound asks for, with its `rate` for C up to a distance, and its `bound`."""
         middle, reach = 0.5 * (low + high), 0.5 * (high - low)
         axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # beyond the foci
+        # rho = sum of the semi-axes of the ellipse with foci -1 and 1 whose major semi-axis is 1 + axis.
         rho = 1.0 + axis + np.sqrt(axis * (axis + 2.0))
         beyond = reach * (1.0 + float(axis[-1]))
         fastest = rate(abs(middle) + beyond)
+        # |Im C| is at most the minor semi-axis, (rho - 1 / rho) / 2, times half of the range.
         growth = fastest * reach * 0.5 * (rho - 1.0 / rho)
         most = parabola.curvature * (abs(middle - parabola.middle) + beyond) ** 2 + parabola.least
+        # Solved for n: 4 M rho^(1 - n) / (rho - 1) = _ERROR, at the rho that needs the fewest nodes.
         count = float((1.0 + (np.log(4.0 * bound * most / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
         if not count <= _MOST:
             raise ValueError(
@@ -261,6 +271,7 @@ class DefocusNodes:
         odd = 2 * np.arange(math.ceil(count)) + 1
         cosines = np.cos(np.arange(4 * odd.size) * (0.5 * math.pi / odd.size))
         transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
+        # The Chebyshev coefficient of order 0 is the mean, half of the formula of the others.
         transform[0] *= 0.5
         at = middle + reach * cosines[odd]
         return cls(
@@ -274,23 +285,25 @@ class DefocusNodes:
 
     def values(self, defocus: Array) -> Array:
         """Return the windows at values of the defocus."""
+        # Chebyshev polynomials are T_n(x) = cos(n arccos x); rounding may place x beyond 1.
         angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
         basis = _cosines(angle, len(self.coefficients))
         basis /= self.parabola(defocus)
         return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
 
     def of_first(self, cells: int) -> Self:
-        """Return the same for the first pixels alone."""
+        """Return the interpolation of the first pixels only."""
         return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
 
     def sums(self, weights: Array) -> Self:
-        """Return the same for sums over the last pixels times weights, shape (sums, pixels)."""
+        """Return the interpolation of sums over the last pixels times weights, shape (sums, pixels)."""
         last = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
         return replace(self, coefficients=np.ascontiguousarray(last @ weights.T))
 
 
 def _cosines(angle: Array, count: int) -> Array:
-    """Return the cosines of 0, 1, 2, ... times each angle, shape (count, n), from powers, which lose an ulp each."""
+    """Return cos(k angle) for k < count, shape (count, n)."""
+    # Powers of exp(i angle) by doubling: each is a product of two, which loses an ulp.
     powers = np.empty((count, angle.size), dtype=np.complex128)
     powers[0], known = 1.0, 1
     if count > 1:
@@ -317,7 +330,7 @@ def find_cuts(octants: Array, half: int, energy: float) -> Array:
 
 
 def of_neighbours(values: Array) -> Array:
-    """Return the largest of each value or row, the one before and the one after."""
+    """Return the largest of each value or row and its two neighbours."""
     padded = np.concatenate([values[:1], values, values[-1:]])
     return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
 
@@ -343,5 +356,6 @@ def cut(octants: Array, cuts: Array) -> Array:
 
 def sums_of_quarters(quarter: Values) -> Array:
     """Return the sums of windows that are given from the middle row down and the middle column on."""
+    # Rows and columns away from the middle stand for two each.
     down, across = (np.where(np.arange(side) == 0, 1.0, 2.0) for side in quarter.shape[1:])
     return np.asarray(quarter @ across @ down)

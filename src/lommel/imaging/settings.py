@@ -107,6 +107,7 @@ class Settings:
         }
         for name, most in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
+                # Frozen: the attributes are set past __setattr__.
                 checked[name] = validation.integer(name, value, least=1, most=most)
         vars(self).update(checked)
 
@@ -140,7 +141,7 @@ class Settings:
 
 
 def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], ...]:
-    """Return for each channel pairs of a wavelength (metres) and a weight, which sum to 1; or TypeError."""
+    """Return for each channel pairs of a wavelength (metres) and a weight, summing to 1; TypeError otherwise."""
     if isinstance(channels, Channels):
         return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:

@@ -31,20 +31,21 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
-_SCALES = (4, 6, 8, 12, 16, 24, 32)  # windows of other sizes, as many as are needed of these
-_SCREENS = 16  # layers of occlusion at most
-_TRACE = 1e-6  # coverage that is added, so that what is divided by is never 0
+_SCALES = (4, 6, 8, 12, 16, 24, 32)  # tried numbers of sizes of windows
+_SCREENS = 16  # largest number of layers of occlusion
+_TRACE = 1e-6  # coverage added to denominators, so that they are never 0
+# Relative; rounding of C_d in float32 must not put the ends of the stated range outside it.
 _SLACK = 1e-5
-_WIDTH = 36.0  # of layers, radians of C_d
-_BLOCK = 2**14  # points
-_TOGETHER = 2**25  # values of windows at once
-_CACHED = 2**19  # values that are convolved at once where each operation is a pass over the memory
+_WIDTH = 36.0  # width of layers, radians of C_d
+_BLOCK = 2**14  # points whose polynomials are computed together
+_TOGETHER = 2**25  # values of windows computed together
+_CACHED = 2**19  # values convolved together where each operation is a pass over memory
 _OF_NUMPY = (np.ndarray, np.generic)
 _OPTICS = ("focus_distance", "f_number", "defocus", "zernike")
 
 
 class Optics(NamedTuple):
-    """Numbers of a paraxial lens, metres and radians: as it was given, and the ranges that can be learned."""
+    """Numbers of a paraxial lens, metres and radians: as stated, and the ranges that can be learned."""
 
     focal_length: float
     sensor_distance: float
@@ -56,16 +57,19 @@ class Optics(NamedTuple):
     zernike: tuple[tuple[Term, float], ...]
 
     def at(self, focus_distance: Operand, f_number: Operand) -> tuple[Operand, Operand, Operand]:
-        """Return the vergence, the waves, and the size of PSFs over that of the lens as given, None if it is that."""
+        """Return the vergence, the waves, and the size of PSFs over that of the stated lens (None: the same)."""
         inverse = 1.0 / self.sensor_distance
         vergence: Operand = inverse - 1.0 / self.focal_length
         scale: Operand = None
         if focus_distance is not None:
+            # Focused at a distance, the lens has the vergence -1 / distance: C_d is 0 there.
             vergence = -1.0 / focus_distance
+            # Sensor distance over that of the stated lens: PSFs grow with lambda times the working f-number.
             scale = inverse / (1.0 / self.focal_length + vergence)
         if f_number is None:
             return vergence, self.waves, scale
         ratio = f_number / self.f_number
+        # Defocus goes with the square of the aperture's radius at a given distance.
         return vergence, self.waves / ratio**2, ratio if scale is None else ratio * scale
 
 
@@ -235,13 +239,14 @@ class TracedBlur:
         return xp.reshape(self._by_lens(image, distance, lens, occlusion=occlusion), shape)
 
     def _by_lens(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
-        """Return the blurred images, each of a batch by its own lens where there are several."""
+        """Return the blurred images, each of a batch with its own lens where there are several."""
         along = {"image", "distance", *_several(lens)}
         if len(along) == 2:
             return self._over_field(image, distance, lens, occlusion=occlusion)
         given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
             along.add("defocus")
+        # Operands with one element along the batch are shared, not mapped.
         axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
         # What there is one of is that of all.
         given |= {name: given[name][0, ...] for name in along if axes[name] is None}
@@ -263,24 +268,26 @@ class TracedBlur:
     def _over_field(
         self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool
     ) -> Tensor:
-        """Return the blurred image, points between nodes over the field by sums of the PSFs of these."""
+        """Return the blurred image; PSFs between nodes over the field are weighted sums of those of the nodes."""
         static = self._static
         xp, nodes = static.namespace.xp, lens["zernike"]
         if nodes is None or len(nodes.shape) < 3:
-            return self._made(image, distance, lens, occlusion=occlusion)
+            return self._blurred(image, distance, lens, occlusion=occlusion)
         count, across = math.prod(nodes.shape[:2]), nodes.shape[1]
         down, along = (self._hats(image, axis, nodes.shape[axis]) for axis in (0, 1))
         nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
 
         def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
             share = xp.expand_dims(row, axis=-1) * column
-            return self._made(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
+            # Linear weights commute with the blur: each node's PSF blurs the image times the node's weight.
+            return self._blurred(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
 
         if static.namespace.name == "jax":
             import jax
 
             given = xp.repeat(down, across, axis=0), xp.tile(along, (count // across, 1)), nodes
             start = xp.zeros(image.shape, dtype=image.dtype)
+            # A scan holds the images of one node at a time.
             total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
             return total
         made: Operand = 0.0
@@ -298,8 +305,8 @@ class TracedBlur:
         hats: Tensor = xp.clip(1.0 - xp.abs(at - node), 0.0, 1.0)
         return hats
 
-    def _made(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
-        """Return the blurred image (..., channels, height, width) from arrays that are checked."""
+    def _blurred(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
+        """Return the blurred image (..., channels, height, width) from checked arrays."""
         static = self._static
         xp, shape = static.namespace.xp, tuple(image.shape)
         c, scale = self._focus(distance, lens)
@@ -319,7 +326,7 @@ class TracedBlur:
         return made + self._occlusion(image, c, size, kernels, shape) if occlusion else made
 
     def _focus(self, distance: Operand, lens: Mapping[str, Operand]) -> tuple[Operand, Operand]:
-        """Return C_d, and the size of PSFs over that of the lens as given, None if it is that."""
+        """Return C_d, and the size of PSFs over that of the stated lens (None: the same)."""
         vergence, waves, scale = self._static.optics.at(lens["focus_distance"], lens["f_number"])
         c = waves * (vergence + 1.0 / distance)
         return (c if lens["defocus"] is None else c + lens["defocus"]), scale
@@ -444,7 +451,7 @@ class TracedBlur:
                 raise ValueError(f"the blur was made for {' and '.join(told)}; clamp what is learned to its range")
 
     def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
-        """Return the indices of points within the image for places up to a window beyond it, and which are inside."""
+        """Return source indices for positions up to a window beyond the image, and 1 inside the image, else 0."""
         static = self._static
         xp, count, half = static.namespace.xp, c.shape[axis], static.half
         where = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
@@ -452,6 +459,7 @@ class TracedBlur:
         inside = xp.astype((at >= 0) & (at < count), c.dtype)
         if static.border != "reflect":
             return xp.clip(at, 0, count - 1), inside
+        # Mirrored at the edges, with the edge pixel repeated: period 2 count.
         turned = at % (2 * count)
         return xp.where(turned < count, turned, 2 * count - 1 - turned), inside
 
@@ -465,6 +473,7 @@ class TracedBlur:
         layer: Operand = None
         middle, reach = self.tables["middles"][0], self.tables["reaches"][0]
         if len(static.ranks) > 1:
+            # The layer is an index, without derivative.
             layer = xp.searchsorted(self.tables["edges"], ns.stop(c))
             middle, reach = (xp.take(self.tables[name], layer, axis=0) for name in ("middles", "reaches"))
         x = xp.clip((c - middle) / reach, -1.0, 1.0)
@@ -472,6 +481,7 @@ class TracedBlur:
         made = []
         for k, degrees in enumerate(static.degrees):
             weights = ns.matmul(self.tables[f"weights_{k}"], polynomials[:degrees, ...])
+            # Each point takes the weights of its own layer alone.
             made.append(weights if layer is None else xp.where(layer == k, weights, xp.zeros_like(weights)))
         return made
 
@@ -493,10 +503,12 @@ class TracedBlur:
             windows = xp.sum(tables["windows"] * tables["as given"], axis=0)
         else:
             low, high = static.scales
+            # Position from -1 to 1 among the known sizes, on a logarithmic scale.
             x = xp.clip((xp.log(scale) - 0.5 * (low + high)) * (2.0 / (high - low)), -1.0, 1.0)
             basis = _polynomials(ns, xp.reshape(x, (1,)), tables["transform"].shape[0])
             shares = ns.matmul(xp.permute_dims(basis, (1, 0)), tables["transform"])
             windows = xp.sum(tables["windows"] * xp.reshape(shares, (-1, 1, 1, 1)), axis=0)
+        # Windows are symmetric: a quarter and cosines give the whole spectrum, which is real.
         down, across = (_cosines(ns, side, tables, every) for side, every in zip(size, (True, False), strict=True))
         made = []
         for part in parts:
@@ -534,7 +546,8 @@ class TracedBlur:
     def _occlusion(
         self, image: Operand, c: Operand, size: tuple[int, ...], kernels: list[Tensor], shape: tuple[int, ...]
     ) -> Operand:
-        """Return what occlusion changes in the image."""
+        """Return the change of the image by occlusion."""
+        # Layers from the front to the back, each blurred by one PSF.
         static = self._static
         xp, screens = static.namespace.xp, static.screens
         cover = xp.ones_like(image)
@@ -558,9 +571,11 @@ class TracedBlur:
                 for each in (image, cover)
             )
             part = xp.clip(part, 0.0, 1.0)
+            # Light of a layer is let through where nearer ones leave room: coverage adds up to at most 1.
             seen = part if k == 0 else xp.minimum(part, 1.0 - covered)
             out, plain = out + light * (seen / (part + _TRACE)), plain + light
             covered = covered + seen
+        # Divided by the coverage, so that a surface hidden nowhere keeps its brightness.
         return out / (covered + _TRACE) - plain
 
     def __repr__(self) -> str:
@@ -586,13 +601,13 @@ class TracedBlur:
 
 
 def _several(lens: Mapping[str, Operand]) -> list[str]:
-    """Return the parts of the lens of which each image of a batch has its own."""
+    """Return the operands of the lens that differ between the images of a batch."""
     several = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
     return [name for name, axes in several.items() if lens[name] is not None and len(lens[name].shape) in axes]
 
 
 def _pieces(ns: Namespace, x: Operand, size: int) -> list[Operand]:
-    """Return `x` in pieces of a `size` along its first axis."""
+    """Return pieces of `size` along the first axis."""
     if ns.name == "torch":  # derivatives of slices would each be as large as the whole
         return list(x.split(size, dim=0))
     count = x.shape[0]
@@ -602,6 +617,7 @@ def _pieces(ns: Namespace, x: Operand, size: int) -> list[Operand]:
 def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     """Return the Chebyshev polynomials of degrees below `count` at x (n,), shape (count, n)."""
     # T_(m+j) = 2 T_m T_j - T_(m-j)
+    # Each turn of the loop doubles the number of polynomials.
     xp = ns.xp
     made: Operand = xp.stack([xp.ones_like(x), x], axis=0)
     while made.shape[0] < count:
@@ -612,7 +628,7 @@ def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
 
 
 def _fast(side: int) -> int:
-    """Return the least number of this size or more without prime factors above 5."""
+    """Return the least number at or above `side` without prime factors above 5, for fast Fourier transforms."""
     while True:
         rest = side
         for prime in (2, 3, 5):
@@ -624,16 +640,17 @@ def _fast(side: int) -> int:
 
 
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
-    """Return the matrix of the cosine transform of half a symmetric row, to all frequencies or those of real rows."""
+    """Return the cosine transform of half a symmetric row, to all frequencies or to those of real rows."""
     xp, at = ns.xp, tables["at"]
     where = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
     frequency = xp.arange(side if every else side // 2 + 1, **where)
+    # Whole turns are removed in integers: exact for large products, which float32 would round.
     turns = (xp.reshape(frequency, (-1, 1)) * at) % side  # type: ignore[operator]
     return xp.cos(xp.astype(turns, tables["once"].dtype) * (math.tau / side)) * tables["once"]
 
 
 def _centred(xp: ArrayFunctions, windows: Operand, half: int, size: tuple[int, ...]) -> Operand:
-    """Return windows (..., side, side) in arrays of a `size`, the middle at the first element."""
+    """Return windows (..., side, side) in arrays of `size`, their centre at the first element."""
     for axis, length in ((-2, size[0]), (-1, size[1])):
         first = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
         last = (Ellipsis, slice(0, half), slice(None)) if axis == -2 else (Ellipsis, slice(0, half))
@@ -729,6 +746,7 @@ def traced_blur(
     colours = spectra("wavelengths", [lens.wavelength] if wavelengths is None else wavelengths)
     optics = _optics(lens, focus_distances, f_numbers, defocus, zernike)
     low, high, scales = _ranges(lens, optics, distances)
+    # At the largest scale the PSF spans most pixels: its window holds all others.
     lights = [SensorLight.of(lens, colour, pitch) for colour in colours]
     widest = [replace(light, pixel=pitch / math.exp(scales[1])) for light in lights]
     most = validation.integer("largest", largest, least=1, most=4096)
@@ -747,10 +765,12 @@ def traced_blur(
 
     def with_terms(c: Array, coefficients: Array) -> Array:
         assert aberrated is not None
+        # A size of 1: windows of the stated lens.
         made = numpy.to_numpy(aberrated(numpy, of_zernike, c, coefficients, np.float64(1.0)))
         return np.reshape(made, (len(c), len(colours), -1))
 
     limits = np.array([most for _, most in optics.zernike])
+    # Corners of the range of coefficients, and points inside it, stand for all of it.
     members = [limits * draw.choice([-1.0, 1.0], limits.size) * share for share in (1.0, 0.6)] if limits.size else []
 
     def windows(c: Array) -> Array:
@@ -763,6 +783,7 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     known = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     table, transform = _sizes(exact, nodes, known, scales, allowed)
+    # The marginal ray moves by 4 lambda N / pi a radian, step / 4 radians a pixel: about a pixel a screen.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _SCREENS)))
     tables: dict[str, Values] = {
         "windows": table,
@@ -789,7 +810,7 @@ def traced_blur(
 
 
 def _namespace(xp: object, device: object, precision: str) -> Namespace:
-    """Return the namespace of a framework; ValueError if it has not the precision."""
+    """Return the namespace of a framework; ValueError if it lacks the precision."""
     ns = Namespace.of(xp)
     validation.choice("precision", precision, ("float32", "float64"))
     if precision == "float64" and not ns.has_double(device):
@@ -798,7 +819,7 @@ def _namespace(xp: object, device: object, precision: str) -> Namespace:
 
 
 def _joined(windows: Array, others: list[Array]) -> Array:
-    """Return windows (n, parts, cells) and others of more cells side by side, padded by zeros."""
+    """Return windows (n, parts, cells) and others of more cells side by side, padded with zeros."""
     if not others:
         return windows
     more = np.concatenate(others, axis=1)
@@ -808,7 +829,7 @@ def _joined(windows: Array, others: list[Array]) -> Array:
 
 
 def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, Values]:
-    """Return the tables of layers by name, with the weights of their windows at the C_d of layers of occlusion."""
+    """Return the tables of layers by name, with the weights of their windows at the C_d of occlusion layers."""
     tables: dict[str, Values] = {
         "edges": np.array([layer.high for layer in layers[:-1]]),
         "middles": np.array([0.5 * (layer.low + layer.high) for layer in layers]),
@@ -823,16 +844,17 @@ def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, V
 
 
 class _Exact:
-    """Exact windows of sum 1, of each channel."""
+    """Exact windows, of sum 1, of each channel."""
 
     def __init__(self, lights: list[SensorLight], half: int) -> None:
         self._lights, self._half, self._alike = lights, half, cells_alike(half)
         self.cells = self._alike.size
 
     def __call__(self, c: Array, size: float) -> Array:
-        """Return windows (n, channels, cells) of C_d for a size, the logarithm of that over that of the lens."""
+        """Return windows (n, channels, cells) at C_d, for the logarithm of the size of PSFs over the stated lens."""
         made = []
         for light in self._lights:
+            # A PSF larger by exp(size) on the pixel is the stated one on a smaller pixel.
             scaled = light if size == 0.0 else replace(light, pixel=light.pixel / math.exp(size))
             shares = scaled.shares(scaled.defocused(c), self._half)
             made.append(shares / (shares @ self._alike)[:, None])
@@ -847,6 +869,7 @@ def _optics(
     terms: Mapping[Term, float] | None,
 ) -> Optics:
     """Return the checked optics of a lens; TypeError or ValueError."""
+    # C_d = pi a^2 / (2 lambda) times the error of vergence, a the radius of the aperture.
     waves = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
     if focus is not None:
         focus = _pair("focus_distances", focus, lens.focal_length)
@@ -865,6 +888,7 @@ def _optics(
         if not (0 < n <= 20 and abs(m) <= n and (n - m) % 2 == 0):
             raise ValueError(f"a Zernike term must have 0 < n <= 20, |m| <= n and n - m even, got {(n, m)}")
         found.append(((n, m), validation.real(f"zernike of {(n, m)}", most, above=0.0, most=100.0)))
+    # A wavefront that depends on the wavelength by itself scales otherwise than the learned terms.
     if found and lens.colour is not None:
         raise ValueError("zernike needs a lens without colour")
     most = validation.real("defocus", defocus, least=0.0)
@@ -872,7 +896,7 @@ def _optics(
 
 
 def _numbers(name: str, values: object) -> Values:
-    """Return what is no array of a framework as one of numpy; TypeError or ValueError where it cannot be taken."""
+    """Return values that are no array of a framework as a NumPy array; TypeError or ValueError."""
     made = np.asarray(values)
     if made.dtype.kind not in "fiu":
         raise TypeError(f"{name} must hold real floats, got {validation.shown(values)}")
@@ -889,7 +913,7 @@ def _pair(name: str, values: ArrayLike, least: float) -> tuple[float, float]:
 
 
 def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, float, tuple[float, float]]:
-    """Return the least and largest C_d, and the logarithms of the size of PSFs over that of the lens."""
+    """Return the least and largest C_d, and logarithms of the size of PSFs over the stated lens."""
     lens.defocus(distances)  # checks them
     given = np.asarray(distances, dtype=np.float64)
     c, sizes = [], [0.0]
@@ -900,6 +924,7 @@ def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, fl
             sizes.append(0.0 if scale is None else math.log(scale))
     c += [float(value) for value in lens.defocus([given.min(), given.max()])]
     low, high = min(c) - optics.defocus, max(c) + optics.defocus
+    # A range of no width would divide by 0.
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
     return low, high, (min(sizes), max(sizes))
 
@@ -912,11 +937,13 @@ def _sizes(exact: _Exact, nodes: Array, known: Array, scales: tuple[float, float
     low, high = scales
     if high == low:
         return known[None], np.ones((1, 1))
+    # The ends of the range, where PSFs are largest, and focus, where they are sharpest.
     some = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
     for count in _SCALES:
         x, transform = chebyshev_nodes(count)
         at = 0.5 * (low + high) + 0.5 * (high - low) * x
         known = np.stack([exact(some, float(size)) for size in at])
+        # Half-way between neighbouring nodes, where interpolation errs most.
         between = np.array([-0.97, 0.5 * (x[0] + x[1]), 0.5 * (x[count // 2] + x[count // 2 - 1])])
         truth = np.stack([exact(some, 0.5 * (low + high) + 0.5 * (high - low) * float(b)) for b in between])
         made = np.tensordot(chebyshev(between, count) @ transform, known, 1)
@@ -929,14 +956,14 @@ def _sizes(exact: _Exact, nodes: Array, known: Array, scales: tuple[float, float
 
 
 def _at_size(size: float, scales: tuple[float, float], transform: Array) -> Array:
-    """Return the weights of the windows of known sizes for one size."""
+    """Return the weights of the windows at known sizes for one size."""
     low, high = scales
     x = 0.0 if high == low else (2.0 * size - low - high) / (high - low)
     return np.asarray((chebyshev(np.array([x]), len(transform)) @ transform)[0])
 
 
 def _cells(half: int) -> NDArray[np.int32]:
-    """Return the cell of the octant for each pixel of a quarter, row by row."""
+    """Return the octant cell of each pixel of a quarter, row by row."""
     column, row = octant(half)
     cell = np.empty((half + 1, half + 1), dtype=np.int32)
     cell[row, column] = cell[column, row] = np.arange(row.size)
@@ -944,7 +971,7 @@ def _cells(half: int) -> NDArray[np.int32]:
 
 
 def _found_error(blur: TracedBlur, exact: _Exact, draw: np.random.Generator) -> float:
-    """Return the largest error found of windows between those known, over their peaks."""
+    """Return the largest error of windows between known ones, over their peaks, at 12 random C_d."""
     edges, tables = np.array(blur._static.edges), blur.tables
     c = np.sort(draw.uniform(edges[0], edges[-1], 12))
     windows = np.asarray(tables["windows"] * tables["as given"]).sum(axis=0)
@@ -955,7 +982,7 @@ def _found_error(blur: TracedBlur, exact: _Exact, draw: np.random.Generator) -> 
 
 
 def _placed(static: Blur, tables: Mapping[str, Values], device: object = None) -> TracedBlur:
-    """Return a blur with its tables, given in NumPy, on a device, in its precision."""
+    """Return a blur with its NumPy tables on a device, in its precision."""
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
     if ns.name == "jax":
@@ -1002,7 +1029,7 @@ def _module_class() -> Any:
                 self.register_parameter(name, torch.nn.Parameter(start))
 
         def blur(self) -> TracedBlur:
-            """Return the function with the tables where they are now."""
+            """Return the function with the tables in their present place."""
             return TracedBlur(self._static, {name: getattr(self, f"table_{k}") for k, name in enumerate(self._names)})
 
         def forward(self, image: Operand, distance: Operand, **options: Operand) -> Operand:
@@ -1018,5 +1045,5 @@ def _module_class() -> Any:
 
 
 def _module(blur: TracedBlur, learned: dict[str, Array]) -> Any:
-    """Return a blur as a module of PyTorch, with parameters of these initial values."""
+    """Return a blur as a PyTorch module whose parameters start at the `learned` values."""
     return _module_class()(blur, learned)

@@ -47,8 +47,10 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
             f"{tuple(getattr(normal, 'shape', ()))}"
         )
     white, read = float(white), float(noise.read)
+    # Without reading the noise of a dark pixel is 0, and its square root has no derivative there: 1e-6 electrons^2.
     electrons = (image - float(noise.offset)) * white
     # The derivative of the root stays finite in darkness without read noise.
+    # (x + |x|) / 2 is max(x, 0) in operations that every framework has.
     light = 0.5 * noise.excess * (electrons + abs(electrons))
     return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
 
@@ -73,6 +75,7 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
         If the shape or the pattern is another.
     """
     colours = _colours(pattern)
+    # Bayer patterns repeat after two pixels.
     shape = tuple(getattr(image, "shape", ()))
     if len(shape) < 3 or shape[-3] != 3 or shape[-2] % 2 or shape[-1] % 2:
         raise ValueError(f"image must have the shape (..., 3, height, width) with even sides, got {shape}")
@@ -123,7 +126,7 @@ def _colours(pattern: str) -> tuple[int, ...]:
 
 
 def _namespace(x: Operand) -> Operand:
-    """Return the namespace of an array."""
+    """Return the array API namespace of an array."""
     if hasattr(x, "__array_namespace__"):
         return x.__array_namespace__()
     from lommel.traced.namespaces import Namespace
@@ -132,7 +135,7 @@ def _namespace(x: Operand) -> Operand:
 
 
 def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
-    """Return 1 where the pattern has a colour, else 0, of the sides of `like`."""
+    """Return 1 where the pattern has a colour, else 0, with the sides of `like`."""
     xp, (height, width) = _namespace(like), like.shape[-2:]
     where = (
         {"device": like.device} if type(like).__module__.partition(".")[0] in ("torch", "array_api_strict") else {}
@@ -148,8 +151,8 @@ def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
     return xp.astype(found, like.dtype)
 
 
-def _beside(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
-    """Return the sum of both neighbours along an axis; beyond the edge is the one before the last pixel."""
+def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
+    """Return the sum of both neighbours along an axis, mirrored about the edge pixels."""
     count = x.shape[axis]
 
     def part(first: int, last: int) -> Operand:
@@ -157,14 +160,15 @@ def _beside(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
         here[axis] = slice(first, last)
         return x[tuple(here)]
 
+    # Mirrored about the edge pixel, so that the neighbour beyond the edge has the same colour in the pattern.
     before = xp.concat([part(1, 2), part(0, count - 1)], axis=axis)
     after = xp.concat([part(1, count), part(count - 2, count - 1)], axis=axis)
     return before + after
 
 
 def _smooth(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
-    return 0.5 * x + 0.25 * _beside(xp, x, axis)
+    return 0.5 * x + 0.25 * _neighbour_sum(xp, x, axis)
 
 
 def _cross(xp: ArrayFunctions, x: Operand) -> Operand:
-    return 0.25 * (_beside(xp, x, -1) + _beside(xp, x, -2))
+    return 0.25 * (_neighbour_sum(xp, x, -1) + _neighbour_sum(xp, x, -2))

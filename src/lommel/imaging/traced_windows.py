@@ -1,4 +1,4 @@
-"""PSF windows as differentiable functions of the lens, and as sums of few in layers of defocus."""
+"""PSF windows as differentiable functions of the lens, and as sums of few windows in layers of defocus."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from lommel.special.legendre import gauss_legendre
 from lommel.traced.chordal import counts_by_largest
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
-_NODES = 16, 1.1  # Chebyshev nodes of a layer: of one of no width, and for each radian
-_MOST = 512  # layers
+_NODES = 16, 1.1  # Chebyshev nodes of a layer: of zero width, and more for each radian
+_MOST = 512  # largest number of layers
 
 
 class DefocusLayer(NamedTuple):
@@ -41,7 +41,8 @@ class DefocusLayer(NamedTuple):
 
 
 def chebyshev(x: Array, count: int) -> Array:
-    """Return the Chebyshev polynomials of the degrees below `count` at `x` in -1 to 1, shape (len(x), count)."""
+    """Return the Chebyshev polynomials of degrees below `count` at `x` in -1 to 1, shape (len(x), count)."""
+    # T_n(x) = cos(n arccos x).
     return np.asarray(np.cos(np.outer(np.arccos(np.clip(x, -1.0, 1.0)), np.arange(count))))
 
 
@@ -49,6 +50,7 @@ def chebyshev_nodes(count: int) -> tuple[Array, Array]:
     """Return nodes in -1 to 1, and the matrix from values there to Chebyshev coefficients."""
     angle = (np.arange(count) + 0.5) * (math.pi / count)
     transform = np.cos(np.outer(np.arange(count), angle)) * (2.0 / count)
+    # The coefficient of order 0 is the mean of the values, half of what the formula of the others gives.
     transform[0] *= 0.5
     return np.cos(angle), transform
 
@@ -76,6 +78,7 @@ def defocus_layers(
         made += [layer for layer in found[:good] if layer is not None]
         del wanted[len(wanted) - good :]
         if good < len(found):
+            # Halves need about half of the nodes each.
             begin, end = wanted.pop()
             middle = 0.5 * (begin + end)
             wanted += [(middle, end), (begin, middle)]
@@ -88,7 +91,7 @@ def defocus_layers(
 
 
 def _nodes(low: float, high: float, rate: float) -> Array:
-    """Return the C_d that one layer is made from."""
+    """Return the C_d of the nodes of a layer."""
     x, _ = chebyshev_nodes(math.ceil(_NODES[0] + _NODES[1] * rate * (high - low)))
     return 0.5 * (low + high) + 0.5 * (high - low) * x
 
@@ -103,18 +106,22 @@ def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) ->
     _, transform = chebyshev_nodes(count)
     at = (windows / windows.max(axis=2).min(axis=0)[:, None]).reshape(count, -1)  # over the least of the peaks
     coefficients = transform @ at
+    # Sum of the coefficients from each degree on: a bound of what is left out.
     tail = np.cumsum(np.abs(coefficients).max(axis=1)[::-1])[::-1]
     if tail[-2] > 0.2 * tol:
         return None
     degrees = max(2, int((tail > 0.1 * tol).sum()))
+    # The tested points lie between the nodes and at the ends.
     polynomials = chebyshev(np.cos(np.linspace(0.0, math.pi, 2 * count + 1)), degrees)
     truth = polynomials @ coefficients[:degrees]
     flat = at
     if at.shape[1] > 4 * count:
+        # Random mixtures of the cells: pivots of a QR decomposition need no more columns than a few times the rank.
         flat = at @ np.random.default_rng(0).standard_normal((at.shape[1], 4 * count))
     order, upper = _pivoted(flat)
     diagonal = np.abs(upper[np.arange(count), order])
     for rank in range(max(1, int((diagonal > tol * diagonal[0]).sum())), count + 1):
+        # Every row of the table as a mixture of the chosen rows.
         mixture = np.linalg.solve(upper[:rank, order[:rank]], upper[:rank]).T
         weights = transform[:degrees] @ mixture
         if np.abs(polynomials @ weights @ at[order[:rank]] - truth).max() <= 0.5 * tol:
@@ -124,11 +131,12 @@ def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) ->
 
 
 def _pivoted(rows: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return the pivots of a QR decomposition of the transpose, and R with the columns where they were."""
+    """Return the pivots of the QR decomposition of the transpose, and R with its columns in their first order."""
     # Of so few rows, LAPACK takes longer to start its threads.
     rest, order, upper = rows.copy(), np.empty(len(rows), dtype=np.int64), np.empty((len(rows), len(rows)))
     for k in range(len(rows)):
         squares = (rest * rest).sum(axis=1)
+        # Chosen rows are residuals of rounding: they must not be chosen again.
         squares[order[:k]] = -1.0
         order[k] = squares.argmax()
         size = math.sqrt(squares[order[k]])
@@ -139,9 +147,10 @@ def _pivoted(rows: Array) -> tuple[NDArray[np.int64], Array]:
 
 
 Term = tuple[int, int]
-_MOST_SAMPLES = 32  # a side of each pixel
+_MOST_SAMPLES = 32  # largest number of samples along a side of a pixel
+# Along each direction of the pupil.
 _MOST_CHORDS = 512
-_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # of the nodes that bounds ask for
+_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # of the proven number of nodes: tried first
 
 
 class AberratedWindows(NamedTuple):
@@ -177,6 +186,7 @@ class AberratedWindows(NamedTuple):
             Size of the PSF over that of the lens as given.
         """
         xp = ns.xp
+        # Phases of learned terms and of the fixed wavefront; both scale as 1 / wavelength.
         moving = ns.matmul(xp.reshape(coefficients, (1, -1)), tables["zernike"]) + tables["fixed"]
         phase = xp.reshape(c, (-1, 1)) * tables["focus"] + moving
         made = []
@@ -190,15 +200,18 @@ class AberratedWindows(NamedTuple):
         return xp.stack(made, axis=1)
 
     def _light(self, ns: Namespace, tables: Tables, phase: Tensor, lattice: Tensor) -> Tensor:
-        """Return pixel averages (n, side, side) for phases (n, chords * nodes)."""
+        """Return pixel means (n, side, side) for phases (n, chords * nodes)."""
         xp = ns.xp
         count, across = phase.shape[0], self.side * self.samples
         shape = (count, self.chords, self.nodes)
         waves = [
-            xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2)) for f in (xp.cos, xp.sin)
+            xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2))
+            for f in (xp.cos, xp.sin)
+            # Phases factor into one along the chords and one across them: two products of matrices.
         ]
         along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
         cos, sin = xp.cos(along), xp.sin(along)
+        # Complex products in real numbers: [[cos, sin], [-sin, cos]] acts on real and imaginary parts.
         kernel = xp.concat([xp.concat([cos, sin], axis=-1), xp.concat([-sin, cos], axis=-1)], axis=1)
         rows = ns.matmul(xp.concat(waves, axis=-1), kernel)
         real, imaginary = (xp.reshape(rows[..., part], (self.chords, count * across)) for part in _halves(across))
@@ -240,6 +253,8 @@ def make(
     ]
     b = np.linspace(0.05, 5.0, 200)
     for samples in range(2, _MOST_SAMPLES + 1):
+        # Gauss's rule for |U|^2 over a pixel, certificate.md, "Differentiable PSFs": the least over ellipses with
+        # semi-axes cosh b and sinh b; |U|^2 is of exponential type 2 in v.
         exponent = most * step * np.sinh(b) - 2.0 * samples * b - np.log(-np.expm1(-2.0 * b))
         if 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0)) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
             break
@@ -266,7 +281,10 @@ def make(
         eta, gauss = gauss_legendre(counts[2], -1.0, 1.0)
         x = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
         y = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
+        # A central obscuration is the light of a smaller disk with the opposite sign, its area low^2.
         signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
+        # Across: Gauss's rule for the weight sqrt(1 - x^2), half the length of a chord; its weights are sin^2 of
+        # angles.
         weights = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss for sign in signs])
         rho, theta = np.hypot(x[:, None], y).ravel(), np.arctan2(y, x[:, None] + 0.0 * y).ravel()
         still = sum((value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho)
@@ -274,6 +292,7 @@ def make(
             "zernike": np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]),
             "focus": (2.0 * rho * rho - 1.0)[None],
             "fixed": still[None],
+            # Rounding may put the edge beyond rho = 1, where illumination is not defined.
             "weights": weights.ravel() * light.at(np.minimum(1.0, rho * rho)),
             "x": x,
             "y": y.ravel(),
@@ -284,6 +303,7 @@ def make(
         return AberratedWindows(2 * half + 1, counts[0], len(x), counts[2], lights), tables
 
     # The bounds are those of any phase of this size; of these, fewer nodes may be enough.
+    # Signs alternate: corners of the range of coefficients.
     numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
     extremes = np.array(reach), signs * np.array(list(terms.values()))
 

@@ -89,11 +89,11 @@ class DepthValues:
 
     @property
     def states_metres(self) -> bool:
-        """Whether it says how metres are stored."""
+        """Whether the storage of metres is stated."""
         return (self.scale, self.inverse, self.disparity) != (None, None, None)
 
     def metres(self, values: Values, name: str) -> Array:
-        """Return metres, NaN where they are not known, of the values of a map; errors call it `name`."""
+        """Return metres, NaN where unknown, from the values of a map; errors call it `name`."""
         if values.dtype.kind != "f" and not self.states_metres:
             raise PhotoError(
                 f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres, or `inverse` or "
@@ -129,7 +129,7 @@ class DepthValues:
         return found
 
     def _invert(self, found: Array, kind: DType, ends: tuple[float, float], name: str) -> None:
-        """Replace shares of the brightest level by metres."""
+        """Convert shares of the brightest level to metres."""
         assert self.inverse is not None
         if kind.kind != "f" and (kind.kind != "u" or kind.itemsize > 2):
             raise ValueError(f"{name} holds {kind}; `inverse` is for uint8, uint16 and floats of 0 to 1")
@@ -150,7 +150,7 @@ class DepthValues:
         np.reciprocal(found, out=found)
 
     def _divide(self, found: Array, ends: tuple[float, float], name: str) -> None:
-        """Replace disparities by metres."""
+        """Convert disparities to metres."""
         assert self.disparity is not None
         product, offset = self.disparity
         for value in (ends[0], ends[1] if ends[1] == math.inf else ends[0]):

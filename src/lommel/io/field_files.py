@@ -21,7 +21,7 @@ from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, is_psf
 from lommel.optics.colour.spectrum import Channels
 
-_KEY = "field"  # of the positions in a description
+_KEY = "field"  # key of the positions in a description
 SEVERAL = "at several distances or in channels"
 
 ChannelPSFs = tuple[Channels, tuple[Made, ...]]
@@ -50,7 +50,7 @@ def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> No
 
 
 def _of_psfs(form: Format) -> Format:
-    """Return a format of PSFs as one of grids, a stack of PSFs."""
+    """Return a format of PSFs as a format of grids, which are stacks of PSFs."""
 
     def write(grid: PSFGridLike, description: Description, target: Path) -> None:
         psf_files.write(form, target, grid.psf, description)

@@ -26,7 +26,7 @@ _MOST_AXES = 16
 _BLOCK, _MOST_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
 _END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
-_TIMES = 4  # of a file unpacked are in memory while its values are read
+_TIMES = 4  # times the unpacked file: memory used while its values are read
 
 
 Cards: TypeAlias = Mapping[str, Any]

@@ -20,7 +20,7 @@ from lommel.io.zernike_tables import UNIT_NAMES, UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
-_HEADERS = (834, 4096)  # bytes
+_HEADERS = (834, 4096)  # sizes of the header, bytes
 _HEAD = np.dtype(
     {
         "names": ["magic", "format", "size", "across", "down", "buckets", "width", "height", "bytes",
@@ -31,7 +31,7 @@ _HEAD = np.dtype(
     }
 )  # fmt: skip
 _INVALID = 2147483640
-_STEPS = {0: 4096, 1: 32768, 2: 131072}  # per fringe, by the resolution of the phase
+_STEPS = {0: 4096, 1: 32768, 2: 131072}  # steps per fringe, by the resolution of the phase
 _SCALE = 0.5  # waves per fringe: light is reflected
 
 
@@ -250,7 +250,7 @@ def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
 
 
 def _unit(text: object) -> str | None:
-    """Return the unit that a file names, as this package names it where it knows it."""
+    """Return the unit that a file names, in this package's name if it has one."""
     plain = str(text).strip()
     if not plain:
         return None

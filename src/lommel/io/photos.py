@@ -33,15 +33,15 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 PREFIX = b"Exif\0\0"
-"""What JPEG has before EXIF."""
+"""Bytes before EXIF in a JPEG file."""
 
 Entry = tuple[int, int, bytes]  # type, number of values, and the values with their low bytes first
 Directory = dict[int, Entry]
 
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
-_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # of a value, by type
-_WORDS = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}  # that have an order of bytes
-_LONGEST, _MOST, _LARGEST = 2**12, 256, 2**16 - 256  # bytes of an entry, entries, and bytes of all, as JPEG holds
+_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes of each type
+_WORDS = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}  # types that have a byte order
+_LONGEST, _MOST, _LARGEST = 2**12, 256, 2**16 - 256  # bytes of an entry, entries, and bytes of all that JPEG holds
 _LENS, _PLACE = 0x8769, 0x8825  # directories below the first
 _KEPT = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
 # Maker's notes name places in the file; the others describe the pixels that were.
@@ -112,7 +112,7 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
 
 
 def _without_maker_notes(stored: bytes) -> bytes | None:
-    """Return what is passed on of EXIF, or of a TIFF file, as a TIFF file without image; None if that is nothing."""
+    """Return the EXIF, or that of a TIFF file, which is passed on, as a TIFF file without image; None if empty."""
     data = stored.removeprefix(PREFIX)
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
     if order is None or len(data) < 8:
@@ -128,7 +128,7 @@ def _without_maker_notes(stored: bytes) -> bytes | None:
 
 
 def _directory(data: bytes, at: int, order: str) -> Directory:
-    """Return the entries of a directory, without those that are damaged or long."""
+    """Return the entries of a directory, without damaged or long ones."""
     found: Directory = {}
     (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
     for entry in range(at + 2, min(at + 2 + 12 * min(count, _MOST), len(data) - 11), 12):
@@ -288,8 +288,8 @@ class PhotoError(ValueError):
     """A file that cannot be read as a photograph or a depth map; the message names it and says why."""
 
 
-_FIRST = 16  # bytes that tell the kind of a file
-_SAMPLE = 2**17  # bytes that say how to compress the others
+_FIRST = 16  # bytes that show the kind of a file
+_SAMPLE = 2**17  # bytes that determine how the others are compressed
 
 
 @dataclass(frozen=True, eq=False)
@@ -518,7 +518,7 @@ def encoded(
     return written
 
 
-_BAND = 2**20  # pixels that are converted to an array at once
+_BAND = 2**20  # pixels that are converted to an array together
 
 
 def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:

@@ -115,7 +115,7 @@ def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Descr
 
 
 def as_file_error(source: Path, what: str) -> AbstractContextManager[None]:
-    """Return what turns every error into a FileError that names the file, but for a missing library."""
+    """Turn every error into a FileError that names the file, except for a missing library."""
     return reading.refused_as(FileError, source, f"is not {what} written by lommel")
 
 
@@ -217,8 +217,8 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
     return stored.astype(kind, copy=False)
 
 
-PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # which have colours of their own
-_EACH = ("pupil", "method", "error_bound", "scale")  # what differs between channels
+PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # formats with colours of their own
+_EACH = ("pupil", "method", "error_bound", "scale")  # entries that differ between channels
 
 
 def _tiff(answer: ColourPSFLike, description: Description) -> bytes:

@@ -41,7 +41,7 @@ _MARK = b"\n#lommel "  # between the array and the description in a .npy file
 _SIDE = 512  # pixels; smaller PSFs are enlarged to this side or more, by an integer factor
 _ARCSEC = math.pi / 648000.0
 _UNEVEN = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
-_EVEN = 1e-6  # of the step
+_EVEN = 1e-6  # of the step: largest deviation of even steps
 _EXTENSION = "LOMMEL"  # of a FITS file, whose bytes are the description
 _MOST_CARDS = 1000  # the names of cards have 8 characters
 _COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
@@ -51,11 +51,11 @@ _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
 Kept: TypeAlias = PSFLike | ColourPSFLike
-"""What a file keeps: a PSF, or those of channels."""
+"""Contents of a file: a PSF, or the PSFs of channels."""
 
 
 class Axis(NamedTuple):
-    """An axis of the values: its name and coordinates, if it has any."""
+    """An axis of the values: its name, and its coordinates if any."""
 
     name: str
     places: Array | None = None
@@ -494,7 +494,7 @@ def _for_matlab(values: Values) -> Values:
 
 
 def _hdf5(fill: Callable[[File], None], head: bytes) -> bytes:
-    """Return a file that `fill` fills, with its head and a checksum."""
+    """Return a file filled by `fill`, with its head and a checksum."""
     import h5py
 
     file = io.BytesIO()

@@ -23,7 +23,7 @@ from lommel.base.validation import brief, key, line
 
 _SIZES = {"GRD": 2, "ZRN": 1, "ZFR": 1}
 _NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
-_FLAGS = ("NNB",)  # how to interpolate between the points of a grid
+_FLAGS = ("NNB",)  # ways to interpolate between the points of a grid
 _HOLDS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
 
 

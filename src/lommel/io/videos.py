@@ -42,15 +42,15 @@ USUAL_RATE = 25.0
 """Frames a second of sources that state neither times nor a rate, as numbered images."""
 
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
-_LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # codes of what cameras send
-_PATIENCE = 10.0  # seconds without a frame, after which a live source is taken to have ended
-_KEPT = 4  # frames of a live source that wait
-_FIRST = 6  # frames that the interval is first known by
-_STEPS = 31  # differences of times that the interval is the median of
-_SHORT = 0.02  # of the stated length of a file, by which it may end before
+_LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # codes of cameras with lossy compression
+_PATIENCE = 10.0  # seconds without a frame after which a live source has ended
+_KEPT = 4  # largest number of waiting frames of a live source
+_FIRST = 6  # frames after which the interval is known
+_STEPS = 31  # differences of times whose median is the interval
+_SHORT = 0.02  # of a file's stated length: frames that may be missing at its end
 _SHIFTS = 250  # frames of a stream whose delays are compared
-_FAULTS = 100  # damaged packets, or frames of another size, one after the other
-_ALONE = 100  # frames without a partner, one after the other, that are told
+_FAULTS = 100  # largest number of damaged packets, or frames of another size, in a row
+_ALONE = 100  # frames without a partner, in a row, that are reported
 
 
 class VideoError(ValueError):
@@ -293,7 +293,7 @@ class _Waiting:
             raise self._end
 
     def stop(self) -> bool:
-        """Return whether the thread has ended, within a few seconds of being told to."""
+        """Return whether the thread ended within a few seconds of being told to."""
         self._stopped = True
         self._thread.join(timeout=3.0)
         return not self._thread.is_alive()

@@ -28,13 +28,13 @@ from lommel.io.registry import Description
 _PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")
 _PLAIN = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
           "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
-_ROOM = 2**20  # bytes that a chunk may unpack to beyond what it holds
-_BLOCK = 2**17  # most bytes of a block of zstd (RFC 8878, 3.1.1.2.4)
+_ROOM = 2**20  # bytes that a chunk may unpack to beyond its contents
+_BLOCK = 2**17  # largest block of zstd, bytes (RFC 8878, 3.1.1.2.4)
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")
 
 
 def regular(root: Path, key: str) -> int | None:
-    """Return the bytes of a file in a folder, None where there is none; ValueError for links and what is no file."""
+    """Return the bytes of a file in a folder, None without one; ValueError for links and for what is not a file."""
     there = root
     parts = key.split("/")
     if ".." in parts or key.startswith("/"):
@@ -56,7 +56,7 @@ def _no_link(key: str, mode: int) -> None:
 
 
 def store(root: Path) -> Any:
-    """Return a folder as a store of zarr that reads regular files in it alone."""
+    """Return a folder as a zarr store that reads only regular files in it."""
     from zarr.storage import LocalStore
 
     class Regular(LocalStore):
@@ -76,7 +76,7 @@ def store(root: Path) -> Any:
 
 
 class Chunks:
-    """The files of an array of zarr in a folder."""
+    """The files of a zarr array in a folder."""
 
     def __init__(self, root: Path, array: Any) -> None:
         self._folder, self._array = root / array.path, array
@@ -138,7 +138,7 @@ class Chunks:
 
 
 def _packer(metadata: Any) -> tuple[str | None, str]:
-    """Return what compresses an array, if anything, and where its shards have their index."""
+    """Return the compressors of an array, and where its shards have their index."""
     index = "end"
     codecs = list(getattr(metadata, "codecs", ()))
     if len(codecs) == 1 and codecs[0].to_dict()["name"] == "sharding_indexed":
@@ -158,7 +158,7 @@ def _packer(metadata: Any) -> tuple[str | None, str]:
 
 
 def _unpacked(packer: str, data: bytes, most: int) -> int:
-    """Return how many bytes come out of a chunk at most; of what is damaged 0, which its decoder tells."""
+    """Return the most bytes that a chunk unpacks to; 0 for damaged ones, which the decoder reports."""
     try:
         if packer == "blosc":
             return int(struct.unpack_from("<I", data, 4)[0])
@@ -239,7 +239,7 @@ class Layout:
 
     @property
     def nbytes(self) -> int:
-        """Bytes of all of it."""
+        """Size in bytes."""
         return math.prod(self.shape) * np.dtype(self.dtype).itemsize
 
 

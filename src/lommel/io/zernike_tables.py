@@ -231,7 +231,7 @@ def _unit(unit: str) -> tuple[str, float]:
 
 
 SETTINGS = ("order", "unit", "normalization", "wavelength", "obscuration")
-_MOST_TERMS = 4096  # more than there are
+_MOST_TERMS = 4096  # largest number of terms: more than there are
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 
@@ -328,7 +328,7 @@ def _index(text: str, order: str) -> Index:
 
 _INDICES = ("index", "term", "j", "zernike")  # names of columns
 _VALUES = ("value", "coefficient", "coeff", "c")
-_NAMES = ("name", "aberration", "description")  # of columns that are ignored
+_NAMES = ("name", "aberration", "description")  # names of ignored columns
 _COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
 _NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
@@ -631,7 +631,7 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     return (None if twice else table), [*twice, *found]
 
 
-_ERRORS = "standard_errors"  # which are for people and other programs
+_ERRORS = "standard_errors"  # ignored by readers: for people and other programs
 
 
 def _write_json(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:

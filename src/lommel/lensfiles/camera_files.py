@@ -98,7 +98,7 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     if "camera" not in raw and ("lens" in raw or "objective" in raw):
         kind = "lens" if "lens" in raw else "objective"
         raise LensFileError(f"{validation.line(source)}: has a section [{kind}], and is not the file of a camera")
-    return toml_files.built(source, raw, text, _File, partial(_made, stem=source.stem))
+    return toml_files.built(source, raw, text, _File, partial(_camera_of_file, stem=source.stem))
 
 
 def named(path: Path) -> bool:
@@ -106,22 +106,24 @@ def named(path: Path) -> bool:
     return path.suffix.lower() != ".toml" and path.name == str(path)
 
 
-def _made(file: _File, *, stem: str) -> Camera:
+def _camera_of_file(file: _File, *, stem: str) -> Camera:
     stated = dict(file.camera)
     times = stated.pop("em_gain")
+    # A register with gain multiplies the variance of the light by the excess.
     if stated["excess"] is None:
         stated["excess"] = _EXCESS if times is not None and times > 1.0 else 1.0
     for name in ("gain", "read"):
         if times is not None and (name == "gain" or stated[name] is not None):
+            # Electrons before multiplication: gain and read noise over the number of times.
             stated[name] = (1.0 if stated[name] is None else stated[name]) / times
     return Camera(stem if file.name is None else file.name, file.source, **stated)
 
 
-_EXCESS = 2.0  # of a register with many stages of little gain each
+_EXCESS = 2.0  # excess of a register with many stages of little gain each
 
 
 def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of [aberrations.zernike], if there is one, and its errors."""
+    """Return the table of [aberrations.zernike], if any, and its errors."""
     above = raw.get("aberrations")
     section = above.get("zernike") if isinstance(above, dict) else None
     if not isinstance(section, dict):
@@ -151,7 +153,7 @@ def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
 
 
 def _read(value: object) -> Any:
-    """Return a camera; what was wrong with it is raised here, so that it is told with all other errors."""
+    """Return a camera, or raise its error here, so that it is reported with all others."""
     if isinstance(value, ValueError):
         raise value
     return value
@@ -168,7 +170,7 @@ class Sensor(Section):
     @model_validator(mode="before")
     @classmethod
     def _of_camera(cls, raw: object, info: ValidationInfo) -> Any:
-        """Return the section with its camera read, whose pixels it has unless it states its own."""
+        """Return the section with its camera read; its pixels are those of the camera unless it states others."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw
         name = raw["camera"]

@@ -76,6 +76,7 @@ class PointQuality:
             return float(aperture_means.strehl(_tilted(pupil, -math.pi * x, -math.pi * y)))
         method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
         v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))
+        # The brightest place along a radius: coarse samples first, then fine ones around the best.
         best = v[np.argmax(method.profile(pupil, v).values[0])]
         near = np.abs(best + np.linspace(-v[1], v[1], 101))
         top = method.profile(pupil, np.append(0.0, near)).values.max()
@@ -130,6 +131,7 @@ class ImageQuality(PointQuality):
         if not self._photographs:
             return None
         lens = self.lens
+        # blur = D d |1/s - 1/s0| at the limit, solved for 1/s - 1/s0.
         reach = IN_FOCUS * max(self.instrument.pitch) / (lens.aperture_diameter * lens.sensor_distance)
         near, far = 1.0 / lens.focus_distance + reach, 1.0 / lens.focus_distance - reach
         return 1.0 / near, 1.0 / far if far > 0.0 else math.inf
@@ -156,6 +158,7 @@ class ImageQuality(PointQuality):
         wavefront = self.pupil.wavefront
         if not (wavefront.spherical or any(wavefront.higher)):
             return None
+        # Tilts are fitted along: they shift the image only.
         excess = aperture_means.least_squares(self.pupil, [lambda rho, _: rho**2, _across, _down])[0]
         return float(wavefront.waves["W020"] - excess / (2.0 * math.pi))
 
@@ -425,7 +428,7 @@ class ImageQuality(PointQuality):
 
 
 def magnifies(lens: Lens) -> bool:
-    """Return whether the image of the object in focus is larger than it, as that of a microscope objective is."""
+    """Return whether the image of the object in focus is larger than it, as with a microscope objective."""
     return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
@@ -493,7 +496,7 @@ def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
 
 
 def _stop(stop: Shape | Segments) -> Json:
-    """Return of what a stop is made, and the spread of the phases of its segments."""
+    """Return the parts of a stop, and the spread of the phases of its segments."""
     shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
     parts = [part for one in shapes for part in one.parts if part != Disc()]  # but the rim itself
     kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
@@ -513,7 +516,7 @@ def _down(rho: Array, theta: Array) -> Array:
 
 
 def _tilted(pupil: Pupil, x: float, y: float) -> Pupil:
-    """Return a pupil with another tilt, radians at the edge of the pupil along x and y."""
+    """Return a pupil with further tilt, radians at the edge of the pupil along x and y."""
     # A Zernike tilt is normalised to an rms of 1 over the disc: 2 at its edge.
     tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
     return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)

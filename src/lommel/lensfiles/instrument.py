@@ -95,7 +95,7 @@ class Camera:
         return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
 
 
-_LARGEST = 129  # pixels of the window that notebooks show
+_LARGEST = 129  # largest side, in pixels, of the window that notebooks show
 
 
 class PixelOptions(TypedDict):

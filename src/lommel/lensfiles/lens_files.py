@@ -334,13 +334,14 @@ class ApertureSection(Section):
         faults.refuse()
         if clear is not None:
             stop = clear if stop is None else stop & clear
+        # A blocked part alone is cut out of the full disc.
         if blocked is not None:
             stop = (Disc() if stop is None else stop) - blocked
         found["stop"] = stop
         return {name: shape for name, shape in found.items() if shape is not None}
 
     def _mirror(self, radius: float, faults: _Collected) -> Shape | Segments | None:
-        """Return the telescope or the segments, if there are any."""
+        """Return the telescope or the segments, if any."""
         stop: Shape | Segments | None = None
         if self.telescope is not None:
             stop = getattr(telescopes, self.telescope)()
@@ -360,13 +361,13 @@ class ApertureSection(Section):
 
 
 class _Collected:
-    """Errors of the parts of an aperture."""
+    """Collected errors of the parts of an aperture."""
 
     def __init__(self) -> None:
         self.faults: list[tuple[tuple[str, ...], str, str]] = []
 
     def tried(self, keys: tuple[str, ...], name: str, make: Callable[[], _Made]) -> _Made | None:
-        """Return what is made, or None and keep its error."""
+        """Return the result of `make`, or None, and keep its error."""
         try:
             return make()
         except PartsError as error:
@@ -382,7 +383,7 @@ class _Collected:
 
 
 def _union(name: str, parts: list[_Part] | None, radius: float, faults: _Collected) -> Shape | None:
-    """Return the union of parts, if there are any."""
+    """Return the union of parts, if any."""
 
     def made(part: _Part) -> Shape:
         shape = part.build(radius)
@@ -459,7 +460,7 @@ def load_lens_ranges(path: str | PathLike[str]) -> LensRanges:
 
 
 def _radius(value: str | float) -> str | float:
-    """Return a length or an angle as it was written, checked."""
+    """Return a length or an angle as written, checked."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
         raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     return value
@@ -790,6 +791,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
     wavelength = file.lens.wavelength
     a = file.aberrations
+    # Balanced spherical aberration is stated as a length of path.
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
     seidel = a.model_dump(exclude={"defocus", "spherical", "spherical_rms", "zernike"})
     aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)

@@ -45,11 +45,11 @@ from lommel.special import zernike
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
-_SHOWN = 65  # pixels of the window that notebooks show
+_SHOWN = 65  # largest side, in pixels, of the window that notebooks show
 
 
 def stage_step(value: float) -> float:
-    """Return the step between planes in metres, checked."""
+    """Return the checked step between planes in metres."""
     if not 0.0 < abs(value) < DEPTH_MOST:
         raise ValueError(f"step must be of the stage, not 0 and below 10 mm, got {value:g} m")
     return value
@@ -363,7 +363,7 @@ _Sections: TypeAlias = Iterator[tuple[str, Mapping[str, object]]]
 
 
 def _layer_sections(one: Objective) -> _Sections:
-    """Yield the sections of an objective and of the layers that it is used with."""
+    """Yield the sections of an objective and of its layers."""
     assert one.working_distance is not None
     yield (
         "objective",
@@ -391,7 +391,7 @@ def _layer_entries(layer: Layer) -> Mapping[str, object]:
 
 
 def _light_sections(of: Microscope) -> _Sections:
-    """Yield the sections of the sample and of the emitter; ValueError for one that files do not state."""
+    """Yield the sections of the sample and of the emitter; ValueError for an emitter that files cannot state."""
     yield "sample", {"index": of.objective.sample, "depth": _metres(of.depth)}
     named = next((name for name in ("isotropic", "scalar") if emitter_of(name) == of.emitter), None)
     yield "emission", {"wavelength": _metres(of.wavelength), "emitter": named}
@@ -406,7 +406,7 @@ def _light_sections(of: Microscope) -> _Sections:
 
 
 def _plane_sections(of: Microscope) -> _Sections:
-    """Yield the sections of the stack, if it is one, and of the sensor."""
+    """Yield the sections of the stack, if any, and of the sensor."""
     if of.planes > 1:
         yield "stack", {"planes": of.planes, "step": _metres(of.step), "origin": of.origin}
     shape = None if of.shape is None else list(of.shape)
@@ -414,6 +414,7 @@ def _plane_sections(of: Microscope) -> _Sections:
 
 
 def _metres(value: float) -> str:
+    # Twelve digits: a length in micrometres without digits of rounding.
     return f"{1e6 * value:.12g} um"
 
 

@@ -23,13 +23,13 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
-_MOST_COLUMNS = 1000  # more than there are terms
+_MOST_COLUMNS = 1000  # largest number of columns: more than there are terms
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
-_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres; other wavelengths are typing errors
+_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres: wavelengths outside are typing errors
 _MOST_POINTS = 200_000
-_LEAST = -0.01  # of the largest value: dark measurements, which count as 0
+_LEAST = -0.01  # of the largest value: least value, as dark measurements count as 0
 
 
 @dataclass(frozen=True)
@@ -111,6 +111,7 @@ class FieldTable:
         across, down = np.unique(x), np.unique(y)
         order = np.lexsort((x, y))
         grid = np.meshgrid(across, down)
+        # Bicubic splines need four points along each axis; other positions are scattered.
         full = min(across.size, down.size) >= 4 and x.size == grid[0].size
         if full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
             return FieldMap.on_grid(across, down, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
@@ -247,11 +248,15 @@ def _cells(
 
 def _length(cell: Any) -> float:
     """Return a length in metres from a number or a text."""
-    return _known(cell) if isinstance(cell, str) else validation.real("a position", parse_length(cell), unit="metres")
+    return (
+        _length_from_text(cell)
+        if isinstance(cell, str)
+        else validation.real("a position", parse_length(cell), unit="metres")
+    )
 
 
 @lru_cache(maxsize=1024)  # positions on a grid repeat
-def _known(cell: str) -> float:
+def _length_from_text(cell: str) -> float:
     return validation.real("a position", parse_length(cell), unit="metres")
 
 
@@ -368,7 +373,7 @@ def load_channels(
 
 
 def _straightened(curves: Callable[[Array], Array], at: Array, allowed: float) -> tuple[Array, Array, float]:
-    """Return points between which curves are nearly straight, their values, and what light is off, over all."""
+    """Return points between which curves are nearly straight, their values, and the relative error of the light."""
     while True:
         between = 0.5 * (at[1:] + at[:-1])
         values, step = curves(at), np.diff(at)
@@ -383,7 +388,7 @@ def _straightened(curves: Callable[[Array], Array], at: Array, allowed: float) -
 
 
 def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Array]:
-    """Return names of columns, rising wavelengths in metres, and values, shape (columns, wavelengths)."""
+    """Return names of columns, increasing wavelengths in metres, and values, shape (columns, wavelengths)."""
     source = validation.path("path", path)
     try:
         data = reading.contents(source, reading.MAX_TEXT)
@@ -392,8 +397,10 @@ def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Arr
         if len(data) > reading.MAX_LIST:
             raise ValueError(f"is larger than {reading.MAX_LIST} bytes")
         text = reading.decoded(data)
+        # Without separators, columns are set apart by blanks.
         if not any(re.search("[,;\t]", line) for line in text.splitlines() if not line.lstrip().startswith("#")):
             return _of_blanks(text, source.stem, unit)
+        # Semicolons separate where the comma is the decimal sign.
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
         return _columns(text_files.rows(text.replace("\t", ",")))
@@ -402,7 +409,7 @@ def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Arr
 
 
 def _of_blanks(text: str, name: str, unit: str | None) -> tuple[list[str], Array, Array]:
-    """Return the table of lines of numbers between blanks, under a line of names or, with `unit`, without."""
+    """Return the table of blank-separated numbers, under a line of names or, with `unit`, without one."""
     lines = [(place, line[0].split()) for place, line in text_files.rows(text, "\n")]
     try:
         float(lines[0][1][0])
@@ -414,7 +421,7 @@ def _of_blanks(text: str, name: str, unit: str | None) -> tuple[list[str], Array
 
 
 def _of_fits(columns: list[tuple[str, str, Array]], unit: str | None) -> tuple[list[str], Array, Array]:
-    """Return the table of columns of a FITS file, the first being the wavelength."""
+    """Return the table of a FITS file's columns, the first of which is the wavelength."""
     if len(columns) < 2:
         raise ValueError(f"must have columns of numbers for wavelength and values, got {len(columns)}")
     said = columns[0][1].lower().rstrip("s")

@@ -38,7 +38,7 @@ Toml: TypeAlias = Json
 
 
 class Context(TypedDict, total=False):
-    """Where a lens file may name other files."""
+    """Where the files that a lens file names may lie."""
 
     folder: Path
     folder_only: bool
@@ -58,7 +58,7 @@ def finite(value: float) -> float:
 
 
 def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
-    """Return a check whose every error is a ValueError, as pydantic collects them."""
+    """Return a check whose errors are all ValueErrors, as pydantic collects them."""
 
     def checked(value: object) -> _Made:
         try:
@@ -120,13 +120,13 @@ class Section(BaseModel):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (of those that override it)
-        """Return what is wrong with which keys there are, whatever their values are."""
+        """Return what is wrong with the set of keys, whatever their values."""
         return None
 
     @model_validator(mode="wrap")
     @classmethod
     def _with_fault(cls, raw: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
-        """Validate, and tell a fault together with errors of the values."""
+        """Validate, and report a fault together with errors of the values."""
         told = cls.fault(raw) if isinstance(raw, dict) else None
         faults = (
             [InitErrorDetails(type="value_error", loc=(), input=raw, ctx={"error": ValueError(told)})] if told else []
@@ -201,6 +201,7 @@ def built(
     errors = list(found)
     try:
         file = model.model_validate(raw, context=context)
+        # Overflows in the numbers of a file are errors, not warnings.
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             made = make(file)  # also with errors before, for its own
         if not errors:

@@ -32,16 +32,16 @@ from lommel.special import zernike
 
 TILTED = 5.0
 """Standard deviations, from which on backgrounds are tilted."""
-_MOLECULES = 1000  # that are looked at for noise, sign and background
-_LEAST_FRAMES, _OFTEN = 20, 0.3  # of a movie, and the share of its frames in which a molecule is not again and again
-_WIDEST, _PER_UNIT = 50, 100  # of the histogram of discrepancies
-_FINE = 0.1  # of Nyquist's pixel
-_DARK = 0.75  # of the counts: half are below where there is no light
-_DISCREPANT, _MISFIT = 0.3, 1.0  # smaller ones are of imperfections that every PSF has
-_BY_CHANCE, _CROWDED = 0.01, 0.05  # shares of molecules
-_MANY = 0.1  # of the spots
-_LEAST_TRIED = 10  # molecules, of which the spread is known
-_DEEPER = 0.4e-6  # by which depths in focus are moved
+_MOLECULES = 1000  # molecules that noise, sign and background are tested with
+_LEAST_FRAMES, _OFTEN = 20, 0.3  # frames of a movie, and their share in which a spot recurs
+_WIDEST, _PER_UNIT = 50, 100  # of the histogram of discrepancies: largest one, and bins per unit
+_FINE = 0.1  # of Nyquist's pixel: a smaller one is probably not divided by the magnification
+_DARK = 0.75  # share of counts below the offset: half of them where there is no light
+_DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancies; smaller ones come from imperfections of every PSF
+_BY_CHANCE, _CROWDED = 0.01, 0.05  # shares of doubtful molecules: by chance, and in a crowd
+_MANY = 0.1  # share of the spots at an end of the range of z
+_LEAST_TRIED = 10  # molecules, so that the spread is known
+_DEEPER = 0.4e-6  # metres, change of the depth in focus that is tried
 # What the images may show beside the table: Zernike terms, of so many radians rms, and constants that are off by so
 # much; and how many molecules are looked at for them.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
@@ -50,20 +50,20 @@ _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "w
 _UNITS = {"depth": " m", "wavelength": " of it"}
 _STEP, _STATED = 0.25, 0.5  # of these sizes: steps of differences, and errors of what is stated that are spoken of
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
-_TURN, _PARTS = 0.5, 3  # radians between planes of these images, and parts of a pixel
-_BETTER = 1.5  # times the gain of other tables, from which on terms alone are named
-_BIASED = 0.5  # standard errors, rms, by which estimates are off, from which on they are in doubt
+_TURN, _PARTS = 0.5, 3  # radians between planes of these images, and samples along a side of a pixel
+_BETTER = 1.5  # gain of terms over that of other tables from which on terms alone are reported
+_BIASED = 0.5  # rms bias of estimates, in standard errors, from which on they are in doubt
 # What no image of a molecule tells, or that of no single one.
 _UNTESTED = (
     "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
     "molecules that do not turn freely, or move while they shine",
     "drift of the focus",
 )
-_LIKELIER = 10.0  # log-likelihood, by which one of two wavefronts must be the likelier to be spoken of
+_LIKELIER = 10.0  # smallest difference of log-likelihoods that is reported
 
 
 class Checks:
-    """What blocks of frames tell, one after the other."""
+    """Checks on blocks of frames, one after the other."""
 
     def __init__(self, recording: Recording, table: Table, again: partial[Molecules], background: str) -> None:
         self._recording, self._table, self._again, self._background = recording, table, again, background
@@ -98,6 +98,7 @@ class Checks:
 
     def first(self, counts: Counts) -> None:
         """Look at the counts of the first block."""
+        # Read noise alone puts half of the counts below the offset.
         dark = float(np.mean(counts.values < self._noise.offset))
         if dark > _DARK:
             text = f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check `offset`"
@@ -127,6 +128,7 @@ class Checks:
             self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
+            # Fits count electrons without excess noise.
             slope, error = slope * self._noise.excess, error * self._noise.excess
             flat = self._background == "flat"
             text = (
@@ -155,6 +157,7 @@ class Checks:
     def count(self, part: Localizations) -> None:
         """Add the localisations of a block."""
         at = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
+        # Positions at the edge may round to a pixel outside.
         places = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
         np.add.at(self._counts, tuple(places), 1)
         kept = part.table["discrepancy"][part.kept]
@@ -172,6 +175,7 @@ class Checks:
     def median(self) -> float:
         """Median of the discrepancies, but for those that are far above it, as of molecules beside others."""
         sums = np.cumsum(self._discrepancies)
+        # The median of the molecules below the first median plus DOUBTFUL: crowded ones do not shift it.
         middle = int(np.searchsorted(sums, 0.5 * self.molecules)) + int(DOUBTFUL * _PER_UNIT)
         middle = int(np.searchsorted(sums, 0.5 * sums[min(middle, sums.size - 1)]))
         return middle / _PER_UNIT - _WIDEST if self.molecules else 0.0
@@ -201,6 +205,7 @@ class Checks:
         """
         likelier: dict[str, tuple[float, int, float]] = {}
         for name, each in self._gains.items():
+            # A sum of n independent gains has the standard deviation sqrt(n) times that of one.
             gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
             if len(each) >= _LEAST_TRIED and gain > max(_LIKELIER, 4.0 * error):
                 likelier[name] = gain, len(each), error
@@ -234,6 +239,7 @@ class Checks:
             yield Finding("not_settled", "error", f"none of {sums['spots']} fits converged within the table")
         if not n:
             return
+        # The standard error of the median of n normal deviates: sqrt(pi / (2 n)).
         median, error = self.median, math.sqrt(0.5 * math.pi / n)
         numbers = {"median": median, "error": error}
         text = f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the "
@@ -243,6 +249,7 @@ class Checks:
         elif median < -max(_DISCREPANT, 4.0 * error):
             text += "gain or the offset may be wrong: check `white` and `offset`"
             yield Finding("too_quiet", "doubt", text, numbers)
+        # Doubtful ones by chance, and four standard deviations of their number more.
         if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
             share = sums["doubtful"] / n
             text = (
@@ -285,6 +292,7 @@ class Checks:
         counts, often = self._counts, _OFTEN * self._recording.frames
         if self._recording.frames < _LEAST_FRAMES or counts.sum() < often:
             return []
+        # Spots of one emitter may fall on neighbouring pixels.
         near = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
         row, column = np.nonzero((near >= often) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
         order = np.argsort(-near[row, column], kind="stable")
@@ -373,9 +381,10 @@ class Score(NamedTuple):
     read: Array
 
     def beside(self, sizes: Array) -> Score:
-        """Return the score of ramps alone, beside terms of these sizes."""
+        """Return the score of the ramps alone, with terms of these sizes."""
         if not sizes.any():
             return self
+        # To first order terms of size s change the slopes by the mixed information times s.
         return self._replace(slope=self.slope - self.information[:, :, 2 : 2 + len(sizes)] @ sizes)
 
     def tilt(self, shape: tuple[int, int]) -> tuple[float, float, float]:
@@ -392,16 +401,18 @@ class Score(NamedTuple):
             sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
             errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
             most = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
+            # A sum of squares of 2 n normal deviates: chi-squared with 2 n degrees of freedom.
             chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
             tests.append((chance, abs(float(sizes[most])), float(errors[most])))
         chance, size, error = min(tests)
+        # As standard deviations of a normal deviate, two-sided.
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
 
 
 def scored(
     spots: Spots, found: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
 ) -> Score | None:
-    """Return score tests of slopes of the background, and of terms, in the boxes of fits, all unknowns eliminated."""
+    """Return score tests of background slopes, and of terms, in the boxes of fits, with all unknowns eliminated."""
     height, width = table.shape
     at = np.column_stack([found.row, found.column]) - spots.corners
     middle = np.array([height // 2, width // 2])
@@ -423,9 +434,11 @@ def scored(
         columns = np.concatenate([columns, photons[:, None] * changes(*places)], axis=1)
     mean = np.maximum(photons * values + level, 0.01)
     weight = np.where(np.isfinite(light), 1.0 / (mean + read), 0.0)
+    # The score of a Poisson mean: sum of (count - mean) / variance times its derivative.
     score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
     flat = columns.reshape(len(kept), columns.shape[1], -1)
     information = (flat * weight.reshape(len(kept), 1, -1)) @ flat.swapaxes(1, 2)
+    # Schur's complement: information on the tested columns, given that the five unknowns are fitted.
     taken = np.linalg.solve(information[:, :5, :5], information[:, :5, 5:])
     left = information[:, 5:, 5:] - information[:, 5:, :5] @ taken
     slope = score[:, 5:] - np.einsum("nki,nk->ni", taken, score[:, :5])
@@ -448,7 +461,7 @@ class TableTest:
 
     @property
     def done(self) -> bool:
-        """Whether enough molecules were looked at."""
+        """Whether enough molecules were tested."""
         return len(self._bias) >= _LOOKED
 
     @property
@@ -469,6 +482,7 @@ class TableTest:
         if self.done:
             return
         ramps, mixed = score.information[:, :2, :2], score.information[:, :2, 2:]
+        # Schur's complement again, now with the ramps eliminated.
         taken = np.linalg.solve(ramps, mixed)
         square = (score.information[:, 2:, 2:] - mixed.swapaxes(1, 2) @ taken).sum(axis=0)
         pull = score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
@@ -537,7 +551,7 @@ class TableTest:
 
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
-    """Return tables that a wrong statement would hide, kept with the table: by what is other in them."""
+    """Return the tables that a wrong statement would turn this one into, kept with it, by their difference."""
     kept: dict[str, Table] = vars(table).setdefault("_rivals", {})
     if not kept:
         made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
@@ -548,14 +562,16 @@ def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
 
 
 def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
-    """Yield pupils with the opposite astigmatism and other depths in focus, and by how much the range of z moves."""
+    """Yield pupils of opposite astigmatism and of other depths in focus, with the shift of the range of z."""
     wave = pupil.aberrations
     if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
+        # Terms with |m| = 2 are astigmatism of all orders.
         edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(wave.terms, wave.edge.T, strict=True)}
         yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, wave.error)), 0.0
     moving = table.along == "depth"
     depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
     for way in (-1.0, 1.0):
+        # Not above the cover glass.
         shift = max(way * _DEEPER, -depth)
         if abs(shift) >= 0.5 * _DEEPER:
             focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest

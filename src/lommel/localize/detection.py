@@ -34,11 +34,11 @@ from lommel.base.threads import side_by_side
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
-_LEAST = 1e-3  # electrons a pixel, of a background that is 0
-_REACH = 4.0  # standard deviations after which kernels end
-_FAR = 1e-3  # of the weights around a pixel, below which it has no others near
-APART = 1.0 - 1e-9  # boxes, from which on they do not overlap
-DEFECT = 1e3  # electrons of read noise, from which on a pixel tells nothing
+_LEAST = 1e-3  # electrons a pixel: least mean, where the background is 0
+_REACH = 4.0  # standard deviations at which kernels end
+_FAR = 1e-3  # of the weights around a pixel: below, it has no known neighbours
+APART = 1.0 - 1e-9  # distance, in boxes, at which they do not overlap
+DEFECT = 1e3  # electrons of read noise at and above which a pixel is a defect
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,6 +160,7 @@ def find(
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
     given = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
+    # A third of the box: wide enough that a molecule hardly raises its own background.
     camera, wide = given.poisson, min(rows, columns) / 3.0
     light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
     defects = np.zeros(light.shape[1:], bool)
@@ -179,6 +180,7 @@ def find(
     found = side_by_side(maxima, list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
     row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
+    # Twice the frame number: spots of different frames are never near.
     kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
     overlapping = int(score.size - kept.sum())
     corners = np.column_stack([row - rows // 2, column - columns // 2])
@@ -226,6 +228,7 @@ def filled(planes: Values, left: NDArray[np.bool_], width: float, known: Array |
     for image, out in zip(made, left, strict=True):
         if out.any():
             share = smoothed(1.0 - out, width) if known is None else known
+            # A mean over known pixels alone: smoothed light over the smoothed share of known ones.
             image[out] = (smoothed(image, width) / np.maximum(share, 1e-300))[out]
             if (lost := out & (share <= _FAR)).any():
                 image[lost] = np.median(image[~out])
@@ -240,11 +243,12 @@ class Kernel:
         self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide)
 
     def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
-        """Return rows, columns and heights of the maxima of a frame that are higher than `level`."""
+        """Return rows, columns and heights of the maxima of a frame above `level`."""
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
         mean = np.maximum(np.maximum(background, 0.0) + variance, _LEAST)
         # A height is less than the excess over its standard deviation: few pixels are left to compute it of.
+        # x |x| keeps the sign: pixels below the background drop out.
         bright = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
         near = math.ceil(self.narrow)
         heights = np.zeros((light.shape[0] + 2 * near, light.shape[1] + 2 * near))
@@ -253,19 +257,22 @@ class Kernel:
         heights[row, column] = own
         peak = own >= level
         for down in range(-near, near + 1):
+            # Not below any other within the narrow Gaussian's standard deviation.
             for across in range(-near, near + 1):
                 peak &= own >= heights[row + down, column + across]
         return bright[0][peak], bright[1][peak], own[peak]
 
     def squared(self, variance: Array) -> Array:
-        """Return the variances of pixels averaged as the square of the narrow Gaussian weighs them."""
+        """Return the variances of pixels, averaged with the square of the narrow Gaussian as weight."""
+        # The square of a Gaussian is one of a standard deviation smaller by sqrt(2).
         return smoothed(variance, self.narrow / math.sqrt(2.0))
 
 
 def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
-    """Return heights above the background, in standard deviations of its noise."""
+    """Return heights above the background in standard deviations of its noise."""
     size = cubes / squares
     expected, above = mean * squares / size**2, np.maximum(excess / size, 0.0)
+    # The likelihood ratio of the module's docstring; log1p keeps its digits for small excess.
     ratio = (expected + above) * np.log1p(above / expected) - above
     return np.asarray(np.sqrt(2.0 * np.maximum(ratio, 0.0)))
 
@@ -277,8 +284,9 @@ def smoothed(light: Array, sigma: float) -> Array:
 
 @lru_cache(maxsize=16)
 def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array, Array]:
-    """Return the sums of the squares and of the cubes of the kernel at each pixel, with what edges reflect."""
+    """Return the sums of the squares and cubes of the kernel at each pixel, with reflection at edges."""
     of_rows, of_columns = (_sums(side, narrow, wide) for side in (rows, columns))
+    # Binomial expansion of (narrow - wide)^power, each term separable in rows and columns.
     squares, cubes = (
         sum(sign * math.comb(power, k) * np.outer(of_rows[power - k, k], of_columns[power - k, k])
             for k, sign in zip(range(power + 1), (1.0, -1.0, 1.0, -1.0), strict=False))
@@ -288,7 +296,7 @@ def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array
 
 
 def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]:
-    """Return the sums of products of the two Gaussians along one side, to the powers that are the keys."""
+    """Return the sums along one side of products of the two Gaussians, by their powers."""
     reach = math.ceil(_REACH * wide) + 1
     count = min(side, 2 * reach + 1)
     one, other = (
@@ -302,7 +310,7 @@ def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]
 
 
 def _density(threshold: float, narrow: float, wide: float) -> float:
-    """Return the expected number of maxima of noise above a threshold, a pixel."""
+    """Return the expected number of maxima of noise above a threshold, per pixel."""
     pairs = ((1.0, 2.0 * narrow**2), (-2.0, narrow**2 + wide**2), (1.0, 2.0 * wide**2))
     # Integrals of products of two Gaussians, and of their slopes, by the sum of their variances.
     slopes, squares = (math.fsum(share / total**power for share, total in pairs) for power in (2.0, 1.0))
@@ -310,7 +318,7 @@ def _density(threshold: float, narrow: float, wide: float) -> float:
 
 
 def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
-    """Return which places (n, axes) are kept, the highest first, no other kept one being so near along all axes."""
+    """Return which positions (n, axes) are kept, the highest first, none within `near` of another along all axes."""
     kept = np.ones(score.size, bool)
     beside = cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
     lonely = np.array([len(each) < 2 for each in beside], bool)

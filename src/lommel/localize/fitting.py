@@ -20,9 +20,9 @@ from lommel.recorded.noise import Noise
 
 STATES = ("converged", "border", "steps", "undetermined")
 BACKGROUNDS = ("flat", "tilted")
-_SPACING, _TURN = 1.15, 0.85  # of templates: in v, and radians of the fastest change along z
-_AT_ONCE = 20000
-_MOST_TEMPLATES = 20000
+_SPACING, _TURN = 1.15, 0.85  # of templates: in v, and radians of the fastest phase along z
+_AT_ONCE = 20000  # molecules fitted together
+_MOST_TEMPLATES = 20000  # largest number of templates
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,6 +113,7 @@ class Molecules:
         -------
         Molecules
         """
+        # Indices beyond the own molecules point to the replacements.
         order = np.arange(len(self))
         order[which] = len(self) + np.arange(len(others))
         found: Molecules = _of_each(lambda *parts: np.concatenate(parts)[order], self, others)
@@ -125,7 +126,7 @@ class Molecules:
 
 
 def _of_each(change: Callable[..., Any], *several: Any) -> Any:
-    """Return molecules or errors of which each array is `change` of those of several."""
+    """Return molecules or errors each array of which is `change` of those of several."""
     found = {}
     for name in (each.name for each in fields(several[0])):
         parts = [getattr(one, name) for one in several]
@@ -260,6 +261,7 @@ def fit(
 
 def _named(of: Array, several: bool, per: int) -> dict[str, Any]:
     """Return estimates or their errors (n, unknowns) by name; the light of each of `several` channels."""
+    # Unknowns: row, column, z, then for each channel photons, background and, if tilted, two slopes.
     light = [of[:, k::per] if several else of[:, k] for k in (3, 4)]
     return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*of[:, :3].T, *light)), strict=True))
 
@@ -273,6 +275,7 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter
     kept = vars(first).get("_fitter")
     if kept is None or kept[0] != key:
         spacing = _SPACING * first.pupil.scale / (math.pi * first.pixel)  # pixels
+        # Molecules are near the middle of their box: templates need not fill the whole reach.
         most = min(first.reach, max(1.5, spacing))
         sides = np.arange(-math.floor(most / spacing), math.floor(most / spacing) + 1) * spacing
         layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _TURN) + 1)
@@ -288,7 +291,7 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter
 
 
 def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
-    """Return the boxes of each channel, NaN where a pixel does not count."""
+    """Return the boxes of each channel, NaN where a pixel is not used."""
     if not hasattr(images, "__len__") or (isinstance(images, np.ndarray) and not images.ndim):
         raise TypeError(f"images must be boxes of each of {len(tables)} channels, got {validation.shown(images)}")
     if len(images) != len(tables):
@@ -334,6 +337,7 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
 
 def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Array]:
     """Return the matrix of each channel, (channels, 4), and its shift, (channels, 2)."""
+    # The first channel is the reference: identity.
     whole = np.tile(np.eye(2, 3), (channels, 1, 1))
     if transforms is not None:
         found = validation.real_array("transforms", transforms)
@@ -357,9 +361,11 @@ def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
             parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
     light = (box.astype(np.float64) - parts["offset"]) * white
+    # Defects say nothing: NaN, as left-out pixels.
     if not isinstance(parts["read"], float):
         light = np.where(parts["read"] < DEFECT, light, np.nan)
     variance = np.asarray(parts["read"] / camera.excess, dtype=np.float64) ** 2
     variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
+    # Electrons over the excess are Poisson's (Noise.poisson); so is the read noise.
     light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
     return light, np.ascontiguousarray(variance, dtype=np.float32)

@@ -216,7 +216,7 @@ def columns() -> np.dtype[np.void]:
 
 
 def joined(parts: Sequence[Localizations]) -> Localizations:
-    """Return the localisations of parts of one movie, at least one, together."""
+    """Return the localisations of parts of one movie, one part or more, as one table."""
     names = ("spots", "borders", "overlapping", "saturated", "left_out", "ends")
     sums = {name: sum(getattr(part, name) for part in parts) for name in names}
     return replace(parts[-1], table=np.concatenate([part.table for part in parts]), **sums)
@@ -302,7 +302,7 @@ _Z = ("z [nm]", "uncertainty_z [nm]")
 
 @contextmanager
 def thunderstorm(path: Path) -> Iterator[Write]:
-    """Yield what writes rows of ThunderSTORM's table: M. Ovesny et al., doi:10.1093/bioinformatics/btu202."""
+    """Yield a writer of rows of ThunderSTORM's table (M. Ovesny et al., doi:10.1093/bioinformatics/btu202)."""
     kept, done = dict[str, tuple[str, Callable[[Rows], Values]]](), 0
 
     def begin(along: str) -> None:
@@ -322,6 +322,7 @@ def thunderstorm(path: Path) -> Iterator[Write]:
                 file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
 
         yield write
+        # A movie without molecules still has a header.
         if not kept:
             begin("z")
 
@@ -330,7 +331,7 @@ _FLOATS = ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy", "lpz", "log
 
 
 def _locs(recording: Recording) -> np.dtype[np.void]:
-    """Return the columns of a recording; without z where it is not told."""
+    """Return the columns of a recording; without z if it is not estimated."""
     kept = [name for name in _FLOATS if recording.along != "none" or name not in ("z", "lpz")]
     return np.dtype([("frame", np.uint32), *((name, np.float32) for name in kept)])
 
@@ -379,7 +380,7 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
 
 
 def _yaml(recording: Recording) -> str:
-    """Return the metadata of a movie as Picasso reads it."""
+    """Return the metadata of a movie as Picasso reads them."""
     facts = {
         "Frames": recording.frames,
         "Height": recording.rows,

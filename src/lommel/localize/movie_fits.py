@@ -23,7 +23,7 @@ from lommel.localize.table import Table
 from lommel.recorded.frames import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
 
-_HEIGHTS, _TURNS = 65, 100
+_HEIGHTS, _TURNS = 65, 100  # heights at which Gaussians are fitted, and iterations
 
 
 def localize_movie(
@@ -145,9 +145,11 @@ def localize_blocks(
     kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
     widths = gaussian_widths(table)
     if width is None:
+        # The geometric mean of both widths, at the median height.
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     search = partial(find, box=table.shape, noise=camera, threshold=threshold, width=width, threads=threads)
     with _opened(movie, block) as (shape, blocks, name):
+        # From the sensor to the sample.
         pixel = table.pixel / table.pupil.magnification
         along = "none" if validation.truth("flat", flat) else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
@@ -175,11 +177,11 @@ def localize_blocks(
                 progress(done, shape[0])
 
 
-_ROUNDS = 3  # of boxes moved
+_ROUNDS = 3  # largest number of times a box is moved
 
 
 def _recentred(frames: Values, spots: Spots, first: int, table: Table, again: Callable[..., Molecules]) -> Molecules:
-    """Return fits of boxes in frames; of molecules off the middle, as with coma, of boxes around their estimates."""
+    """Return fits of boxes; off-centre molecules, as with coma, are fitted again in boxes around their estimates."""
 
     def boxes(of: NDArray[np.int64], at: NDArray[np.int64]) -> Values:
         return np.asarray(frames[of[:, None, None], *box_pixels(at, table.shape)])
@@ -196,6 +198,7 @@ def _recentred(frames: Values, spots: Spots, first: int, table: Table, again: Ca
         if not moved.size:
             break
         other = again(boxes(which[moved], places), corners=places)
+        # A move that loses convergence is not kept.
         better = other.converged | ~found.converged[moved]
         moved, places = moved[better], places[better]
         found, corners[moved] = found.replaced(moved, other[better]), places
@@ -232,12 +235,14 @@ def _localizations(
         rows[name] = getattr(found, name)
     sides = {"row": "y", "column": "x"}
     for name in (each.name for each in fields(MoleculeErrors)):
+        # Positions from the outer corner of the first pixel, whose middle is half a pixel from it.
         to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
         rows[to] = (getattr(found, name) + shift) * scale
         rows[f"{to}_error"] = getattr(found.errors, name) * scale
     heights, along_y, along_x = widths
     rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
     if recording.along == "none":
+        # A flat fit at an end of z may be right in x and y; z is not reported.
         rows["state"][(found.state == STATES.index("border")) & np.isin(found.z, table.z)] = 0
         rows["z"] = rows["z_error"] = np.nan
     ends = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
@@ -260,5 +265,6 @@ def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
         tall, wide = (np.exp(-0.5 * at**2 / one[:, None]) for at, one in zip(sides, variances, strict=True))
         pairs = (tall, wide), (tall * sides[0] ** 2, wide), (tall, wide * sides[1] ** 2)
         sums, *moments = (np.einsum("zyx,zy,zx->z", images, *pair) for pair in pairs)
+        # Variances of Gaussians are twice the weighed second moments.
         variances = np.clip(2.0 * np.stack(moments) / sums, 0.1, max(table.shape) ** 2)
     return heights, *np.sqrt(variances)

@@ -31,20 +31,21 @@ from lommel.special import interpolation
 
 Floats = NDArray[np.float32]
 _LEAST_SIDE, _MOST_SIDE, _MOST_REACH = 5, 64, 16.0
-_BAND = 1.75  # of images, radians a sample, at most
-_AT_ONCE = 40000  # samples
+_BAND = 1.75  # largest band limit of images, radians a sample
+_AT_ONCE = 40000  # samples computed together
 _MOST_BYTES = 1 << 28
-_EPS = 2.0**-24
+_EPS = 2.0**-24  # unit roundoff of float32
 # How often each term along z is rounded: stored, times a stored polynomial, and added to all that follow it, the last
 # first. The first polynomial is 1.
 _OF_TERMS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
+# Of the planes that values are computed at, and the pieces of the range.
 _MOST_PLANES, _MOST_PIECES = 400, 200
-_INNER = 24  # points of a piece
-_ETA = np.geomspace(0.02, 6.0, 300)  # semiaxes of ellipses are cosh and sinh of these
+_INNER = 24  # Chebyshev points of a piece
+_ETA = np.geomspace(0.02, 6.0, 300)  # tried ellipses: semi-axes cosh and sinh of these
 
 
 class Bounds(NamedTuple):
-    """Bounds on an error of images and of their slopes by z, over the light collected."""
+    """Bounds on an error of images and of their slopes along z, over the collected light."""
 
     value: float
     slope: float
@@ -61,7 +62,7 @@ class Waves:
     along: str
 
     def at(self, places: Array) -> ObjectivePupil:
-        """Return a stack of the pupil at places along this axis, metres."""
+        """Return a stack of the pupil at positions along this axis, metres."""
         pupil, still = self.pupil, np.zeros(places.shape)
         if self.along == "depth":
             return replace(pupil, depth=places, focus=pupil.focus + still, z=pupil.z + still)
@@ -72,6 +73,7 @@ class Waves:
         """Largest rate of a phase difference, radians a metre."""
         layers = self.pupil.layers
         index = layers.immersion if self.along == "z" else layers.sample
+        # The phase rates of the extreme rays: along the axis and at the edge of the aperture (or the critical angle).
         return layers.wavenumber * (index - math.sqrt(max(0.0, index**2 - layers.NA**2)))
 
     @cached_property
@@ -80,10 +82,11 @@ class Waves:
         layers = self.pupil.layers
         if self.along == "z":
             return 0.0
+        # Beyond the critical angle waves decay with exp(-k sqrt(NA^2 - n_s^2) d); their products twice as fast.
         return 2.0 * layers.wavenumber * math.sqrt(max(0.0, layers.NA**2 - layers.sample**2))
 
     def light(self, places: Array) -> Array:
-        """Return the light collected at places, over that far from the glass; 1 along z."""
+        """Return the collected light at positions, over that far from the glass; 1 along z."""
         if self.fading == 0.0:
             return np.ones(places.shape)
         shares = self.pupil.light.shares
@@ -91,7 +94,7 @@ class Waves:
         return np.asarray((near @ shares) / float(far @ shares)).reshape(places.shape)
 
     def most(self, low: float, high: float) -> Array:
-        """Bound the logarithm of intensities times :meth:`light` on ellipses around places from `low` to `high`."""
+        """Return the logarithm of the bound of intensities times :meth:`light` on ellipses around `low` to `high`."""
         half, middle = 0.5 * (high - low), 0.5 * (high + low)
         nearest = middle - half * np.cosh(_ETA)
         # Above the glass fading light grows.
@@ -99,22 +102,24 @@ class Waves:
         return np.asarray(self.rate * half * np.sinh(_ETA) + above + np.log(self.light(np.maximum(0.0, nearest))))
 
     def most_of_quotients(self, low: float, high: float) -> Array:
-        """Bound the logarithm of intensities there; infinite where light might be 0."""
+        """Return the logarithm of the bound of intensities there; infinite where light might be 0."""
         # Where what fades turns by less than a quarter its real part is positive, and light at least what stays.
         turned = self.fading * 0.5 * (high - low) * np.sinh(_ETA)
         return np.asarray(np.where(turned <= 0.5 * math.pi, self.most(low, high), np.inf))
 
     @property
     def steepest(self) -> float:
-        """Bound on the sum of moduli of the derivative, 1/metres, over the light collected."""
+        """Bound on the sum of moduli of the derivative, 1 / metre, over the collected light."""
         # Of waves exp((i a - b) d), and of 1 over the light, which changes by the part that fades.
         return (self.rate + self.fading) + self.fading
 
 
 def _tail(most: Array, count: int) -> Bounds:
-    """Bound Chebyshev coefficients from `count` on, and their slopes over half the length."""
+    """Return bounds on the sum of Chebyshev coefficients from `count` on, and of slopes over half the length."""
+    # |a_k| <= 2 M exp(-k eta) (Trefethen, theorem 8.1): geometric sums of it, and of k^2 times it for slopes.
     x = np.exp(-_ETA)
     left = 1.0 - x
+    # 600 keeps the exponential from overflowing; such ellipses are of no use.
     size = np.exp(np.minimum(most - count * _ETA, 600.0)) * 2.0
     slope = count**2 / left + 2.0 * count * x / left**2 + x * (1.0 + x) / left**3
     return Bounds(float((size / left).min()), float((size * slope).min()))
@@ -134,13 +139,14 @@ class Pieces(NamedTuple):
 
 
 def pieces(waves: Waves, low: float, high: float, error: float) -> Pieces:
-    """Return the fewest pieces that are off by at most `error`; ValueError if too many are needed."""
+    """Return the fewest pieces with an error of at most `error`; ValueError if too many are needed."""
     terms, length = engine.MoleculeTable.terms, high - low
     for count in range(1, _MOST_PIECES + 1):
         half = 0.5 * length / count
         # Along the depth light of the first piece fades, and grows above it, most.
         most = waves.most_of_quotients(low, low + length / count)
         local = _tail(most, terms)
+        # The truncated series may take 90 % of the error, what it is interpolated from the rest.
         if local.value <= 0.9 * error:
             break
     else:
@@ -154,6 +160,7 @@ def pieces(waves: Waves, low: float, high: float, error: float) -> Pieces:
     # Coefficients of what the interpolating polynomial is off by are at most twice that, light being at least 1.
     through = first * 2.0 + _tail(most, _INNER).value
     value = local.value + through * terms
+    # |T_k'| <= k^2 on the interval (Markov), over half the length of a piece.
     slope = local.slope / half + through * sum(k * k for k in range(terms)) / half
     matrix = _matrix(waves, low, high, planes, count)
     return Pieces(_nodes(planes, low, high), matrix, Bounds(value, slope), _gains(matrix, half))
@@ -168,12 +175,13 @@ def _series(count: int) -> Array:
     """Return the matrix from values at Chebyshev points to coefficients."""
     angles = (np.arange(count)[::-1] + 0.5) * (math.pi / count)
     matrix = np.cos(np.outer(np.arange(count), angles)) * (2.0 / count)
+    # The coefficient of order 0 is the mean of the values.
     matrix[0] *= 0.5
     return matrix
 
 
 def _matrix(waves: Waves, low: float, high: float, planes: int, pieces: int) -> Array:
-    """Return the matrix from values at the planes to coefficients of the pieces, by way of one polynomial."""
+    """Return the matrix from values at the planes to coefficients of the pieces, through one polynomial."""
     vander, whole = np.polynomial.chebyshev.chebvander, _series(planes)
     cut = _series(_INNER)[: engine.MoleculeTable.terms]
     length = (high - low) / pieces
@@ -182,22 +190,24 @@ def _matrix(waves: Waves, low: float, high: float, planes: int, pieces: int) -> 
         inner = _nodes(_INNER, low + k * length, low + (k + 1) * length)
         x = (2.0 * inner - (low + high)) / (high - low)
         made.append((cut / waves.light(inner)) @ vander(x, planes - 1) @ whole)
+    # The polynomial is that of intensity times light, which is entire along the depth, too.
     return np.stack(made) * waves.light(_nodes(planes, low, high))
 
 
 def _gains(matrix: Array, half: float) -> Bounds:
-    """Return the largest sums of moduli of what each value counts, by polynomials at four times as many points."""
+    """Return the largest sums of absolute weights of the values, from polynomials at four times as many points."""
     terms = matrix.shape[1]
     x = _nodes(8 * terms, -1.0, 1.0)
     values = np.polynomial.chebyshev.chebvander(x, terms - 1)
     slopes = np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(np.eye(terms), axis=1).T).T
+    # Ehlich and Zeller: the largest value between 8 n points is at most that at them over cos(pi / 16).
     between = 1.0 / math.cos(math.pi / 16.0)
     value, slope = (between * float(np.abs(at @ matrix).sum(axis=2).max()) for at in (values, slopes))
     return Bounds(value, slope / half)
 
 
 class _Sampling(NamedTuple):
-    """How samples are taken: waves along z, taps along rows and columns, planes, v of a pixel, samples of it."""
+    """Sampling: waves along z, taps along rows and columns, planes, v of a pixel, samples in a pixel."""
 
     waves: Waves
     taps: interpolation.Steps
@@ -312,6 +322,7 @@ class Table:
     def _make(self, threads: int) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
         self.rate = waves.rate  # radians per metre: the fastest change along z of what images are made of
+        # Images have twice the band of the field.
         per = max(2, math.ceil(2.0 * step / _BAND))
         if per > 4:
             most = 3.5 * self.pixel / step
@@ -335,11 +346,12 @@ class Table:
             if self.error_bound > 0.9 * before:
                 break
             before = self.error_bound
+            # The peak that was aimed at was too high, or rounding took more than its share: the aim becomes smaller.
             peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
 
     def _filled(self, sampling: _Sampling, exact: float) -> float:
-        """Make the coefficients and their bounds; return the peak that these are relative to."""
+        """Compute the coefficients and their bounds; return the peak that these are relative to."""
         _, taps, planes, _, per = sampling
         margin = len(taps.filter) - 1
         # The first row and column that are needed, how many of each, and columns of each phase.
@@ -348,6 +360,7 @@ class Table:
         last = [math.ceil(per * (n - 1 - at + self.reach)) + half for n, at in zip(self.shape, middle, strict=True)]
         rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
         wide = math.ceil(columns / per)
+        # Rows of whole vectors of 16 floats.
         wide += -wide % (16 // math.gcd(16, per))
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact)
@@ -393,20 +406,23 @@ class Table:
             while True:
                 made = render(pupil[k : k + at_once], shape, pixel, tol=tol)
                 assert made.error_bound is not None
+                # The bound is over the exact peak, which may be less than the computed one by the error itself.
                 off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
                 if off <= exact:
                     break
                 if tol <= 1e-12:
                     raise not_met(self.tol, off / exact * self.tol, "the largest value of the dimmest plane")
+                # Errors go about with the tolerance; at least a factor of two each time.
                 tol = max(1e-12, min(0.5 * tol, 0.8 * tol * exact / off))
             values[k : k + at_once], error = made.values, max(error, off)
         return values, error
 
     def _bound(self, sampling: _Sampling, error: float, sizes: tuple[float, float], light: float) -> float:
-        """Set the bounds; return the peak that these are relative to."""
+        """Set the bounds; return the peak that they are relative to."""
         # docs/certificate.md, section 19. Intensities are over the light collected: all moduli add up to at most 1.
         waves, taps, planes, step, per = sampling
         band, both = 2.0 * step / per, taps.gain**2
+        # Taps along rows and along columns: (1 + e)^2 - 1.
         kernel = (1.0 + taps.error) ** 2 - 1.0
         size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
         terms = engine.MoleculeTable.terms

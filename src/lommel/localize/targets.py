@@ -26,22 +26,22 @@ if TYPE_CHECKING:
 # In the order in which they are tried: a pixel of the window is saturated, it extends beyond the image, a quarter
 # of it is masked or NaN, another target is within its reach, all light is in one pixel.
 _REASONS = ("saturated", "edge", "masked", "neighbor", "defect")
-_STRUCTURE = 0.25  # of a window: maxima that near belong to one image
+_STRUCTURE = 0.25  # of a window: maxima closer than this belong to one image
 # Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
 _INSIDE = 0.55  # of a window: half of it, and a pixel
 _ONE_PIXEL = 0.8
-_HIT = 0.25  # share of a window, or of its middle half, that is left out
-_CANDIDATE = 1.0  # standard deviations, from which on the highest maximum is named where there is no spot
+_HIT = 0.25  # share of a window, or of its middle half, of left-out pixels that rejects it
+_CANDIDATE = 1.0  # standard deviations above which the highest maximum is reported where there is no spot
 # Of crossings.
-_LEAST, _MOST = 9, 21  # pixels of a window that is chosen
+_LEAST, _MOST = 9, 21  # smallest and largest side of a chosen window, pixels
 _RING = 3.0  # radius, in standard deviations of the smoothing, on which a crossing changes its sign four times
-_POINTS = 64  # on it
-_ALIKE = 0.55  # share of the variance on the ring that is in its second harmonic: of a square wave at least 0.68
-_CONTRAST = 0.25  # of the usual, below which four squares are a print, not the chart
-_SPACED = 10.0  # percent of crossings whose windows may overlap those of others
+_POINTS = 64  # points on the ring
+_ALIKE = 0.55  # share of the ring's variance in its second harmonic: at least 0.68 for a square wave
+_CONTRAST = 0.25  # of the usual contrast: four squares of less are print, not the chart
+_SPACED = 10.0  # percent of crossings whose windows may overlap others
 _STEPS = ((1, 0), (-1, 0), (0, 1), (0, -1))
-_NEAR = 0.25  # of a step: how far a point may be from where its neighbour says
-_SEEDS = 20
+_NEAR = 0.25  # of a step: largest distance of a point from where its neighbour predicts it
+_SEEDS = 20  # crossings that a grid is started from
 
 
 class Refused(NamedTuple):
@@ -267,7 +267,7 @@ def find_spots(
 
 
 def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
-    """Return rows and columns of a window; ValueError if there are few."""
+    """Return rows and columns of a window; ValueError if it is under 5 x 5 pixels."""
     rows, columns = validation.image_shape(window)
     if min(rows, columns) < 5:
         raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
@@ -295,11 +295,12 @@ def target_windows(
 
 
 def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) -> list[str]:
-    """Return why pixels of windows around places cannot be fitted: "saturated", "edge" or "masked"; or ""."""
+    """Return for each place why its window cannot be fitted: "saturated", "edge" or "masked"; or ""."""
     (rows, columns), full, found = box, np.asarray(counts.full.any(axis=0)), list[str]()
     for top, first in (middle - [rows // 2, columns // 2]).tolist():
         window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
         part = counts.hidden[:, max(top, 0) : top + rows, max(first, 0) : first + columns]
+        # Masked pixels near the target matter more than at the edge of the window.
         inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
         if window.any():
             found.append("saturated")
@@ -311,7 +312,7 @@ def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) ->
 
 
 def _level(light: Array, box: tuple[int, int]) -> Array:
-    """Return the background: the median of cells of about a window, which few pixels of a spot do not move."""
+    """Return the background: the median over cells of about a window, which few pixels of a spot do not shift."""
     cells = tuple(max(1, round(side / size)) for side, size in zip(light.shape, box, strict=True))
     edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(light.shape, cells, strict=True)]
     found = np.array(
@@ -327,7 +328,7 @@ def _level(light: Array, box: tuple[int, int]) -> Array:
 def _centroid(
     light: Array, background: Array, variance: Array, at: tuple[int, int], box: tuple[int, int]
 ) -> tuple[Array, float, float]:
-    """Return the centroid of a spot, its electrons in a window, and the share of them in the brightest pixel."""
+    """Return the centroid of a spot, its electrons in a window, and the share of the brightest pixel in them."""
     middle = np.array(at, dtype=np.float64)
     for turn in range(3):  # twice near the middle, then the whole window for its light
         share = 0.5 if turn == 2 else _STRUCTURE
@@ -337,6 +338,7 @@ def _centroid(
         part = np.s_[low[0] : high[0], low[1] : high[1]]
         above = light[part] - background[part]
         noise = np.sqrt(np.maximum(background[part], 0.0) + variance[part] + 1e-12)
+        # Pixels above the noise alone: those of the background would pull the centroid to the middle of the window.
         bright = np.where(above > 3.0 * noise, above, 0.0)
         total = float(bright.sum())
         if turn < 2 and total > 0.0:

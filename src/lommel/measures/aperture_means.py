@@ -59,14 +59,14 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
 
 
 def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]) -> Array:
-    """Return the coefficients (radians) of functions of rho and theta that fit the phase of a single pupil best.
+    """Return the coefficients (radians) of the least-squares fit of functions of (rho, theta) to a pupil's phase.
 
-    Fitted together with a constant, over the clear aperture, weighted by amplitude: without these terms the rms is
-    least. Exact but for rounding for polynomials of no higher degree and order than tilt, defocus and the phase.
+    A constant is fitted too, over the clear aperture weighted by amplitude: without these terms the rms is least.
+    Exact but for rounding for polynomials of no higher degree and order than tilt, defocus and the phase.
     """
     at = _polynomial_rule(checked(pupil), 1.0)
     columns = np.stack([np.ones(at.rho.shape), *(term(at.rho, at.theta) for term in terms)], axis=-1)
-    # The constant is among the columns, as a piston changes no image.
+    # A constant among the columns: a piston changes no image, and its coefficient is dropped.
     root, phase = np.sqrt(at.weight), at.phase(pupil)
     return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
@@ -117,7 +117,7 @@ def strehl(pupil: Pupil) -> Numbers:
         If the phase needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
-    # One by one, for each takes as many nodes as its own blur asks for.
+    # One by one: the number of nodes depends on the blur of each.
     single = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
     return numbers([_strehl(one) for one in single], pupil.shape)
 
@@ -189,7 +189,7 @@ def _variance(pupil: Pupil) -> Array:
 
 
 class _Nodes(NamedTuple):
-    """Points of an aperture, weights of sum 1, and what segments and mask add there: phase and its slopes."""
+    """Nodes of an aperture, weights of sum 1, and the phase and slopes of segments and mask at the nodes."""
 
     rho: Array
     theta: Array
@@ -208,7 +208,8 @@ class _Nodes(NamedTuple):
 
 
 def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
-    """Return nodes that are exact for squares of the phase or of its gradient."""
+    """Return nodes that are exact for squares of the phase or of its gradient, weighted by amplitude^power."""
+    # Angles of complex samples are known modulo 2 pi: neither their mean nor their slope is defined.
     if pupil.phase_mask:
         raise ValueError(
             "mask must be real for measures of the wavefront, since the phase of a complex one is known up to whole "
@@ -218,7 +219,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
     # Squares of the phase have twice its degree in rho, which is its degree in t.
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
-    # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
+    # n nodes are exact to the degree 2 n - 1 in t; a varying amplitude takes some more.
     fall = power * pupil.illumination.slope
     if not pupil.circular:
         return _clear_rule(pupil, power, 2 * degree + 2 + (0 if fall == 0.0 else 48 + math.ceil(fall)))
@@ -229,7 +230,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
 def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
-    # Relative to the brightest zone: a strong fall underflows otherwise.
+    # Relative to the brightest zone: a strong apodization underflows otherwise.
     fall = pupil.illumination.exponent_at(t)
     weight = weight * np.exp(-power * (fall - fall.min()))
     theta = np.arange(around) * (2.0 * math.pi / around)
@@ -238,12 +239,11 @@ def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
 
 
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
-    """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
+    """Return the rule over the clear parts of any aperture, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
-    # The rule of a mask carries the amplitude of its cells, over equal areas.
-    # Weights are amplitude times area; a power p of the amplitude needs p - 1 more.
+    # The rule of a mask has the amplitude of its cells in the weights: a power p of the amplitude needs p - 1 more.
     carried = 1.0 if pupil.mask is None else weight ** (power - 1.0)
-    # At the middle of a mask rho is 0, where slopes over rho have a limit only.
+    # At the centre of a mask rho is 0, where the slope over rho exists as a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * carried * pupil.illumination.at(rho**2, power)
     added = None
@@ -260,6 +260,7 @@ def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     flat = wavefront.flattened()
     # dPhi/drho and (1/rho) dPhi/dtheta, turned to x and y.
     outward = ray_height(flat.edge[:, : flat.symmetric], rho)
+    # One Zernike term c R(rho) cos(m theta): radial and tangential derivatives.
     sideways = np.zeros_like(outward)
     for (n, m), c in flat.nonradial.items():
         k = abs(m)
@@ -273,6 +274,7 @@ def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
 def _radial_slope(n: int, m: int, rho: Array) -> Array:
     """Return ``dR_n^m/drho`` by ``R_n^m' = n (R_(n-1)^|m-1| + R_(n-1)^(m+1)) + R_(n-2)^m'``, R = 0 for m > n."""
     total = np.zeros_like(rho)
+    # The recurrence of the docstring, unrolled down to the lowest degree.
     for degree in range(n, max(m, 1) - 1, -2):
         total += degree * zernike.radial(degree - 1, abs(m - 1), rho)
         if m + 1 <= degree - 1:
@@ -283,9 +285,9 @@ def _radial_slope(n: int, m: int, rho: Array) -> Array:
 def _strehl(pupil: Pupil) -> float:
     """Return the Strehl ratio of a single pupil."""
     if not pupil.circular:
-        # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
+        # Error below 1e-12: the rule has positive weights and is exact to the proven degree.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        # Tilts of segments act as a shift of the window does.
+        # Tilts of segments count as a shift of the window.
         steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         at = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
         mean = np.sum(at.weight * np.exp(1j * at.phase(pupil)))
@@ -293,6 +295,7 @@ def _strehl(pupil: Pupil) -> float:
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial
     order = max([0, *(abs(m) for _, m in terms)])
+    # Half a node a radian of the geometric blur resolves exp(i phase); the loop below checks it.
     radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
     around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
 
@@ -310,6 +313,6 @@ def _strehl(pupil: Pupil) -> float:
         radial = math.ceil(1.4 * radial)
         around = 2 * math.ceil(0.7 * around) if terms else around
         before, value = value, quadrature(radial, around)
-        # Phases of many radians are known to their rounding only.
+        # Phases of many radians are known to their rounding only: 1e-15 of the blur.
         if abs(value - before) <= 1e-12 + 1e-15 * blur:
             return value

@@ -56,13 +56,12 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import FieldPupil, Pupil
 from lommel.special.legendre import gauss_legendre
 
-_GAUSS = 0.5 / math.sqrt(3.0)
+_GAUSS = 0.5 / math.sqrt(3.0)  # distance of both Gauss nodes from the middle, over the length of the interval
 
 
-# Apertures on square cells: the area of each that is clear, in a second for any number of parts. Lines of constant y
-# cross ellipses and convex polygons in one interval each. Two Gauss nodes between edges of cells, corners and, where
-# they are flat, the places at which edges enter the next cell are exact for straight edges, but where these cross one
-# another within a cell.
+# Clear area of each square cell of an aperture, in a second for any number of parts. A line of constant y crosses an
+# ellipse or a convex polygon in one interval. Two Gauss nodes between the edges of cells, corners, and (where edges
+# are nearly horizontal) their crossings of columns are exact for straight edges, unless two cross within a cell.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
@@ -81,10 +80,11 @@ def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
 
 
 def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
-    """Return the rows and columns of cells that hold a region, and the part of each that it covers."""
+    """Return the rows and columns of the cells around a region, and the fraction of each cell that it covers."""
     y, weight, row = _clear_lines(region, side)
     low, high = np.array([_crossed(region, k, y) for k in range(len(region.polygons))]).transpose(1, 0, 2)
     ends = np.sort(np.concatenate([low, high]), axis=0)
+    # Between neighbouring ends a line is clear or not as a whole: its middle decides.
     middle = 0.5 * (ends[1:] + ends[:-1])
     inside = [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)]
     clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
@@ -92,16 +92,17 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     piece, line = np.nonzero(clear)
     if not line.size:
         return slice(0, 0), slice(0, 0), np.zeros((0, 0))
-    # Where light begins counts from there on, where it ends no more.
+    # The start of an interval counts from its cell onwards, the end subtracts from there on.
     place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
     place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
-    # The clear part of each cell along a line is a running sum of where light begins and ends.
+    # The covered part of each cell along a line is a running sum of starts and ends.
     change = np.concatenate([weight[line], -weight[line]])
     first = np.floor(place).astype(np.int64)
     top, left = int(row[line].min()), int(first.min())
     shape = int(row[line].max()) + 1 - top, int(first.max()) + 2 - left
     at = np.tile(row[line] - top, 2) * shape[1] + first - left
     part = place - first
+    # An edge within a cell changes the sum by 1 - part there, and by the rest in the next cell.
     steps = np.bincount(at, change * (1.0 - part), math.prod(shape)) + np.bincount(
         at + 1, change * part, math.prod(shape)
     )
@@ -110,11 +111,12 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
 
 
 def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return lines of constant y, their weights over the side of a cell, and the rows of cells they are in."""
+    """Return lines of constant y, their weights over the side of a cell, and the row of cells of each."""
     cell, ellipses, events, spans = 2.0 / side, iter(region.ellipses), [], []
     for corners in region.polygons:
         if len(corners):
             events += [
+                # A new piece wherever the edge enters the next column of cells.
                 np.linspace(y0, y1, 2 + int(abs(x1 - x0) / cell) if y0 != y1 else 1)
                 for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True)
             ]
@@ -123,10 +125,11 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
             _, y, a, b, angle = next(ellipses)
             tall = math.hypot(a * math.sin(angle), b * math.cos(angle))
             across = math.hypot(a * math.cos(angle), b * math.sin(angle))
+            # Crossings of columns where the ellipse is flat, up to 0.8 of its half-width.
             height = tall * np.sqrt(1.0 - np.linspace(0.0, 0.8, 2 + int(across / cell)) ** 2)
             events += [y + height, y - height]
             spans.append((y - tall, y + tall))
-    # Between which y the region lies.
+    # Range of y in which the region lies.
     low, high = region.combined(
         spans,
         lambda a, b: (max(a[0], b[0]), min(a[1], b[1])),
@@ -136,7 +139,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
-    # Two Gauss nodes integrate the cubic that a straight edge makes of the area.
+    # Two Gauss nodes integrate the cubic that a straight edge makes of the covered area.
     middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
@@ -144,7 +147,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
 
 
 def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
-    """Return where lines enter a part and leave it, both 2 where they miss it."""
+    """Return where lines enter and leave a part of a region, 2 (outside of the disc) where they miss it."""
     corners = region.polygons[part]
     if len(corners):
         (x0, y0), (x1, y1) = corners.T[:, :, None], np.roll(corners, -1, axis=0).T[:, :, None]
@@ -155,31 +158,32 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     x, middle, a, b, angle = region.ellipses[sum(len(at) == 0 for at in region.polygons[:part])]
     cos, sin = math.cos(angle), math.sin(angle)
     tall = math.hypot(a * sin, b * cos)
+    # Chord of a turned ellipse: half length a b sqrt(tall^2 - up^2) / tall^2, its middle on a straight line.
     up = y - middle
     half = a * b * np.sqrt(np.maximum(tall**2 - up**2, 0.0)) / tall**2
     center = x + up * (a * a - b * b) * sin * cos / tall**2
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
 
 
-# Autocorrelation of pupils at the shifts that blur leaves, from the pupil function on square cells (certificate,
-# "Measures of an image", "From cells"). Cells carry the mean of the pupil function over their area. The
-# autocorrelation of these is that of the pupil, smoothed by two squares of the size of a cell, which their second
-# moment corrects; at 0 it is known. Between cells it is interpolated by cubic splines. It is off by some 1e-6, more
-# where a shift by less than a cell opens or closes a gap; images, which average it, by about 1e-6 of all light.
+# Autocorrelation of pupils at small shifts, those that blur leaves (certificate, "Measures of an image", "From
+# cells"). Each cell carries the mean of the pupil function over its area. The autocorrelation of these is that of the
+# pupil convolved with two squares of the size of a cell, whose second moment is subtracted; at 0 it is known. Between
+# cells it is interpolated by cubic splines. Its error is some 1e-6, more where a shift by less than a cell opens or
+# closes a gap; images, which average it, are off by about 1e-6 of all light.
 
-_FINE = 32.0  # cells that the shifts reach over, at least
+_FINE = 32.0  # least number of cells within the largest shift
 
 
 class SmallShifts(NamedTuple):
-    """Cubic splines through the OTF of a single pupil at shifts by whole cells."""
+    """Cubic splines through the OTF of a single pupil, sampled at shifts by whole cells."""
 
-    splines: tuple[Array, ...]  # of the real part and, if there is any, of the imaginary one
+    splines: tuple[Array, ...]  # real part, and the imaginary one unless it is zero
     side: int
     most: int
 
     @classmethod
     def of(cls, pupil: Pupil, end: float) -> SmallShifts:
-        """Return those for frequencies up to `end` of the cutoff."""
+        """Return the splines for frequencies up to `end` of the cutoff."""
         side = int(np.clip(2 ** math.ceil(math.log2(_FINE / end)), 1024, 4096))
         return _small_shifts(pupil, side, min(math.ceil(end * side) + 4, side))
 
@@ -207,20 +211,22 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
         field[rows, columns] *= light
     else:
         theta = np.arctan2(y, x)
-        # Means over cells, along which the phase turns.
+        # Mean over a cell along which the phase is linear: a sinc of the phase change along each side.
         light *= np.prod(np.sinc(gradient(pupil.wavefront, rho, theta)[0] / (math.pi * side)), axis=0)
         field[rows, columns] *= light * np.exp(1j * pupil.wavefront.phase(rho, theta))
+    # Zero padding by the largest shift: no product wraps around.
     size = fft.next_fast_len(side + most + 1)
     spectrum = fft.fft2(field, (size, size))
     near = np.arange(-most - 1, most + 2)
     raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(near, near)].conj()
-    # Cells of the area (2 / side)^2 over all light.
+    # Each cell has the area (2 / side)^2; over pi times the transmission, all light.
     raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
     found = raw[1:-1, 1:-1]
-    # Means over cells, of both pupils, are of the variance 1/6 along each axis.
+    # The mean over a cell of both pupils is a convolution of variance 1/6 along each axis; -1/12 of the Laplacian.
+    # (h^2 / 12) Laplacian, by the five-point stencil, in units of cells.
     around = raw[:-2, 1:-1] + raw[2:, 1:-1] + raw[1:-1, :-2] + raw[1:-1, 2:]
     found = found - (around - 4.0 * found) / 12.0
-    # Samples of the cone 1 - c d about 0 add up to 0.229 c too much: sum of 1 / (4 pi^2 k^3) over a lattice.
+    # Samples of the cone 1 - c d around 0 sum to 0.229 c too much (sum of k^-3 / (4 pi^2) over a lattice).
     ring = found[most - 2 : most + 3, most - 2 : most + 3].real
     slope = float(np.mean([1.0 - ring[0, 2], 1.0 - ring[4, 2], 1.0 - ring[2, 0], 1.0 - ring[2, 4]])) / 2.0
     found[most, most] = 1.0 - 0.229 * slope
@@ -236,20 +242,20 @@ def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.compl
     return cells(pupil).between(shifts).reshape(fx.shape)
 
 
-# Of the cut-off c(f) of the certificate, "Measures of an image", "From samples":
-_SEAM = 12.0  # times the band in cycles per lambda*N: where its kernel has fallen below 1e-10
-# In units of the band: erfc(4) / 2 = 8e-9 is what it misses of 1 and of 0 at 1 and 2.
+# Cut-off c(f) of the certificate, "Measures of an image", "From samples":
+_SEAM = 12.0  # distance in lambda*N, times the band, beyond which its kernel is below 1e-10
+# In units of the band: erfc(4) / 2 = 8e-9 is its deviation from 1 and from 0 at 1 and 2.
 _MIDDLE, _WIDTH = 1.5, 0.125
 SEAM_NORM = 3.94
-"""Integral of the modulus of its kernel over the plane: by how much errors of samples can grow."""
+"""Integral of the modulus of its kernel over the plane: largest growth of the errors of samples."""
 OWN_ERROR = 2e-8
-"""What the cut-off leaves out, of light within a circle."""
+"""Error of the cut-off for the light within a circle."""
 _FADED = 1e-11
 MOST_SIDE = 6144
-"""Samples a side, at most."""
+"""Most samples a side."""
 _AT_ONCE = 2**24
 _FAR = 64.0
-# Directions over half a turn, at least: of responses of pixels, and of apertures with vanes.
+# Least numbers of directions over half a turn: for responses of pixels, and for apertures with vanes.
 _SMOOTH, _ROUGH = 48, 160
 _CELLS = 512
 
@@ -271,12 +277,12 @@ class ImageModel(NamedTuple):
 
     @property
     def radial_method(self) -> RadialMethod | None:
-        """The method, where a profile along the radius is all of the image."""
+        """The method if its radial profile describes the whole image, else None."""
         return None if self.blur or self.active != (0.0, 0.0) else self.method.along_radius(self.pupil)
 
     @property
     def singles(self) -> list[ImageModel]:
-        """Return those of each pupil of the flattened stack."""
+        """Models of the single pupils of the flattened stack."""
         shape = self.pupil.shape
         return [self._replace(pupil=self.pupil[index]) for index in np.ndindex(shape)] if shape else [self]
 
@@ -291,31 +297,33 @@ class ImageModel(NamedTuple):
 
     @property
     def parts(self) -> list[Component]:
-        """Return what is of one wavelength each, where the blur depends on it; else all in one."""
+        """Components of one wavelength each if the blur depends on it, otherwise one component."""
+        # Without seeing the method itself sums the spectrum, and blur acts on the sum.
         if any(isinstance(one, Seeing) for one in self.blur):
             return self.method.components(self.pupil)
         return [Component(1.0, 1.0, self.pupil)]
 
     @property
     def finest(self) -> float:
-        """The frequency from which the optics pass nothing, cycles per lambda*N."""
-        # Cells of a mask that the rim crosses reach beyond it.
+        """Frequency at which the optics cut off, cycles per lambda*N."""
+        # Cells of a mask at the rim reach beyond it, by half of their diagonal.
         mask = getattr(self.pupil, "mask", None)
         return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
 
     @property
     def _short(self) -> Short:
-        """What ends of the blur, in v."""
+        """Blur of finite extent, in v."""
         return Short.of(self.blur, self.pupil.scale)
 
     @property
     def band(self) -> float:
-        """Frequency from which nothing passes, cycles per lambda*N: that of the optics, or where blur has faded."""
+        """Frequency beyond which nothing passes, cycles per lambda*N: the cutoff, or where blur has faded."""
         far = self.finest
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
-        # The direction in which Gaussian blur is narrowest: nothing may be cut off there.
+        # Along the direction in which Gaussian blur is narrowest, the slowest fall: nothing may be cut off there.
         least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         left = np.exp(-2.0 * math.pi**2 * least * f**2)
+        # Seeing is weakest at the longest wavelength.
         longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
         for one in self.blur:
             if isinstance(one, Seeing):
@@ -325,9 +333,10 @@ class ImageModel(NamedTuple):
 
     @property
     def spread(self) -> tuple[float, float]:
-        """How far blur and pixels carry light, and the width of the seeing, which has no end; in lambda*N."""
+        """Extent of blur and pixels, and the width of the seeing, whose light extends without limit; in lambda*N."""
         scale = self.pupil.scale
         gaussian, streaks = self._short
+        # 6.5 standard deviations: exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond.
         short = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(gaussian)[-1]), 0.0))
         short += 0.5 * float(np.hypot(*streaks.T).sum())
         seen = [
@@ -340,7 +349,7 @@ class ImageModel(NamedTuple):
 
     @property
     def extent(self) -> float:
-        """About how far from the axis most light falls, in lambda*N."""
+        """Approximate distance from the axis within which most light falls, in lambda*N."""
         rays = float(np.max(self.pupil.geometric_radius(), initial=0.0)) / self.pupil.scale
         short, seen = self.spread
         return rays + short + 1.5 * seen + 2.5
@@ -354,10 +363,11 @@ class CartesianImage:
     fy: Array
     fx: Array
     band: float
-    error: float  # NaN where nothing is known of that of the samples
+    error: float  # bound on the error of the samples; NaN if the method has none
 
     def derivatives(self, x: float, y: float) -> Array:
         """Return light per area at a point, and its derivatives: ``[i, j]`` is of order i along y and j along x."""
+        # Each derivative multiplies a wave by 2 pi i f.
         orders = np.arange(3)
         waves = np.exp(2j * math.pi * x * self.fx)[:, None] * (2j * math.pi * self.fx)[:, None] ** orders
         rows = np.exp(2j * math.pi * y * self.fy)[:, None] * (2j * math.pi * self.fy)[:, None] ** orders
@@ -376,6 +386,7 @@ class CartesianImage:
         squares, ring = self._rings
         light = np.bincount(ring, turned.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
+        # Hankel transform of a disc: pi r^2 at f = 0, r J1(2 pi r f) / f elsewhere; ring by ring of equal |f|.
         out = np.empty(radius.size)
         for i, r in enumerate(radius):
             out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
@@ -383,7 +394,7 @@ class CartesianImage:
 
     @cached_property
     def _rings(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
-        """The distinct squared distances on the lattice of frequencies, and which of them each point has."""
+        """Distinct squared distances on the lattice of frequencies, and the index of each point's distance."""
         rows, columns = self.table.shape
         half = np.fft.fftfreq(rows, 1.0 / rows).round().astype(np.int64)
         squares, ring = np.unique(np.add.outer(half**2, np.arange(columns) ** 2).ravel(), return_inverse=True)
@@ -400,19 +411,19 @@ class CartesianImage:
 
 def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis along x and y."""
-    # Besides the errors of the samples less than 2e-8 of all light within a circle is missing; with seeing, whose
-    # light extends without limit, up to about 1e-5.
+    # Beyond the errors of the samples the light within a circle is off by less than 2e-8; with seeing, whose light
+    # extends without limit, by up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.finest
     # 1 / h >= b_0 + 2 b: no alias reaches what the cut-off leaves (certificate, "From samples").
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
-    # Light beyond does not count: the kernel of the cut-off has fallen to 1e-10 there.
+    # Samples farther out do not count: the kernel of the cut-off is below 1e-10 there.
     half = reach + _SEAM / band + short
     half += seeing_room(reach, seen)
     period = model.method.period(pupil)
     if reach <= 0.5 * period < half and period == pupil.period and not seen:
-        # One period of the samples of a mask is all of the image: with blur it is periodic all the same.
+        # One period of the samples of a mask is the whole image; with blur it is periodic too.
         side = fft.next_fast_len(math.ceil(period / pitch), real=True)
         pitch, half = period / side, 0.5 * period
     else:
@@ -423,6 +434,7 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
     kept_y, kept_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
     fy, fx = fy[kept_y], fx[kept_x]
+    # Frequencies above 0 along x stand for their conjugates as well: rfft keeps one of each pair.
     cut = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
     parts = model.parts
     count = math.prod(pupil.shape)
@@ -437,6 +449,8 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
                 images = _sampled(some, model.method, grid, whole=len(parts) == 1)
             except (ValueError, ToleranceError) as fault:
                 raise ValueError(f"{_too_far(pupil, reach)}: {fault}") from fault
+            # Values of I to light per area: all light is 4 pi tau in v^2, and v = pi times lambda*N, at this
+            # wavelength.
             factor = share * stretch**2 * math.pi / (4.0 * part.transmission)
             response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * cut)
             for k, image in enumerate(images.values):
@@ -449,13 +463,13 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
 
 
 def seeing_room(reach: float, seen: float) -> float:
-    """Return how far beyond `reach` samples are taken for seeing of a width, lambda*N."""
-    # Light from beyond, and what wraps around, is 1e-5 of all at most.
+    """Return how far beyond `reach` seeing of the width `seen` needs samples, lambda*N."""
+    # Light missing beyond this and light that wraps around are 1e-5 of all at most (certificate, "From samples").
     return min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
 
 
 def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
-    """Return the error for a circle, or a square, whose samples would be too many."""
+    """Return the error for a circle or square that needs too many samples."""
     least = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
     return ValueError(
         f"what reaches {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
@@ -465,9 +479,9 @@ def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> Value
 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:
     """Return the transfer function from samples of the image at cycles per lambda*N, shape ``(n, len(fx))``."""
-    # Samples reach 64 lambda*N beyond `ImageModel.extent` with weights that fall to 0; farther out the mean behind a
-    # hard edge falls as the cube of the distance. The error is below 1e-3 up to a fifth of the cutoff (3e-4 without
-    # straight edges) and 1e-4 above.
+    # Samples extend 64 lambda*N beyond `ImageModel.extent` with weights that fall to 0. The light beyond has the
+    # density of diffraction at a hard edge, falling as the cube of the distance. The error is below 1e-3 up to a
+    # fifth of the cutoff (3e-4 without straight edges) and 1e-4 above.
     far = model.extent + _FAR
     finest = model.finest
     pitch, pupil = 0.25 / finest, model.pupil
@@ -481,6 +495,7 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     weights = weight(np.hypot(at, at[:, None]))
     columns = np.exp(-2j * math.pi * np.outer(at, fx))
     rows = np.exp(-2j * math.pi * np.outer(fy, at))
+    # u = 1 / r maps the tail r^-3 2 pi r dr to a constant density on a finite interval.
     u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _FAR))
     beyond = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
     beyond /= rule @ (1.0 - weight(1.0 / u))
@@ -498,9 +513,10 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
 
 
 def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
-    """Return samples of the intensity, of all light or, unless `whole`, of a pupil at one wavelength."""
+    """Return samples of the intensity; unless `whole`, of one component of the spectrum."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
     ways: tuple[Method, ...] = () if one is None else (one,)
+    # A proven default method is replaced by the fastest one for this grid, within its tolerance.
     if one is None or isinstance(one, NijboerZernike | ChordalGauss | ChordalDebye):
         ways = candidates(pupil, grid, min(method.tol, Method.tol))
 
@@ -512,12 +528,12 @@ def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Im
 
 @dataclass(frozen=True)
 class PolarImage:
-    """An image as a sum of waves by length and direction; lengths in lambda*N."""
+    """An image as a sum of waves by frequency and direction; lengths in lambda*N."""
 
     model: ImageModel
     parts: list[PolarPart]
     band: float
-    reach: float  # of points and corners, from the axis
+    reach: float  # largest distance of points and corners from the axis
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
         """Return the light within each radius of a point."""
@@ -561,7 +577,8 @@ class PolarImage:
         return list(self._waves(self.reach))
 
     def _waves(self, reach: float) -> Iterator[Waves]:
-        """Yield lengths of frequencies, these in as many directions as `reach` needs, and the light of each wave."""
+        """Yield frequencies, their components in as many directions as `reach` needs, and the light of each wave."""
+        # Seeing depends on |f| only and is evaluated once for all directions.
         seen = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in self.model.blur if isinstance(b, Seeing)))
         other = self.model._replace(blur=tuple(b for b in self.model.blur if not isinstance(b, Seeing)))
         reach = reach + self.model.spread[0]
@@ -584,10 +601,11 @@ Waves = tuple[Array, Array, Array, NDArray[np.complex128]]
 
 
 def _turning(f: Array, x: Array) -> NDArray[np.complex128]:
-    """Return waves of frequencies at equal steps of places, shape ``(len(x), len(f))``."""
+    """Return waves at equal steps of places, shape ``(len(x), len(f))``."""
     found = np.empty((x.size, f.size), dtype=np.complex128)
     found[0] = np.exp(2j * math.pi * x[0] * f)
     done = 1
+    # Doubling: exp(i f (x + d)) = exp(i f x) exp(i f d), a product in place of each exponential.
     while done < x.size:
         more = min(done, x.size - done)
         np.multiply(found[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=found[done : done + more])
@@ -596,16 +614,16 @@ def _turning(f: Array, x: Array) -> NDArray[np.complex128]:
 
 
 class PolarPart(NamedTuple):
-    """The light of one wavelength."""
+    """Light of one wavelength, at radial frequencies."""
 
     f: Array  # cycles per lambda*N
-    weight: Array  # of ``f df``, times the OTF where that depends on f only
-    otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # where it depends on the direction
+    weight: Array  # of ``f df``, times the OTF if that is radially symmetric
+    otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # the OTF if it depends on the direction
     wavelength: float | None
 
 
 class RayImage(NamedTuple):
-    """The light of rays in square cells, in fractions of all light; lengths in lambda*N."""
+    """Light of geometric rays in square cells, as fractions of all light; lengths in lambda*N."""
 
     light: Array
     side: float
@@ -647,19 +665,19 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
 
 
 Image = CartesianImage | PolarImage | RayImage
-"""What has the light within circles and rectangles."""
+"""Images that have the light within circles and rectangles."""
 
 
 def images(model: ImageModel, reach: float) -> Iterator[Image]:
-    """Return the images of a flattened stack, good up to `reach` lambda*N from the axis."""
+    """Return the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
     return (polar_images if polar(model) or in_seeing(model) else cartesian_images)(model, reach)
 
 
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
-    """Return the same for sums of light over `what`; ValueError where these would count light of a repeated image."""
-    # An integral over part of one period is at most all light.
+    """Return :func:`images` for sums of light over `what`; ValueError if these would count a repeated image."""
+    # An integral over less than one period is at most all light.
     if (period := model.method.period(model.pupil)) < math.inf:
         short, seen = model.spread
         far = reach + (short + seeing_room(reach, seen) if seen else 0.0)
@@ -669,7 +687,7 @@ def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]
 
 
 def polar(model: ImageModel) -> bool:
-    """Return whether an image is that of a radially symmetric lens, whose transfer function is known at once."""
+    """Return whether the image is that of a radially symmetric lens, whose transfer function is a quadrature."""
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
         return False
@@ -679,8 +697,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def in_seeing(model: ImageModel) -> bool:
-    """Return whether an image is that of a lens through seeing, which leaves the transfer function near 0."""
-    # Samples would take a lattice as wide as the halo.
+    """Return whether the image is that of a lens through seeing, which leaves only low frequencies."""
+    # Sampling it would take a lattice as wide as the halo.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False
@@ -689,13 +707,14 @@ def in_seeing(model: ImageModel) -> bool:
 
 
 def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | PolarImage]:
-    """Return the images of a flattened stack, good at points up to `reach` lambda*N from the axis along x and y."""
+    """Return the images of a flattened stack, valid at points up to `reach` lambda*N from the axis along x and y."""
     return (polar_images if in_seeing(model) else cartesian_images)(model, reach)
 
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
-    # The error is about 1e-9 of all light for radial lenses, and that of `small_shifts.transfer` for others.
+    # The error is about 1e-9 of all light for radial lenses, and that of `transfer` for others.
+    # To the corner of the square.
     reach = math.sqrt(2.0) * reach
     if not polar(model):
         for one in model.singles:
@@ -707,8 +726,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     parts = []
     for share, stretch, part in model.method.components(pupil):
         eps = part.obscuration
-        # Where the overlap of the aperture with itself, shifted, changes its shape.
-        # The rims of both apertures and of both obscurations touch at these shifts.
+        # The overlap of the shifted aperture with itself has a singularity where rims and obscurations touch.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
         at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)
@@ -720,7 +738,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
 
 
 def _directed_parts(model: ImageModel, reach: float) -> Iterator[PolarPart]:
-    """Yield the parts of a single image whose transfer function depends on the direction."""
+    """Yield the components of a single image whose transfer function depends on the direction."""
     band, (short, _) = model.band, model.spread
     blur = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
     for share, stretch, part in model.method.components(model.pupil):
@@ -735,10 +753,10 @@ def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Ar
 
 
 def _radial_rule(ends: list[float], reach: float, least: int) -> tuple[Array, Array]:
-    """Return nodes and weights between the ends of pieces, for waves within `reach` lambda*N."""
+    """Return nodes and weights between the ends of pieces, fine enough for waves within `reach` lambda*N."""
     f, w = [], []
     for low, high in pairwise(ends):
-        # f = low + (high - low) sin^2(u) makes of the powers 3/2 with which overlaps begin and end whole ones.
+        # f = low + (high - low) sin^2(u) turns the powers 3/2 at both ends of overlaps into smooth functions of u.
         waves = (high - low) * (reach + 2.0)
         u, rule = gauss_legendre(least + math.ceil(2.6 * waves), 0.0, 0.5 * math.pi)
         f.append(low + (high - low) * np.sin(u) ** 2)

@@ -104,7 +104,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
 def _measured(
     model: ImageModel, name: str, at: Array, centers: Array, away: Array, within: Callable[..., object]
 ) -> Numbers:
-    """Return the light `within` a shape of each size around the center of each image of a stack."""
+    """Return the light `within` a shape of each size around the centre of each image of a stack."""
     pupil, flat = model.pupil, at.ravel() / model.pupil.scale
     reach = float(flat.max(initial=0.0)) + float(away.max(initial=0.0))
     validation.reach(f"{name}={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
@@ -136,6 +136,7 @@ def image_centroid(psf: PSFLike) -> Array:
     if not isinstance(psf.pupil, Pupil):
         return window_centroid(psf)
     parts = psf.method.components(psf.pupil)
+    # Centroids of components add by their light, not by their peaks.
     total = sum(part.share * aperture_means.centroid(part.pupil) for part in parts)
     return np.asarray(total / sum(part.share for part in parts))
 
@@ -170,7 +171,7 @@ def window_centroid(psf: PSFLike) -> Array:
 
 
 def energy_centers(psf: PSFLike, about: str) -> Array:
-    """Return the points (x, y) that `about` names, shape (n, 2)."""
+    """Return the centres (x, y) of the flattened stack that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
@@ -211,20 +212,21 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
-    # v is that of the reference wavelength; light of shorter waves oscillates faster by this factor.
+    # v refers to the reference wavelength; light of shorter wavelengths oscillates faster by this factor.
     stretch = method.stretch(pupil)
     edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
-    # A node on the axis without weight: errors of a profile relate to its largest value.
+    # A node on the axis with weight 0: errors of a profile are relative to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
-        # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
+        # I v is of exponential type 2 `stretch`: half a node a unit and some more give spectral accuracy.
         x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
-    # Panels end at the radii that were asked about, so that one running sum serves all.
+    # Panels end at the requested radii, so that one running sum serves all.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
+    # E = int I v dv / (2 tau), since all light is 4 pi tau in v^2 and the plane has 2 pi v dv.
     return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
 
@@ -236,7 +238,7 @@ def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Arr
 
 
 def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Array:
-    """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
+    """Return `at` in v, flattened; ValueError if it is too far from the axis."""
     far = float(at.max(initial=0.0))
     validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
     return pupil.v(at).ravel()
@@ -273,12 +275,12 @@ def window_energy(psf: PSFLike) -> Numbers:
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        # An even window may reach half a pixel beyond half of a period to one side, and lacks that on the other.
+        # A window of an even number of pixels reaches half a pixel beyond half a period on one side.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
         each = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
         return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in each], pupil.shape)
     step = math.pi / pupil.scale
-    # Inclusion and exclusion of rectangles with one corner on the axis.
+    # Inclusion and exclusion: signed rectangles with one corner on the axis.
     corners = [
         (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step) for a in (right, -left) for b in (bottom, -top)
     ]
@@ -286,10 +288,10 @@ def window_energy(psf: PSFLike) -> Numbers:
 
 
 def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]) -> Array:
-    """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
+    """Return the light in rectangles from the axis to (a, b) in v, summed with weights, each (weight, a, b); (n,)."""
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for factor, a, b in rectangles:
-        if a > 1e-150 and b > 1e-150:  # whose inverses are numbers
+        if a > 1e-150 and b > 1e-150:  # so that b / v and a / v are finite
             v, w = _quadrant_rule(a, b, method.stretch(pupil))
             nodes.append(v)
             weights.append(factor * w)
@@ -302,13 +304,14 @@ def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[f
 def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     """Return nodes v and weights for radial functions of exponential type ``2 stretch`` over [0, a] x [0, b]."""
     near, far = min(a, b), max(a, b)
+    # Full quarter circles, then arcs cut by the nearer side, then by both.
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
-        # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
+        # v = low + (high - low) s^2 smooths the square root with which arcs begin to leave the rectangle.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
-        # The angle of the circle of radius v that lies in the rectangle.
+        # Angle of the arc of radius v within the rectangle.
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)
         weights.append(2.0 * (high - low) * s * w * v * np.maximum(arc, 0.0))
@@ -316,14 +319,14 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 
 def energy_per_pixel(psf: PSFLike) -> Array:
-    """Return the values as fractions of all light per pixel, whatever their normalisation."""
-    # Values are `scale` times I, and all light is 4 pi times the transmission in v^2.
+    """Return the values as fractions of all light per pixel, for any normalisation."""
+    # Values are `scale` times I, and all light is 4 pi times the transmission, integrated over v.
     factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
     return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 
 
 MAX_RADIUS = 250.0
-"""Of circles about the image of a pupil that is not radial, in lambda*N."""
+"""Largest radius of circles around images that are not radially symmetric, in lambda*N."""
 
 
 class Encircled(NamedTuple):
@@ -370,7 +373,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if pupil.radial:
-        # The profile is within the tolerance of the peak, which is at most the transmission.
+        # The error of a profile is the tolerance over the peak; the peak is at most the transmission.
         return Encircled(np.atleast_1d(radial_energy(of_profiles(), pupil, at)), None)
     reach = at / pupil.scale
     if reach.size and reach.max() > MAX_RADIUS:
@@ -381,7 +384,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
-    # Errors of samples of one sign everywhere: certificate, "From samples".
+    # Errors of samples of one sign everywhere, the worst case: certificate, "From samples".
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     known = isinstance(image, CartesianImage) and not math.isnan(image.error)
     error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if known else None
@@ -389,7 +392,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
-    """Return the model of the image of a pupil alone, by a method or by what serves it."""
+    """Return the model of the image of a pupil alone, by `method` or by the default one."""
     return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[-1])
 
 
@@ -435,7 +438,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
             "compare psf.encircled_energy of some defoci"
         )
     require_radial(way, pupil)
-    # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
+    # dPhi/d(rho^2) of each zone: minus half of it is the defocus that focuses the zone, as its phase is 2 C_d rho^2.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     # A zone of the pupil is in focus where its slope and that of the defocus, 2 C_d, cancel.

@@ -59,7 +59,7 @@ def _finite(error: Callable[[Array, Array], float], values: ArrayLike, reference
         raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")
     if not b.size or not b.max() > 0:
         raise ValueError("values and reference must be finite, and the reference have a positive peak")
-    # Infinite results are refused below.
+    # An overflow becomes infinite, and is refused below.
     with np.errstate(over="ignore"):
         found = float(error(a, b))
     if not math.isfinite(found):

@@ -40,42 +40,44 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-# The pupil function is constant on the square cells of a mask, where the wavefront counts in the middles. The overlap
-# of two cells is linear in either coordinate of their shift, and so the autocorrelation is, between shifts d by whole
-# cells, the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``: exactly, whatever the mask.
+# The pupil function is constant on the square cells of a mask, the wavefront taken at their centres. The overlap of
+# two cells is linear in either coordinate of their shift; so the autocorrelation between shifts d by whole cells is
+# the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``, exactly, for every mask.
 #
-# The image of samples is not that of square cells, but one period of ``sum_d A(d) exp(2 pi i d.r / side)``. At whole
-# cells its transform is the same.
+# The image of point samples differs from that of square cells: it is one period of
+# ``sum_d A(d) exp(2 pi i d.r / side)``. At whole cells its transform is the same.
 
-_MAX_TABLE = 2048  # cells along a side of which all shifts are kept, in 270 MB
+_MAX_TABLE = 2048  # cells a side up to which all shifts are tabulated, in 270 MB
 
 
 class Cells:
-    """The pupil function on the cells of a mask, of all light 1."""
+    """Pupil function on the cells of a mask, normalised to unit light."""
 
     def __init__(self, field: NDArray[np.complex128]) -> None:
-        # So that the autocorrelation is 1 at no shift.
+        # The autocorrelation is then 1 at zero shift.
         self.field = field / np.linalg.norm(field)
 
     @cached_property
     def _table(self) -> NDArray[np.complex128]:
         from scipy import fft
 
+        # Twice the side: a linear correlation, not a circular one.
         spectrum = fft.fft2(self.field, (2 * len(self.field), 2 * len(self.field)))
         return np.asarray(fft.ifft2(spectrum.real**2 + spectrum.imag**2).conj())
 
     def at(self, across: NDArray[np.int64], down: NDArray[np.int64]) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts by whole cells along columns and rows."""
         side = len(self.field)
-        # At a side and beyond no cells overlap.
+        # Shifted by a side or more no cells overlap.
         x, y = (np.clip(shift, -side, side) for shift in (across, down))
         if side <= _MAX_TABLE:
             return np.asarray(self._table[y, x])
+        # Large masks: each distinct shift once, by a direct sum.
         shifts, where = np.unique(np.stack([x, y]), axis=1, return_inverse=True)
         return np.array([self._shifted(*shift) for shift in shifts.T.tolist()])[where.reshape(-1)]
 
     def _shifted(self, x: int, y: int) -> complex:
-        """Return that at one shift, by a sum."""
+        """Return the autocorrelation at one shift, by a direct sum."""
         side = len(self.field)
         first, second = (
             self.field[max(b, 0) : side + min(b, 0), max(a, 0) : side + min(a, 0)] for a, b in ((x, y), (-x, -y))
@@ -92,12 +94,12 @@ class Cells:
         return np.asarray((1.0 - y) * near + y * next_to)
 
     def centroid(self, *, squares: bool) -> Array:
-        """Return the centroid (x, y) of the image in lambda*N, of all of it for `squares`, else of one period."""
+        """Return the centroid (x, y) of the image in lambda*N: the whole image for `squares`, else one period."""
         side = len(self.field)
-        # The derivative of the autocorrelation at 0, or the integral of x over the period of each wave.
+        # Squares: derivative of the autocorrelation at 0. Samples: integral of x over one period of each wave.
         d = np.arange(1, 2 if squares else side)
         weight = (np.ones(1) if squares else -((-1.0) ** d) * 2.0 / d) * (-0.5 * side / math.pi)
-        # One axis at a time: the centroid along x is that of the light summed along y.
+        # Along x the centroid is that of the light summed along y, which only shifts along x enter.
         zero = np.zeros_like(d)
         return np.array([weight @ self.at(d, zero).imag, weight @ self.at(zero, d).imag])
 
@@ -131,25 +133,24 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
     if pupil.mask is not None:
         return of_mask(pupil, f)
     if pupil.circular and pupil.radial:
-        # It depends on the length of f only.
+        # The OTF depends on the length of f only.
         canonical = np.stack([np.hypot(f[:, 0], f[:, 1]), np.zeros(len(f))], axis=-1)
         mirrored = np.zeros(len(f), dtype=bool)
     else:
-        # OTF(-f) is the conjugate of OTF(f).
-        # One half of the plane is enough for real images.
+        # OTF(-f) = conj(OTF(f)), as images are real: one half of the plane is computed.
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
-    # Grids of frequencies have many alike.
+    # Grids of frequencies have many equal lengths and directions.
     points, where = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    # Nearer to 0 than this nothing changes: quotients overflow, or edges are known to rounding only.
+    # Nearer to 0 the OTF is 1 to rounding, quotients overflow, and edges of shapes are known to rounding only.
     least = 1e-100 if pupil.circular else 1e-14
     values[:, shift <= least] = 1.0
     within = np.flatnonzero((shift > least) & (shift < 1))
     if pupil.circular:
         blur = float(pupil.v(pupil.geometric_radius()).max())
-        # Alike frequencies take alike many nodes.
+        # Frequencies of similar length need similar numbers of nodes.
         within = within[np.argsort(shift[within])]
         for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
             values[:, group] = _of_discs(pupil, points[group], shift[group], blur, tol)
@@ -163,7 +164,7 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
 
 def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of circular or annular apertures at few frequencies."""
-    # Half of the phase that a line of the overlap sees, about; too few nodes are found out by those that follow.
+    # Estimate: half of the phase change along a line of the overlap. Too few nodes are noticed by the next step.
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
     nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
     return _settled(lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur)
@@ -172,7 +173,7 @@ def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> 
 def _settled(
     integral: Callable[[int], NDArray[np.complex128]], nodes: int, tol: float, least: float
 ) -> NDArray[np.complex128]:
-    """Return an integral with as many nodes as it takes until two differ by no more than `least`."""
+    """Return an integral with the number of nodes for which two successive ones differ by at most `least`."""
     before: NDArray[np.complex128] | None = None
     while nodes <= _MAX_NODES:
         value = integral(nodes)
@@ -186,10 +187,12 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
     """Return the autocorrelation at f by `nodes` Gauss nodes along and across each part of the overlap."""
     x, w = gauss_legendre(nodes)
     which, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
+    # Defocus alone: the phase is linear along u, and lines have a closed form.
     if pupil.radial and pupil.illumination.uniform and not pupil.radial_terms()[:, 1:].any():
         lines = _defocused_lines(pupil.radial_terms()[:, :1] * shift[which], low, width) * weight
         return _summed(lines, which, len(f)) / (math.pi * pupil.transmission)
     if not pupil.radial:
+        # Without radial symmetry both halves y > 0 and y < 0 count, with half of the weight each.
         which, low, width, weight = (np.tile(part, 2) for part in (which, low, width, 0.5 * weight))
         y = np.concatenate([y, -y])
     out = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
@@ -211,9 +214,9 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
 
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
-    """Return the integrals along lines for defocus alone, shape (n, lines): the phase differs by ``8 slope u``."""
+    """Return the integrals along lines for defocus alone, shape (n, lines): the phase difference is ``8 slope u``."""
     # The integral of cos(8 slope u) over a line is a sinc.
-    half = 4.0 * slope * width + 1e-300  # never 0
+    half = 4.0 * slope * width + 1e-300  # avoids 0 / 0
     lines = np.cos(8.0 * slope * low + half)
     lines *= np.sin(half)
     lines /= half
@@ -222,12 +225,12 @@ def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
 
 
 def _summed(lines: Array, which: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
-    """Return the sums of the integrals along the lines of each of `count` frequencies."""
+    """Return the sums of the integrals of lines over the lines of each of `count` frequencies."""
     return np.array([np.bincount(which, each, count) for each in lines], dtype=np.complex128)
 
 
 def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
-    """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
+    """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary part is odd in u."""
     terms = pupil.radial_terms()
     product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
     if not pupil.illumination.uniform:
@@ -236,13 +239,13 @@ def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
 
 
 def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
-    """Return lines of constant y > 0 that cover the overlaps: frequency, y, start in u, length, weight in y."""
-    # Overlaps are symmetric in y, so the upper half counts twice. Within a panel the ends are analytic in the angle.
+    """Return lines of constant y > 0 that cover the overlaps: frequency index, y, start in u, length, weight in y."""
+    # Overlaps are symmetric in y: the upper half counts twice. Within a panel the ends are analytic in the angle.
     end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), exact near 1
     top = np.sqrt((1.0 - shift) * (1.0 + shift))
     found = [_panel(np.arcsin(np.minimum(eps, top)), end, 1.0, shift, eps, x, w)]
     if eps > 0:
-        # Where the rim of one aperture meets the obscuration of the other, and both obscurations one another.
+        # Heights at which the rim of one aperture meets the obscuration of the other, and the obscurations meet.
         meets = shift - (1.0 - eps**2) / (4.0 * shift)
         last = np.arcsin(np.minimum(1.0, top / eps))
         rim = np.arccos(np.minimum(1.0, np.abs(meets) / eps))
@@ -258,18 +261,19 @@ def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
 def _panel(
     first: Array, last: Array, radius: float, shift: Array, eps: float, x: Array, w: Array
 ) -> tuple[Values, ...]:
-    """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`, one of each a frequency."""
+    """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`; one panel for each frequency."""
     theta = first[:, None] + (last - first)[:, None] * x
     y = radius * np.sin(theta)
     weight = (last - first)[:, None] * w * radius * np.cos(theta)
     f = shift[:, None]
     rim = np.sqrt((1.0 - y) * (1.0 + y))
-    if radius == 1.0:  # beside the obscurations
+    if radius == 1.0:  # above the obscurations a line is one piece
         pieces = [(f - rim, rim - f)]
     else:
         hole = eps * np.cos(theta)
         right = [(f - rim, f - hole), (f + hole, f + rim)]
         left = [(-f - rim, -f - hole), (-f + hole, -f + rim)]
+        # Clear pieces are intersections of those of both apertures.
         pieces = [(np.maximum(a, c), np.minimum(b, d)) for a, b in right for c, d in left]
     which = np.broadcast_to(np.arange(shift.size)[:, None], y.shape).ravel()
     lines = (which, y.ravel(), weight.ravel())
@@ -277,18 +281,18 @@ def _panel(
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
 
-# All other apertures take the rules of lommel.core.engine.row_rule, whose error is proven. The overlap lies in the
+# All other apertures use the rules of lommel.core.engine.row_rule, with a proven error. The overlap lies in the
 # ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
-# difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
-# polynomial that is proven to be close to the integrand (lommel.optics.aperture.opening.degree_needed). The ellipse
-# moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there. Each pair
-# of segments that overlap has its own rule and phase.
+# difference of the two phases is a polynomial there; the amplitudes of its Zernike terms give the degree of a
+# polynomial proven to be close to the integrand (lommel.optics.aperture.opening.degree_needed). The ellipse moved by
+# f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there. Each pair of
+# overlapping segments has its own rule and phase.
 
-_LEAST = 2e-15  # error of a rule
+_LEAST = 2e-15  # least error of a rule, some units of rounding
 
 
 class _ClearParts(NamedTuple):
-    """The regions of an aperture, the phases they add, and discs that hold them."""
+    """Regions of an aperture, the phases of segments, and discs that contain them."""
 
     regions: tuple[Listed, ...]
     phases: Array
@@ -303,6 +307,7 @@ def _clear_parts(opening: Opening) -> _ClearParts:
         return _ClearParts(regions, opening.phases, np.zeros((1, 2)), np.ones(1))
     edges = [np.concatenate(part.outline(256)) for part in opening.stop.shapes]  # type: ignore[union-attr]
     centers = np.array([0.5 * (edge.min(axis=0) + edge.max(axis=0)) for edge in edges])
+    # One per cent for the sagitta of curved edges between the 256 points of an outline.
     radii = [1.01 * np.hypot(*(edge - at).T).max() for edge, at in zip(edges, centers, strict=True)]
     return _ClearParts(regions, opening.phases, centers, np.array(radii))
 
@@ -310,19 +315,20 @@ def _clear_parts(opening: Opening) -> _ClearParts:
 def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of other apertures at a frequency, off by less than `tol` and the rounding of phases."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
-    # Coordinates along f and across it.
+    # Coordinates along and across f.
     cos, sin = f / shift
     back = np.array([[cos, -sin], [sin, cos]]) * axes
     frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
     share = float(axes[0] * axes[1]) / pupil.transmission
-    # Only segments whose discs meet can overlap.
+    # Only segments whose enclosing discs meet can overlap.
     moved = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
     pairs = np.argwhere(moved < clear.radii[:, None] + clear.radii)
     first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
     tilts = first[:, 1:] - second[:, 1:]
     still = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
-    # Half for the polynomial close to the integrand, half for the rules.
+    # Half of the tolerance for the polynomial close to the integrand, half for the rules.
     aim = min(max(0.45 * tol / share, _LEAST), 0.05)
+    # Tilts of segments act as a shift of the window does: their difference adds to the kernel's frequency.
     steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
     # Section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
@@ -349,12 +355,12 @@ def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, to
 
 
 def _ends(pairs: NDArray[np.intp]) -> set[tuple[int, int]]:
-    """Return which regions are moved by f, 1, and by -f, -1."""
+    """Return the regions shifted by f (sign 1) and by -f (sign -1)."""
     return {(int(i), 1) for i in pairs[:, 0]} | {(int(j), -1) for j in pairs[:, 1]}
 
 
 def _radii(at: Array, f: Array) -> list[Array]:
-    """Return the distances of points from the axis of the aperture moved by f, and by -f."""
+    """Return the distances of points from the axis of the apertures shifted by f and by -f."""
     return [np.hypot(at[0] - sign * f[0], at[1] - sign * f[1]) for sign in (1.0, -1.0)]
 
 
@@ -370,8 +376,8 @@ def _difference(pupil: Pupil, at: Array, f: Array) -> Array:
 
 
 def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
-    """Return by degree the sum of the amplitudes of the Zernike terms of that difference, over the ellipse."""
-    degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel
+    """Return by degree the sum of the amplitudes of the Zernike terms of the phase difference, over the ellipse."""
+    degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel in it
     if degree < 1:
         return []
     rho, theta, table = _projection(degree)
@@ -379,13 +385,13 @@ def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
     values = _difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
     waves = np.fft.rfft(values, axis=2)[:, :, : degree + 1] / theta.size
     sizes = np.abs(np.einsum("mni,sim->snm", table, waves)).max(axis=0).sum(axis=1)
-    # What is smaller is rounding.
+    # Smaller amplitudes are rounding errors.
     return [(n, float(size)) for n, size in enumerate(sizes) if n and size > 1e-15 * sizes.sum()]
 
 
 @lru_cache(maxsize=8)
 def _projection(degree: int) -> tuple[Values, Values, Values]:
-    """Return points (rho, theta) for Zernike amplitudes of a polynomial, and weights [m, n, radius] of its waves."""
+    """Return points (rho, theta) for Zernike amplitudes of polynomials, and weights [m, n, radius] of azimuths."""
     t, weight = gauss_legendre(degree // 2 + 1, 0.0, 1.0)
     rho = np.sqrt(t)
     table = np.zeros((degree + 1, degree + 1, t.size))

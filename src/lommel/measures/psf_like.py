@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Recorded:
-    """PSFs on pixels, in one array."""
+    """Base of PSFs on pixels, held in one array."""
 
     values: Values
     grid: Grid
@@ -55,7 +55,7 @@ class Recorded:
 
 
 class PSFLike(Recorded):
-    """A point spread function, or a stack of them, and how it was computed."""
+    """A point spread function, or a stack of them, with its method."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
     method: Method
@@ -73,8 +73,8 @@ class PSFLike(Recorded):
     @property
     def sum_is_light(self) -> bool:
         """Whether all values sum to the light: averages over pixels, and samples at most lambda*N apart."""
-        # The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds
-        # its values at multiples of 1 / pixel (Poisson's formula).
+        # The Fourier transform of an intensity vanishes from the frequency 1 / (lambda*N) on; a sum of samples adds
+        # its values at multiples of 1 / pixel (Poisson's formula), of which only that at 0 is left.
         return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
@@ -113,6 +113,7 @@ class PSFLike(Recorded):
         at = validation.real_array("radius", radius, least=0.0)
         far = float(at.max(initial=0.0))
         validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
+        # Methods take rising radii, each once.
         v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
         intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
@@ -122,7 +123,7 @@ class PSFLike(Recorded):
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
-        # Places in the flattened stack, by which all arrays are indexed alike.
+        # Indices into the flattened stack, by which all arrays are indexed alike.
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,
@@ -135,7 +136,7 @@ class PSFLike(Recorded):
 
 
 class ColourPSFLike(Recorded):
-    """A PSF for each channel of a sensor, and their values in one array, channels before rows."""
+    """PSFs for the channels of a sensor, with values in one array, channels before rows."""
 
     channels: Channels
     psfs: tuple[PSFLike, ...]
@@ -148,7 +149,7 @@ class ColourPSFLike(Recorded):
 
 
 class PSFGridLike:
-    """PSFs over a sensor, each with its place."""
+    """PSFs at positions over a sensor."""
 
     psf: PSFLike | ColourPSFLike
     x: Array
@@ -179,14 +180,14 @@ Found = TypeVar("Found")
 
 @runtime_checkable
 class Measurable(Protocol):
-    """A PSF, or several, whose every PSF a function measures."""
+    """A PSF or several, each of which a function can measure."""
 
     def measured(self, measure: Callable[[PSFLike], Found]) -> Found:
         """Return the `measure` of each PSF."""
 
 
 def is_psf(thing: object) -> TypeGuard[PSFLike]:
-    """Return whether a thing is a PSF, or a stack of them, with its pixels and its method."""
+    """Return whether an object is a PSF or a stack of them, with pixels and a method."""
     return isinstance(getattr(thing, "grid", None), Grid) and isinstance(getattr(thing, "method", None), Method)
 
 
@@ -198,10 +199,11 @@ def checked(psf: object, name: str = "psf") -> PSFLike:
 
 
 def colours(psf: ColourPSFLike) -> Array:
-    """Return red, green and blue over their largest value in each image, shape ``(..., height, width, 3)``."""
+    """Return the channels as red, green and blue over the largest value of each image, shape ``(..., h, w, 3)``."""
     names = psf.channels.names
     if len(names) not in (1, 3):
         raise ValueError(f"a picture takes three channels, or one, got {len(names)}: {', '.join(names)}")
+    # Values may be slightly negative within the error bound; colours may not.
     light = np.maximum(np.moveaxis(psf.values, -3, -1).astype(np.float64), 0.0)
     top = light.max(axis=(-3, -2, -1), keepdims=True)
     if not top.min() > 0.0:

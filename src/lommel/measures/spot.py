@@ -35,7 +35,7 @@ PointImage = CartesianImage | PolarImage
 
 _STEP = 0.15  # spacing of tables in v, over the stretch of the method
 _MAX_RADII = 2**16
-# Half of the largest full width at half of an image that is not radially symmetric, in lambda*N.
+# Half of the largest full width at half maximum of an image that is not radially symmetric, in lambda*N.
 _MAX_WIDTH = 250.0
 _MAX_DIAMETER = 6000.0
 _MAX_SAMPLED = 1400.0
@@ -66,17 +66,18 @@ def peak_position(psf: PSFLike) -> Array:
 
 
 def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
-    """Yield row and column of the brightest pixel of each image, and the values along both."""
+    """Yield row and column of the brightest pixel of each image, and the values along both lines through it."""
     for image in np.asarray(psf.values, dtype=np.float64).reshape(-1, *psf.grid.shape):
         row, column = divmod(int(image.argmax()), psf.grid.width)
         yield row, column, image[row], image[:, column]
 
 
 def _vertex(line: Array, at: int) -> float:
-    """Return how far from `at` the parabola through three values is largest, at most half a step."""
+    """Return the offset from `at` of the vertex of the parabola through three values, at most half a step."""
     if not 0 < at < line.size - 1:
         return 0.0
     before, here, after = line[at - 1 : at + 2]
+    # Equal values, as on a saturated peak, have no curvature: the pixel itself counts.
     curvature = 2.0 * here - before - after
     return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
 
@@ -107,12 +108,13 @@ def axis_strehl(psf: PSFLike) -> Numbers:
     if psf.blur:
         from lommel.blur.recorded import recorded_images
 
-        # The one that sampled may have been asked for much more.
+        # The method of the PSF may have been tightened far beyond its tolerance; the named one suffices.
         named, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
         made = recorded_images(named, tol, pupil, Grid(1, pupil.scale), psf.blur, Wanted(1.0))[1]
         center = made.values[:, 0, 0].reshape(pupil.shape)
     elif radial is not None:
-        # At the axis alone the peak, to which errors relate, would be missing.
+        # Errors of a profile are relative to its peak, which lies beside the axis for aberrated pupils.
+        # From the axis to the last geometric ray and 4 more in v, as the peak is searched elsewhere.
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
     elif method.sampling == "center":
@@ -188,6 +190,7 @@ def width(model: ImageModel, along: str = "mean") -> float:
         bright = values >= half
         if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
             break
+        # Widened by 1.6 until all of the bright region lies inside.
         if reach > _MAX_WIDTH:
             raise ValueError(f"the image does not fall to half of the largest within {2.0 * reach:.4g} lambda*N")
         reach *= 1.6
@@ -199,22 +202,22 @@ def width(model: ImageModel, along: str = "mean") -> float:
 
 
 def brightest_place(model: ImageModel) -> tuple[float, float]:
-    """Return where a single image is brightest, (x, y) in lambda*N; of several such places one."""
+    """Return the brightest place (x, y) of a single image in lambda*N, one of several equal ones."""
     return _maximum(*_scanned(model, model.extent))[1]
 
 
 def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
-    """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
+    """Return a single image, its samples up to `reach`, their places along either axis, and the step."""
     (image,) = point_images(model, reach)
-    # Eight samples to the period of the highest frequency.
+    # Eight samples to a period of the highest frequency, so that a maximum between them is at most a sixth larger.
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
     return image, image.on(places, places), places, step
 
 
 def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
-    """Return the largest light per area, and where: by Newton's method from the brightest of samples."""
-    # Local maxima, of which the highest few may be the largest between samples.
+    """Return the largest light per area and its place, by Newton's method from the brightest samples."""
+    # Local maxima; the highest few may be the largest between samples.
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
@@ -228,7 +231,7 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
         for _ in range(8):
             (_, right, twice_right), (down, cross, _), (twice_down, _, _) = image.derivatives(x, y)
             curvature = np.array([[twice_right, cross], [cross, twice_down]])
-            # On a ridge there is no way along it.
+            # On a ridge the curvature along it vanishes: the pseudo-inverse does not move that way.
             away = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [right, down], -step, step)
             x, y = x + away[0], y + away[1]
             if np.abs(away).max() < 1e-7 * step:
@@ -239,17 +242,19 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
 
 
 def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
-    """Return how far along x, or y if `turned`, light of at least `half` reaches in the direction of `sign`."""
+    """Return how far light of at least `half` extends along x (y if `turned`) in the direction of `sign`."""
     lines = (values.T if turned else values)[:, :: int(sign)]
     at = places[:: int(sign)]
     last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
     rows = np.flatnonzero((lines >= half).any(axis=1))
     here, beyond = lines[rows, last[rows]], lines[rows, last[rows] + 1]
+    # Linear interpolation of the last crossing in each line; the farthest line starts Newton's method.
     crossings = at[last[rows]] + (at[1] - at[0]) * (here - half) / (here - beyond)
     first = int(np.argmax(sign * crossings))
     x, y = float(crossings[first]), float(places[rows[first]])
     step, middle = abs(float(at[1] - at[0])), y
 
+    # Newton in both coordinates: to half of the maximum along, to the brightest place across.
     for _ in range(20):
         found = image.derivatives(y, x).T if turned else image.derivatives(x, y)
         (light, slope, _), (sideways, _, _), (bend, _, _) = found
@@ -269,7 +274,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
-    # Twelve places for each interpolation: some beyond the last that counts.
+    # Interpolation takes twelve places, six of them beyond the last crossing.
     places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
@@ -278,7 +283,8 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
         line = _Even(values)
         top = int(values.argmax())
         near = np.concatenate([max(top - 1, 0) + fine, top + fine])
-        # Twice refined: a maximum is flat.
+        # Two refinements: the position of a flat maximum is uncertain, its value is not.
+        # The search interval is the two steps around the largest sample.
         best = float(near[np.argmax(line(near))])
         peak = float(line(np.clip(best + (fine - 0.5) / 32.0, 0.0, None)).max())
         last = int(np.flatnonzero(values > 0.5 * peak)[-1])
@@ -320,7 +326,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         return radial_diameter(model.radial_method, pupil, wanted)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
-        # An image of samples repeats: circles must stay within one period.
+        # Circles must stay within one period of an image of samples.
         within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
         reach = min(one.extent, max(within, 0.0))
         while True:
@@ -331,6 +337,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
 
             if lacks(reach) >= 0.0:
                 break
+            # Four times the current reach bounds the next diameter.
             if reach >= within or 4.0 * reach > (_MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED):
                 raise ValueError(
                     f"fraction must be held by a circle of at most {2.0 * reach:.4g} lambda*N, got {wanted:g}"
@@ -365,19 +372,19 @@ def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> 
 
 
 class _Even:
-    """An even function known at 0, 1, 2, ..., between them by the polynomial through the twelve nearest."""
+    """Even function known at 0, 1, 2, ...; between them the polynomial through the twelve nearest values."""
 
     def __init__(self, values: Array) -> None:
         self.values = np.concatenate([values[HALF:0:-1], values])
 
     def __call__(self, at: Array) -> Array:
-        """Return the values at places >= 0, up to the sixth last known."""
+        """Return the values at places >= 0, up to the sixth last known one."""
         first, weights = between(at)
         known = self.values[first[:, None] + np.arange(HALF, 3 * HALF)]
         return np.asarray((known * weights).sum(axis=1))
 
     def falls_to(self, level: float, low: float, high: float) -> float:
-        """Return the place between `low` and `high` at which the values fall to `level`, which they do."""
+        """Return the place between `low` and `high` at which the values fall to `level`."""
         from scipy.optimize import brentq
 
         return float(brentq(lambda at: float(self(np.array([at]))[0]) - level, low, high, xtol=1e-15))
@@ -455,12 +462,13 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
 
 
 def _lines(psf: PSFLike, model: ImageModel) -> Array:
-    """Return the light along z, of the shape of the stack."""
+    """Return the light along z for each plane, in the shape of the stack."""
     pupil = psf.pupil
     if model.radial_method is not None:
         found = model.radial_method.profile(pupil, np.zeros(1)).values
         return np.asarray(psf.scale * found.reshape(pupil.shape))
     planes = pupil.shape[-1]
+    # A line through the brightest pixel of the whole stack: off axis where aberrations move the light.
     brightest = psf.values.reshape(-1, planes, math.prod(psf.grid.shape)).max(axis=2).argmax(axis=1)
     lines = []
     for k, stack in enumerate(np.ndindex(pupil.shape[:-1])):
@@ -470,5 +478,5 @@ def _lines(psf: PSFLike, model: ImageModel) -> Array:
             place = brightest_place(here._replace(pupil=here.pupil[brightest[k]]))
         images = cartesian_images(here, float(np.abs(place).max()))
         lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
-    # A sheet of light, among others, is in what values are multiplied by.
+    # `scale` includes the excitation of each plane, such as that of a light sheet.
     return np.asarray(psf.scale * np.array(lines).reshape(pupil.shape))

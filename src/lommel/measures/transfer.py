@@ -31,7 +31,7 @@ Complexes = np.complex128 | NDArray[np.complex128]
 
 
 Pitch = float | tuple[float, float]
-"""One number, or those of height and width."""
+"""Pixel pitch: one number, or height and width."""
 
 
 class Sensor(TypedDict, total=False):
@@ -114,9 +114,9 @@ def otf(
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
     for share, _, part in parts:
-        # Over the cutoff of this wavelength, 1 / (lambda N).
+        # Frequencies over the cutoff of this wavelength, 1 / (lambda N).
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        # Blur multiplies the transfer function; seeing depends on the wavelength.
+        # Blur multiplies the transfer function; that of seeing depends on the wavelength.
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
         total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
@@ -163,7 +163,7 @@ def image_otf(
 
 
 def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Pitch | None, fill: Pitch) -> Array:
-    """Return the transfer function of pixels that average; 1 where there are none."""
+    """Return the transfer function of pixel integration; 1 without pixels."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
             raise ValueError(f"fill must be left out where there is no pixel, got {validation.shown(fill)}")
@@ -293,7 +293,7 @@ def mtf_frequency(
 
 
 def _own(**given: bool) -> None:
-    """Raise ValueError if a PSF, which has its own, is given options of a pupil."""
+    """Raise ValueError if options of a pupil are given together with a PSF, which has its own."""
     if stray := [name for name, there in given.items() if there]:
         raise ValueError(f"{stray[0]} must be left out for a PSF, which has its own; give it with psf.pupil")
 
@@ -305,12 +305,13 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numb
     cutoff = pupil.cutoff
     if spectrum := sensor.get("spectrum"):
         cutoff *= spectrum.stretch(pupil)
-    # An image of radius r makes the OTF oscillate like J1(2 pi r f).
+    # An image of radius r makes the OTF oscillate like J1(2 pi r f): steps must resolve its zeros.
     oscillating = float(pupil.v(pupil.geometric_radius()).max())
+    # A streak of length d has zeros at multiples of 1 / d.
     oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
     steps = math.ceil(max(128.0, 2.0 * oscillating, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
-    # Those of a circular aperture are computed together, those of others one by one.
+    # Frequencies of a circular aperture are computed together, those of others one by one.
     many = 32 if pupil.circular else 4
     for start in range(1, steps + 1, many):
         k = np.arange(start, min(start + many, steps + 1))
@@ -327,7 +328,8 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numb
             return float(mtf(one, f * cos, f * sin, **sensor)) - wanted
 
         low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
-        # The scan is less exact than the search: a bracket's end may have crossed by rounding.
+        # The scan has a coarser tolerance than the search: the end of a bracket may lie on the other side of the
+        # level.
         ends = above(low), above(high)
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             out[i] = low if ends[0] <= 0.0 else high
@@ -401,6 +403,6 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
     fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
     plain = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
-    # The transform counts from the first pixel, positions from the axis.
+    # The FFT counts from the first pixel, positions from the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
     return fx, fy, np.asarray(plain * shift)

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-# A stack that is computed in parts takes one method; some of its pupils stand for the cost of all.
-_LOOKS = 8  # pupils that stand for a stack
+# A stack computed in parts uses one method for all parts; the cost is estimated from some of its pupils.
+_LOOKS = 8  # number of pupils from which the cost of a stack is estimated
 _Answer = TypeVar("_Answer")
 
 
 class Rule(NamedTuple):
-    """The methods for some pupils and windows, in words and in code."""
+    """Methods for a class of pupils and windows, with a description."""
 
     pupils: str
     applies: Callable[[BasePupil, Grid], bool]
@@ -34,11 +34,11 @@ class Rule(NamedTuple):
 
     @property
     def methods(self) -> tuple[Callable[[float], Method], ...]:
-        """As they are tried, one by one."""
+        """Constructors of the methods, in the order in which they are tried."""
         return self.imported()
 
 
-# Imported where they are needed, for radial pupils are most and take none of these.
+# Imported late: most pupils are radially symmetric and use none of these.
 
 
 def _whichever_is_cheaper() -> tuple[Callable[[float], Method], ...]:
@@ -98,11 +98,11 @@ RULES = (
         "non-uniform FFTs along the rows of the aperture and across them",
     ),
 )
-"""The first that applies."""
+"""The first rule that applies is used."""
 
 
 def table() -> str:
-    """Return the rules as a table in Markdown; the page on how to choose a method has it."""
+    """Return the rules as a Markdown table, for the page on the choice of a method."""
     rows = [("pupil", "method", "cost"), ("---",) * 3]
     for rule in RULES:
         names = dict.fromkeys(type(method(Method.tol).reported).__name__ for method in rule.methods)
@@ -123,38 +123,39 @@ def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
 
 
 def of_derivatives(pupil: "ObjectivePupil", ways: tuple[Method, ...]) -> tuple[Method, ...]:
-    """Return the methods for derivatives of an objective, with that which those by Zernike terms are left to."""
+    """Return the methods for derivatives of an objective; the last one has those by Zernike terms."""
     from lommel.methods.layers.chordal_debye import ChordalDebye, ChordalDebyeIfCheaper
 
     tol = ways[0].tol
-    # Tables over circles of light that depends on the azimuth are made anew for other planes.
+    # Light that depends on the azimuth needs new tables over circles for other planes: chords come first.
     first = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
     return (*first, *ways, ChordalDebye(tol))
 
 
 def first_within_tolerance(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
-    """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
-    # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
-    # misses is for the series. Other errors are faults, and are not hidden.
+    """Return the first method that neither declines nor misses its tolerance, and its answer."""
+    # The chordal rule judges errors by the window alone and takes a limited number of chords; a dark window is left
+    # to the series. Errors of other types are faults, and are not caught.
     refused: ToleranceError | Declined | None = None
     for way in ways:
         try:
             return way, ask(way)
         except (ToleranceError, Declined) as error:
-            # Of what can be had at another tolerance that is said; else what the series takes, not chords after it.
+            # A missed tolerance says what is possible, so it is reported first; else the reason of the series, not of
+            # chords.
             if (
                 refused is None
                 or isinstance(error, ToleranceError)
                 or (isinstance(refused, Declined) and way != ways[-1])
             ):
-                # Without its traceback, which holds the arrays of what was refused.
+                # Without its traceback, whose frames keep the arrays of the refused method alive.
                 refused = error.with_traceback(None)
     assert refused is not None
     raise refused
 
 
 def instead(pupil: BasePupil, grid: Grid) -> str:
-    """Return what else computes images that are beyond all methods of the choice, in words, or nothing."""
+    """Return a hint on a method without a bound for images that are beyond all methods of the choice, or ""."""
     from lommel.methods.matrix_fourier import samples_needed
     from lommel.methods.paper.fraunhofer import Fraunhofer
     from lommel.optics.pupil import checked
@@ -165,15 +166,16 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
             return ""
         sampled = Fraunhofer(samples=max(256, samples_needed(lens, grid)[0]))
         sampled.require_fit(lens, grid)
-    except (TypeError, ValueError):  # of an objective, of axes of their own, or of too many samples
+    except (TypeError, ValueError):  # an objective, axes of their own, or too many samples
         return ""
     return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
 
 def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
-    """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
+    """Return the methods for a stack computed in parts, in an order in which one method serves all parts."""
     if len(ways) == 1:
         return ways
+    # Alternating methods would change values between parts, within the tolerance but visibly in differences.
     if pupil.layered:
         return ways[-1:]
     from lommel.core.engine import disk_costs
@@ -188,7 +190,7 @@ def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple
     samples = Grid((height, width), grid.side / across)
     _, series, chords = ways
     try:
-        # Estimates of the time that chords and the series take, by the compiled core.
+        # Estimated times of chords and of the series, from the compiled core.
         costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
     except Declined:
         return series, chords
@@ -196,19 +198,19 @@ def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
-    """Return the method for profiles of radial pupils, and for integrals of these."""
+    """Return the method for profiles of radial pupils and integrals over them."""
     return NijboerZernike(tol)
 
 
 def of_large_phases(tol: float) -> "Hankel":
-    """Return the method for values of many radial pupils of large phases at the same radii."""
+    """Return the method for many radial pupils with large phases at the same radii."""
     from lommel.methods.hankel import Hankel
 
     return Hankel(tol)
 
 
 def reference(pupil: BasePupil) -> Method:
-    """Return the method that others are compared with: quadrature, or the series where that does not apply."""
+    """Return the reference method: quadrature, or the series at a small tolerance where that does not apply."""
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 

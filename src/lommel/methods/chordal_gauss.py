@@ -71,7 +71,7 @@ class ChordalGauss(Method[Pupil]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further pupils around one axis; see :meth:`Method.plan`."""
-        # A plan samples around one axis, without what an apodization leaves out.
+        # A plan has samples around one axis, and no bound on the truncation of an apodization.
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
@@ -81,6 +81,7 @@ class ChordalGauss(Method[Pupil]):
         def answer(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront, flags = further.wavefront, values.flags
             fits = values.shape == shape and values.dtype == dtype and flags.c_contiguous and flags.writeable
+            # The core writes in place: only arrays of this exact layout.
             if wavefront.left_out or not fits:
                 return None
             return ask(wavefront.indices, wavefront.edge, values)
@@ -100,7 +101,8 @@ class ChordalGauss(Method[Pupil]):
 
         if grid.integrate:
             stack, window = disk_stack(pupil), window_of(pupil, grid)
-            # By nodes of the window that all pixels share, where that takes less time: certificate, section 10.
+            # Nodes of the window that all pixels share, if that is faster: certificate, section 10, "Nodes of a
+            # window".
             made = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
             if made is not None:
                 return made
@@ -141,11 +143,11 @@ class ChordalGauss(Method[Pupil]):
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
 
-_CHORDS = 90.0  # v around the axis, of averages, beyond which the series takes less time
+_CHORDS = 90.0  # v up to which averages need samples, beyond which the series is faster
 
 
 class ChordalIfCheaper(ChordalGauss):
-    """The same where it is likely to take less time than :class:`NijboerZernike`; Declined elsewhere, at once."""
+    """ChordalGauss where it is estimated to be faster than :class:`NijboerZernike`; elsewhere Declined, at once."""
 
     _if_cheaper = True
 
@@ -154,12 +156,12 @@ class ChordalIfCheaper(ChordalGauss):
         if grid.integrate and not wanted.terms:
             from lommel.methods.averaging import nearest
 
-            # Far from the axis averages have a closed form, so that the series needs samples near it only.
+            # Far from the axis averages have a closed form: the series needs samples near it only.
             if nearest(pupil, grid, self.tol) > _CHORDS:
                 raise Declined("so many samples near the axis take less time by the series")
         return super().images(pupil, grid, wanted)
 
     @cached_property
     def reported(self) -> ChordalGauss:
-        """The method that images are said to be by."""
+        """Method named in results."""
         return ChordalGauss(self.tol)

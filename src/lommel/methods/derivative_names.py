@@ -1,9 +1,9 @@
-r"""Names of derivatives of images, and the derivatives that methods compute of which each is a sum.
+r"""Names of derivatives of images, and each of them as a sum of derivatives that the methods compute.
 
-An image is ``scale I``, I at ``v = pi x / (lambda N)``. All names come down to derivatives of I by coefficients of
-the phase, to how it changes as the image grows around its axis, ``v . grad I``, and to how it changes as the
-obscuration grows. A tilt shifts the image, so that ``grad I`` is minus the derivatives by (1, 1) and (1, -1), and a
-shift by a pixel is a tilt of its pitch in v.
+An image is ``scale I``, I at ``v = pi x / (lambda N)``. Every derivative is a sum of derivatives of I by coefficients
+of the phase, of ``v . grad I`` (growth of the image around its axis) and of the derivative by the obscuration. A tilt
+shifts the image, so that ``grad I`` is minus the derivatives by (1, 1) and (1, -1); a shift by a pixel is a tilt of
+its pitch in v.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ if TYPE_CHECKING:
     from lommel.optics.base_pupil import Geometry
 
 Term = tuple[int, int]
-Name = str | Term  # a text, or n and m of a Zernike term
+Name = str | Term  # a name, or n and m of a Zernike term
 
-# k of rho^(2k), by name; twice C_d is the coefficient of the first.
+# k of rho^(2k), by name; the coefficient of the first is 2 C_d.
 POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
-# The tilt that moves the axis, by what it moves along; a pixel is its pitch in v.
+# Tilt that shifts the axis along a direction; by one pixel, it is the pitch in v.
 SHIFTS: dict[str, Term] = {"row": (1, -1), "column": (1, 1)}
 
-LAYERED = ("z", "depth")  # those of the pupils of an Objective: the stage, and the emitter
+LAYERED = ("z", "depth")  # for the pupils of an Objective: stage position and depth of the emitter
 
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
-Factor = float | Array  # one for all pupils of a stack, or one for each
+Factor = float | Array  # one number for a stack, or one for each of its pupils
 
 
 class Parts(NamedTuple):
@@ -50,19 +50,20 @@ class Parts(NamedTuple):
     own: Factor = 0.0  # factor of the image itself
     scaling: Factor = 0.0  # factor of scale v . grad I
     obscuration: float = 0.0  # factor of the derivative of I, times the scale, by the obscuration
-    unknown: float = 0.0  # factor of the derivative by the phase that the wavefront's terms leave out, over its bound
+    unknown: float = 0.0  # factor of the derivative by the part of the phase that the terms leave out, over its bound
 
 
 def checked(
     names: Sequence[object], argument: str = "derivatives", texts: Sequence[str] | None = None
 ) -> tuple[Name, ...]:
-    """Return the names of derivatives; those without indices among `texts`, by default all."""
+    """Return checked names of derivatives; names without an index must be among `texts`, by default all."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         raise TypeError(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
     texts = _TEXTS if texts is None else texts
-    # Gradients have hundreds of names; of numbers 1 and True are equal, and only one is an index.
+    # Gradients have hundreds of names: texts are checked once. Not numbers, since 1 == True, and only one is an
+    # index.
     if all(type(name) is str for name in names):
         return _texts_checked(argument, tuple(names), tuple(texts))
     return tuple(_name(argument, name, texts) for name in names)
@@ -97,28 +98,29 @@ def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
 
 @lru_cache(maxsize=1024)
 def _pair(n: int, m: int) -> Term:
-    """Return a term, checked once: gradients name hundreds."""
+    """Return a checked term; cached, since gradients have hundreds."""
     return zernike.term((n, m), "nm")
 
 
 def term_of(name: Name) -> Term | None:
-    """Return n and m of what names a Zernike term."""
+    """Return n and m of the Zernike term that a name stands for, None for other names."""
     return name if isinstance(name, tuple) else _indexed(name)
 
 
 @lru_cache(maxsize=1024)
 def _indexed(name: str) -> Term | None:
-    """Return the term of a text with an index, once for all calls."""
+    """Return the term of a name with an index, such as "noll 8"; cached."""
     found = _INDEXED.fullmatch(name)
     return zernike.term(int(found[2]), found[1]) if found else None
 
 
 def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
-    """Return what the derivative by a checked `name` is made of."""
+    """Return the derivative by a checked `name` as a sum of parts."""
     if (term := term_of(name)) is not None:
         return Parts({term: 1.0})
     assert isinstance(name, str)
     if name in POWERS:
+        # The coefficient of rho^2 is 2 C_d, and the name "defocus" is C_d.
         return Parts({POWERS[name]: 2.0 if name == "defocus" else 1.0})
     if name in SHIFTS:
         return Parts({SHIFTS[name]: step})
@@ -127,16 +129,17 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
     return _OTHERS[name](pupil, -2.0 if energy else 0.0)
 
 
-# Of a pupil, and of d ln scale / d ln N, which is `squeeze`.
+# Arguments: pupil, and `squeeze`, d ln scale / d ln N.
 
 
 def _f_number(pupil: Pupil, squeeze: float) -> Parts:
+    # v = pi x / (lambda N) falls as 1 / N: the image grows, -v . grad I / N.
     n = _metric("f_number", pupil)[1]
     return Parts(own=squeeze / n, scaling=-1.0 / n)
 
 
 def _wavelength(pupil: Pupil, squeeze: float) -> Parts:
-    # Path differences stay, so that phases fall as the wavelength grows.
+    # Path differences are constant: phases fall in proportion to 1 / wavelength.
     wave, wavefront = _metric("wavelength", pupil)[0], pupil.wavefront
     edge = wavefront.edge.reshape(-1, len(wavefront.terms))
     phases: dict[int | Term, Factor] = {
@@ -148,19 +151,20 @@ def _wavelength(pupil: Pupil, squeeze: float) -> Parts:
 def _obscuration(pupil: Pupil, squeeze: float) -> Parts:
     eps = pupil.obscuration
     edge = float(pupil.illumination.at(np.array(eps * eps)))
-    # Of what values are divided by: all light or, where values are relative to it, the peak without aberration.
+    # Derivative of the normalisation: of all light or, relative to the unaberrated peak, of the squared amplitude.
     lost = 2.0 * eps * edge**2 / pupil.transmission if squeeze else 4.0 * eps * edge / pupil.amplitude
     return Parts(own=lost, obscuration=1.0 if eps else 0.0)
 
 
 def _object_distance(pupil: Pupil, _: float) -> Parts:
+    # dC_d / ds = -(dC_d / d(1/s)) / s^2, and the coefficient of rho^2 is 2 C_d.
     rate, lens = _lens("object_distance", pupil)
     return Parts({1: -2.0 * rate / np.square(lens.object_distance)})
 
 
 def _focus_distance(pupil: Pupil, squeeze: float) -> Parts:
     rate, lens = _lens("focus_distance", pupil)
-    nearer = -lens.sensor_distance * lens.in_focus**2  # d ln N, as the sensor moves
+    nearer = -lens.sensor_distance * lens.in_focus**2  # d ln N / d focus_distance: the sensor moves towards the lens
     return Parts({1: 2.0 * rate * lens.in_focus**2}, squeeze * nearer, -nearer)
 
 
@@ -175,7 +179,7 @@ _TEXTS = (*POWERS, *SHIFTS, *_OTHERS, *LAYERED)
 
 
 def _metric(name: str, pupil: Pupil) -> tuple[float, float]:
-    """Return the wavelength and the f-number of a pupil that has them."""
+    """Return wavelength and f-number of a pupil; ValueError if it has none."""
     if pupil.wavelength is None or pupil.f_number is None:
         raise ValueError(
             f"derivatives by {name!r} need a pupil with a wavelength and an f_number, in metres; "
@@ -185,7 +189,7 @@ def _metric(name: str, pupil: Pupil) -> tuple[float, float]:
 
 
 def _lens(name: str, pupil: Pupil) -> tuple[float, Geometry]:
-    """Return dC_d / d(1/s), radians times metres, and the distances behind a pupil."""
+    """Return dC_d / d(1/s) (radians times metres) and the distances of the lens of a pupil."""
     wave, _ = _metric(name, pupil)
     lens = pupil.geometry
     if lens is None:

@@ -40,11 +40,11 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
-TILTS = SHIFTS["column"], SHIFTS["row"]  # Zernike terms that derivatives by the scale are made of
+TILTS = SHIFTS["column"], SHIFTS["row"]  # Zernike terms from which derivatives by the scale are made
 
-_FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
+_FINER = 0.1  # tolerance of samples over that of the derivative: filters multiply their errors by some 4
 
-# From a method, pupils, pixels and how they are wanted to samples with bounds.
+# Signature: method, pupils, pixels, specification -> samples with bounds.
 Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
 
 # In a pixel around ``v_c`` the position is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the average
@@ -54,7 +54,7 @@ Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
 
 
 def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    return method.images(pupil, grid, wanted)  # not Method.images itself, which no subclass overrides
+    return method.images(pupil, grid, wanted)  # looked up on the instance: subclasses override it
 
 
 def scaling_derivative(
@@ -71,6 +71,7 @@ def scaling_derivative(
     across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
     for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
         total -= v * slope
+        # An error of grad I counts times the largest v of the window.
         far = np.abs(v).max(axis=(1, 2))
         error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
     if grid.integrate:
@@ -81,14 +82,15 @@ def scaling_derivative(
 
 
 def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask) -> tuple[Array, Array]:
-    """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
+    """Return averages of ``u . grad I``, u the position within the pixel, and absolute bounds on their errors."""
     step = grid.step(pupil)
-    # Filters may add a thousandth of the tolerance, and no filter is better than rounding.
+    # The filter may add a thousandth of the tolerance; below 1e-13 rounding prevails.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = as_long(filtered_by(step, response), filtered_by(step, response, growing=True))
+    # 2 (2 eps + (1 + eps) eps_T) A^2 for both terms: certificate, section 12, "Growth".
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
-    # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
+    # A phase or amplitude off by e changes U and its gradient by at most e int A; abs(u) <= a / sqrt(2).
     of_phase, of_light = pupil.left_out
     left = of_phase + 2.0 * of_light
     missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
@@ -110,7 +112,7 @@ def tilted(
     slope = sloping(step, response, averages=grid.integrate)
     plain = filtered_by(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
     slope, plain = as_long(slope, plain)
-    # The response to slopes is at most 2, that of averages 1.
+    # The response to slopes is at most 2 within the band, that of averages 1: section 12, "Shifts".
     missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
@@ -123,11 +125,11 @@ def tilted(
 def _sampled(
     engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, ask: Ask
 ) -> Iterator[tuple[slice, Array, Array]]:
-    """Yield samples of I for such filters, some pupils at once, and bounds on their errors with those of sums."""
+    """Yield samples of I for these filters, a few pupils at a time, and bounds with the rounding errors of sums."""
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, taps):
         question = one, finer(pixels, taps), Wanted(threads=threads)
-        # Double precision may hold what is asked for, and no less.
+        # If the finer tolerance is beyond double precision, the method's own is used.
         _, made = first_within_tolerance((fine, engine), lambda way: ask(way, *question))  # noqa: B023
         yield part, made.values, made.brightest * (made.bound + rounded)
 
@@ -142,8 +144,8 @@ def _sampled(
 # L. N. Trefethen and J. A. C. Weideman, "The exponentially convergent trapezoidal rule", SIAM Review 56, 385 (2014),
 # doi:10.1137/130932132: Theorem 3.2.
 
-_B = np.geomspace(1e-3, 8.0, 128)
-_NODES = 512  # at once
+_B = np.geomspace(1e-3, 8.0, 128)  # displacements of the path of integration
+_NODES = 512  # nodes summed at once
 _UNIT = 2.0**-53
 
 
@@ -155,7 +157,7 @@ def obscuration_derivative(pupil: Pupil, grid: Grid, error: float) -> tuple[Arra
     step = grid.step(pupil)
     taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
     total, off = np.empty((count, *grid.shape)), np.empty(count)
-    # The transfer function of the product of two fields, the integral of whose magnitude is at most this.
+    # Bound on the integral of the modulus of the transfer function of the product of two fields.
     most = 2.0 * pupil.amplitude * _light(pupil)
     for part, one, pixels in blocks(pupil, grid, taps):
         values, wrong = _samples(one, finer(pixels, taps), 0.3 * error)
@@ -174,7 +176,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
     across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
-    # A tenth of the error for each of the two fields of the product.
+    # A tenth of the error for each of the two fields in the product.
     aim = max(0.1 * error / (amplitude + light), 1e-15)
     terms = pupil.wavefront.amplitudes()
     x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
@@ -183,7 +185,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     # The trapezoidal rule, by midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
-    # A phase or an amplitude off by e changes both fields by e of what they are at most; so do roundings.
+    # A phase or amplitude off by e changes both fields by e times their largest value; roundings count likewise.
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     # Roundings over the integral of the amplitude; certificate, section 8.
     of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
@@ -195,7 +197,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
 
 
 def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error: float) -> int:
-    """Return how many equal angles integrate the field of the rim, over its largest, to this error."""
+    """Return the number of equal angles that integrate the field of the rim to an error over its largest value."""
     # At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes
     # err by twice that over ``e^(k b) - 1``, for every b > 0.
     size = eps * reach * np.sinh(_B)
@@ -205,7 +207,7 @@ def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error:
 
 
 def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down: Array) -> NDArray[np.complex128]:
-    """Return ``sum weight P exp(-i (v_x x + v_y y))`` over nodes for each of the flattened stack."""
+    """Return ``sum weight P exp(-i (v_x x + v_y y))`` over nodes, for each pupil of the flattened stack."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     light = weight * pupil.illumination.at(rho * rho)
     wavefronts, shared = pupil.wavefront.flattened(), bool(np.all(across == across[0]) and np.all(down == down[0]))
@@ -220,24 +222,24 @@ def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down
     return total
 
 
-Key = int | Term  # what engines differentiate by: the coefficient of rho^(2k), under k, or that of a Zernike term
+Key = int | Term  # variable of an engine's derivative: k for the coefficient of rho^(2k), or a Zernike term
 
-_MOST_POWERS = 4  # of rho^2, that the radial terms are taken as, whose powers cancel
-_MOST_CANCELLED = 321.0
+_MOST_POWERS = 4  # powers of rho^2 up to which radial terms are converted: their sums cancel
+_MOST_CANCELLED = 321.0  # sum of the moduli of powers of the term of degree 8
 
 
 class Slope(NamedTuple):
-    """A derivative of images."""
+    """Derivative of images."""
 
     values: Pixels  # (n, height, width)
     error: Array  # (n,), bound over the peak of the images
 
 
 class Piece(NamedTuple):
-    """A term of a derivative, in double precision."""
+    """Term of a derivative, in double precision."""
 
     values: Array  # (n, height, width)
-    error: Array  # (n,), bound, absolute
+    error: Array  # (n,), absolute bound
 
 
 def differentiated(
@@ -250,7 +252,7 @@ def differentiated(
     *,
     energy: bool,
 ) -> tuple[Method, Images, list[Slope]]:
-    """Return images, their derivatives by checked names, and the method that made them."""
+    """Return the method, images, and their derivatives by checked names."""
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
         made = with_model_error(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
@@ -262,12 +264,12 @@ def differentiated(
     sums = [each._replace(phases=translated(each.phases, powers=radial)) for each in sums]
 
     def simple(each: Parts) -> bool:
-        """Return whether a derivative is one by a coefficient, times a factor, as `way` has it along with images."""
+        """Return whether a derivative is a factor times one by a single coefficient, computed with the images."""
         tilt = radial and any(key in TILTS for key in each.phases)
         more = tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration
         return way is engine and len(each.phases) == 1 and not more
 
-    # What is simple is stored by what makes the images, all else summed in double precision.
+    # Simple derivatives are stored with the images; all others are summed in double precision.
     stored, others = [each for each in sums if simple(each)], [each for each in sums if not simple(each)]
     keys = _keys(stored)
     made = with_model_error(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
@@ -278,19 +280,19 @@ def differentiated(
 
 
 def _keys(sums: Sequence[Parts]) -> tuple[Key, ...]:
-    """Return what derivatives are wanted by, each once."""
+    """Return the distinct variables of derivatives."""
     return tuple(dict.fromkeys(key for each in sums for key in each.phases))
 
 
 def single_light(method: Method | None) -> Method | None:
-    """Return the method for each wavelength; None where none was named."""
+    """Return the method for each wavelength; None if none was named."""
     return method.method if isinstance(method, Polychromatic) else method
 
 
 def engines(
     method: Method | None, pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts], tol: float
 ) -> tuple[Method, Method]:
-    """Return what makes images, and what makes their derivatives at each wavelength."""
+    """Return the method of images, and that of their derivatives at each wavelength."""
     if not pupil.circular:
         _require_other(pupil, names, sums)
     engine, radial = single_light(method), pupil.radial and all(map(_radial, sums))
@@ -313,7 +315,7 @@ def engines(
 
 
 def _require_other(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts]) -> None:
-    """Raise ValueError for derivatives that apertures which are not circular do not have."""
+    """Raise ValueError for derivatives that are not available for apertures other than circular ones."""
     differences = "take differences, (psf(a + h) - psf(a - h)) / (2 h)"
     for name, each in zip(names, sums, strict=True):
         if each.obscuration:
@@ -332,7 +334,7 @@ def _require_other(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts]) -
 def _rule_of_terms(
     method: Method | None, pupil: Pupil, names: Sequence[Name], tol: float
 ) -> ChordalGauss | NonuniformFFT | None:
-    """Return a rule that has all the derivatives itself, by different Zernike terms, else None."""
+    """Return a rule that computes all the derivatives, by distinct Zernike terms, itself; otherwise None."""
     if len({*names}) < len(names) or str in map(type, names):
         return None
     if method is not None:
@@ -343,17 +345,17 @@ def _rule_of_terms(
 
 
 def _radial_key(key: Key) -> bool:
-    """Return whether a key is a power of rho, a term of few of these, or a tilt, which samples of I tell."""
+    """Return whether the radial series can differentiate by a key: powers of rho, low radial terms, tilts."""
     return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
 
 
 def _radial(each: Parts) -> bool:
-    """Return whether the radial series has a derivative."""
+    """Return whether the radial series can compute a derivative."""
     return all(map(_radial_key, each.phases)) and not each.obscuration
 
 
 def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Factor]:
-    """Return factors by powers of rho as such by Zernike terms, whose sums these are, or the other way round."""
+    """Return factors by powers of rho as factors by Zernike terms (sums of powers), or the other way round."""
     found: dict[Key, Factor] = {}
     for key, factor in phases.items():
         shares: dict[Key, float] = {key: 1.0}
@@ -369,14 +371,14 @@ def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Facto
 
 
 def _asked(engine: Method, pupil: Pupil, grid: Grid, wanted: Wanted, keys: tuple[Key, ...] = ()) -> Images:
-    """Return images and their derivatives by some coefficients, which are powers of rho or Zernike terms."""
+    """Return images and their derivatives by coefficients of powers of rho or of Zernike terms."""
     powers = tuple(key for key in keys if isinstance(key, int))
     terms = tuple(key for key in keys if isinstance(key, tuple))
     return engine.images(pupil, grid, wanted._replace(powers=powers, terms=terms))
 
 
 def _brightest(made: Images) -> Array:
-    """Return what the peak of images is at least, shape (n,)."""
+    """Return a lower bound on the peak of each image, shape (n,)."""
     top = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64)
     if made.peak is not None:
         top = np.maximum(top, made.peak * made.scale)
@@ -384,7 +386,7 @@ def _brightest(made: Images) -> Array:
 
 
 def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
-    """Return derivatives that are those by one coefficient each, times a factor."""
+    """Return derivatives that are a factor times one by a single coefficient."""
     found, taken = [], set[int]()
     for each in sums:
         assert made.slopes is not None
@@ -393,8 +395,9 @@ def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[S
         values, error, by = made.slopes.values[at], made.slopes.error[at], _each(factor, len(made.values))
         if not np.all(by == 1.0):
             values = (values * by[:, None, None]).astype(values.dtype)
-            rounded = _most(values) * storing(values.dtype) * (by != 2.0)  # a power of two rounds nothing
+            rounded = _most(values) * storing(values.dtype) * (by != 2.0)  # powers of two are exact
             error = np.abs(by) * error + rounded / _brightest(made)
+        # Two names may have the same derivative: each gets an array of its own.
         elif at in taken:
             values = values.copy()
         taken.add(at)
@@ -403,20 +406,20 @@ def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[S
 
 
 def _each(factor: Factor, count: int) -> Array:
-    """Return a factor for each pupil."""
+    """Return a factor for each pupil, shape (count,)."""
     return np.broadcast_to(np.asarray(factor, dtype=np.float64), (count,))
 
 
 def _most(values: Pixels) -> Array:
-    """Return the largest magnitude in each image."""
+    """Return the largest modulus in each image."""
     return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1), dtype=np.float64)
 
 
 def _pieces(
     way: Method, engine: Method, pupil: Pupil, grid: Grid, made: Images, wanted: Wanted, sums: Sequence[Parts]
 ) -> dict[object, Piece]:
-    """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
-    # Powers cancel, by those of the highest radial term 321 times at most.
+    """Return the terms of derivatives of images, in double precision, over all light."""
+    # Powers of rho in a radial term cancel: the sum of their moduli is up to 321.
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
     )
@@ -425,7 +428,7 @@ def _pieces(
     scales, obscures = (any(np.any(getattr(each, part)) for each in sums) for part in ("scaling", "obscuration"))
     keys = _keys(sums)
     asked = tuple(dict.fromkeys((*keys, *TILTS))) if scales else keys
-    by_samples = isinstance(engine, NijboerZernike)  # of radially symmetric pupils, whose tilts are not
+    by_samples = isinstance(engine, NijboerZernike)  # tilts are not radial: they come from samples of I
     assert isinstance(wanted.scale, float)
     faintest = float(_brightest(made).min()) / wanted.scale
     found: dict[object, Piece] = {}
@@ -460,7 +463,7 @@ def _pieces(
 
 
 def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
-    """Return the sum of pieces, each times its factor, and of the images themselves, as it is stored."""
+    """Return the stored sum of terms times their factors, and of the images themselves."""
     count, bright = len(made.values), _brightest(made)
     factors: list[tuple[object, Factor]] = [*each.phases.items()]
     factors += [(name, getattr(each, name)) for name in ("scaling", "obscuration", "unknown")]
@@ -484,8 +487,8 @@ def gradient(
 ) -> dict[Name, Array]:
     """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
 
-    Values are `scale` times the intensity. Those by phases are computed in reverse mode where the chordal rule serves
-    (certificate, section 8, "Derivatives"), all others as sums over images of derivatives.
+    Values are `scale` times the intensity. Derivatives by phases use reverse mode where the chordal rule applies
+    (certificate, section 8, "Derivatives"), all others are sums over images of derivatives.
     """
     tol, free = method.tol, _with_derivatives(method)
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
@@ -513,8 +516,8 @@ def _by_phase(each: Parts) -> bool:
 
 
 def _with_derivatives(method: Method) -> Method | None:
-    """Return the method, None or a sum of none for the default choice, where others have more derivatives."""
-    # The images are equal within the tolerance.
+    """Return the method, or the default choice if another method has more derivatives."""
+    # Both have equal images within the tolerance.
     if not isinstance(single_light(method), NijboerZernike | ChordalGauss):
         return method
     if isinstance(method, Polychromatic):

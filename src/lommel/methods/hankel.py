@@ -26,7 +26,7 @@ from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
-# Any eta proves a bound; the best of these is taken.
+# Any eta proves a bound; the smallest bound of these is taken.
 _ETA = np.geomspace(1e-3, 4.0, 96)
 _STEPS = 128
 
@@ -37,17 +37,17 @@ _EVEN = Apodization()
 def growth(terms: Array, low: float, v: float, light: Apodization = _EVEN) -> Array:
     """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
-    `terms` are the coefficients of R_2^0, R_4^0, ..., that is of P_1(2t - 1), P_2, ..., shape ``(n, terms)``; the box
-    around them bounds the stack. The maximum over theta is taken on a grid. If `low` is 0, Im sqrt t is a
-    trigonometric polynomial too, of theta / 2, and ``1 / cos(degree step / 2)`` bounds the sum between points of the
-    grid (Ehlich and Zeller, 1964). Else it is not, and each interval has its own bounds: see :func:`rise`.
+    `terms` are the coefficients of R_2^0, R_4^0, ... (P_1(2t - 1), P_2, ...), shape ``(n, terms)``; their bounding
+    box stands for the stack. The maximum over theta is taken on a grid. For `low` = 0, Im sqrt t is a trigonometric
+    polynomial of theta / 2, and ``1 / cos(degree step / 2)`` bounds the sum between points (Ehlich and Zeller, 1964);
+    else each interval has a bound of its own: see :func:`rise`.
     """
     degree = terms.shape[1]
-    # The box around a stack in the space of coefficients.
+    # Bounding box of the stack in the space of coefficients.
     middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
     spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
     t = ellipses(_ETA, low, _STEPS)
-    # Im Phi is linear in the coefficients: its largest over a box is that in the middle and what the sides add.
+    # Im Phi is linear in the coefficients: its maximum over a box is its value at the centre plus those of the sides.
     x = 2.0 * t - 1.0
     phase, sides, before, here = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
     for j, (c, s) in enumerate(zip(middle, spread, strict=True), 1):
@@ -59,7 +59,8 @@ def growth(terms: Array, low: float, v: float, light: Apodization = _EVEN) -> Ar
 
 
 def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
-    """Return points of halves of the ellipses `eta` around ``[low, 1]``, shape ``(ellipses, steps + 1)``."""
+    """Return points on half of each ellipse around ``[low, 1]``, shape ``(ellipses, steps + 1)``."""
+    # The other half has conjugate points, at which the moduli are equal.
     theta = np.linspace(0.0, math.pi, steps + 1)
     half = 0.5 * (1.0 - low)
     around = np.cos(theta) * np.cosh(eta)[:, None] - 1j * np.sin(theta) * np.sinh(eta)[:, None]
@@ -67,7 +68,7 @@ def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
 
 
 def rise(eta: Array, low: float, steps: int) -> Array:
-    r"""Return abs(Im sqrt t) at the points of :func:`ellipses` if `low` is 0, else its largest between two."""
+    r"""Return abs(Im sqrt t) at the points of :func:`ellipses` for `low` = 0, else its maximum on each interval."""
     # With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
     # ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. It
     # therefore lies below the larger of two neighbours, but between those around its one maximum, at ``x = -cosh(eta)
@@ -85,12 +86,12 @@ def rise(eta: Array, low: float, steps: int) -> Array:
 
 
 def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
-    """Bound the largest sum over theta of a phase at the points of the grid and of a kernel as of :func:`rise`."""
-    # Where the kernel is known by intervals: between two points a trigonometric polynomial of a `degree` is off what
-    # is linear by at most ``(degree step)^2 / 8`` of its largest value, its second derivative being at most
-    # ``degree^2`` of that (Bernstein).
+    """Bound the maximum over theta of a phase at grid points plus a kernel as returned by :func:`rise`."""
+    # With the kernel bounded on intervals: between two points a trigonometric polynomial exceeds linear interpolation
+    # by at most ``(degree step)^2 / 8`` of its maximum, since its second derivative is at most ``degree^2`` times
+    # that (Bernstein).
     steps = phase.shape[1] - 1
-    # Ehlich and Zeller: the maximum of a trigonometric polynomial from its values at enough equal steps.
+    # Ehlich and Zeller: maximum of a trigonometric polynomial from its values at sufficiently many equal steps.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     if low == 0.0:
         return np.asarray((phase + kernel).max(axis=1) * widening)
@@ -100,12 +101,13 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
 
 def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
     """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, given :func:`growth`."""
+    # exp of more than 700 overflows; such a bound is useless anyway.
     return math.exp(min(float((_quadrature_log(g, low) - 2.0 * n * _ETA).min()), 700.0))
 
 
 def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
     """Return the fewest nodes for which :func:`quadrature_error` is at most `error`."""
-    # The bound solved for n, once for each eta.
+    # The bound solved for n at each eta.
     needed = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
     return max(1, math.ceil(float(needed.min())))
 
@@ -172,7 +174,8 @@ class Hankel(FieldMethod[Pupil]):
             )
         t, weights = gauss_legendre(n, low, 1.0)
         integrand = weights * pupil.illumination.at(t) * np.exp(1j * pupil.radial_phase(t))
-        # The threads of OpenBLAS would wait for one another, busily, where several channels are computed at once.
+        # On this thread: OpenBLAS's threads would wait actively for one another where several channels are computed
+        # at once.
         parts = [np.ascontiguousarray(part) for part in (integrand.real, integrand.imag)]
         values = np.empty((len(terms), v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]

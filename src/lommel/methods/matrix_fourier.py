@@ -19,8 +19,8 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
-MAX_SAMPLES = 8192  # across the aperture, at most
-_MAX_FIELD = 2**27  # complex values held at once: 2 GiB
+MAX_SAMPLES = 8192  # most samples across the aperture
+_MAX_FIELD = 2**27  # most complex values of a field: 2 GiB
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ class MatrixFourier(Method[Pupil]):
         out = np.empty((math.prod(pupil.shape), *grid.shape))
         for image, given in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
             field = to_rows @ given @ to_columns.T
-            # Cells have the area (2 / n)^2, and the aperture pi.
+            # A cell has the area (2 / n)^2, and the aperture the area pi: U = (4 / (pi n^2)) times the sum.
             fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
             shaped: Array = fine.reshape(grid.height, offset.size, grid.width, offset.size)
             image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)
@@ -104,7 +104,7 @@ class MatrixFourier(Method[Pupil]):
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
     """Return the fewest samples across the aperture with which no light wraps into the window, and why."""
-    # Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
+    # Images of n samples repeat at ``pi n`` in v: the blur of the neighbouring image must not reach the window.
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
     # To the edges of pixels, which averages reach.
@@ -152,9 +152,9 @@ def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:
 
 
 def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
-    """Return offsets in v and weights that average I over a pixel of `width` in v along one axis, erring by `error`.
+    """Return offsets in v and weights that average I over a pixel of `width` in v along an axis, with error `error`.
 
-    The error is over ``sup|U|^2`` and holds for any pupil: U is of exponential type 1 along either axis.
+    The error is relative to ``sup|U|^2`` and holds for any pupil: U is of exponential type 1 along either axis.
     """
     x, w = gauss_legendre(pixel_nodes(width, error), -0.5, 0.5)
     return width * x, w
@@ -162,7 +162,7 @@ def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
 
 def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
-    # The core bounds both axes, over half the range of I.
+    # The core bounds the error along both axes, relative to half the range of I: a quarter of that.
     return 0.25 * gauss_error(width, nodes)
 
 

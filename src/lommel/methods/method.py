@@ -32,12 +32,13 @@ else:
     P = TypeVar("P", bound=BasePupil)
 
 Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
-"""From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
+"""Signature: pupil, array for its values -> their factor and the largest bound; or None."""
 
+# Article and noun of messages.
 _AN = {"lens": "a lens", "objective": "an objective"}
 # Levels l of tables of the compiled core, whose errors are about 10^-l: certificate, section 9, "Requested accuracy".
-_LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
-_USUAL = 10
+_LEVELS = range(3, 16)
+_USUAL = 10  # level for methods without an error bound
 # Steps of the line that is searched for the peak, from the axis to where the last rays arrive: certificate, section
 # 9, "Relative to what".
 _SCAN = 512
@@ -106,11 +107,11 @@ class Method(ABC, Generic[P]):
 
     @property
     def reported(self) -> Method[P]:
-        """The method that images are said to be by: this one, but of conditions on when it is taken."""
+        """Method named in results: this one, without the conditions under which it was chosen."""
         return self
 
     def with_tol(self, tol: float) -> Self:
-        """Return the same method with another `tol`; TypeError or ValueError if it cannot have that."""
+        """Return the same method with another `tol`; TypeError or ValueError if it does not accept it."""
         if not self._has_tol:
             raise ValueError(
                 f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance; "
@@ -153,7 +154,7 @@ class Method(ABC, Generic[P]):
         while (
             self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
         ):
-            # Values divided by their own largest one are off by twice as much.
+            # Values divided by their own largest one have twice the error, so that halving tol once suffices there.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
@@ -214,7 +215,7 @@ def beyond_period(what: str, reach: float, period: float) -> ValueError:
 
 
 def described(thing: Any) -> Json:
-    """Return the name and the fields of a dataclass as plain types, and likewise those of dataclasses in it."""
+    """Return the name and fields of a dataclass, and of dataclasses in it, as plain types."""
     options = {item.name: getattr(thing, item.name) for item in fields(thing)}
     for name, value in options.items():
         if hasattr(value, "__dataclass_fields__"):
@@ -237,7 +238,7 @@ class RadialMethod(Method[P]):
         return self if pupil.radial else None
 
     def _ceiling(self, pupil: P) -> float:
-        """Return what the image of `pupil` is nowhere brighter than."""
+        """Return an upper bound on the image of `pupil`."""
         return self.unaberrated_peak(pupil)
 
     def _likely_peak(self, pupil: P) -> float:
@@ -258,7 +259,7 @@ class RadialMethod(Method[P]):
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
-        # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
+        # Values divided by their own largest one have twice the error over that peak.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
         return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
 
@@ -271,15 +272,16 @@ class RadialMethod(Method[P]):
         the method. Raises ToleranceError if it cannot be met; methods without a tolerance are interpolated to
         rounding.
         """
-        # I is band-limited (of exponential type 2 in v) and within half its largest value of a constant, which bounds
-        # what the weighted sums of the profile are off by: docs/certificate.md, section 9.
+        # I is band-limited (exponential type 2 in v) and within half its largest value of a constant, which bounds
+        # the error of the weighted sums of the profile: docs/certificate.md, section 9.
         allowed, finer = self.tol if tol is None else tol, self
-        # The largest value may be the peak of I or, of pixels that hold all light, its average.
+        # The largest value is at most the peak of I or, for pixels that hold all light, its average.
         side = grid.step(pupil) if grid.integrate else 0.0
         likely = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
         # Interpolation may take a fifth of the tolerance; its errors are in units of half the range of I.
         needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
+        # A profile without an error bound says nothing of the level it deserves.
         if self.profile(pupil, np.zeros(1)).error is None:
             level = _USUAL  # whatever the stack
         elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
@@ -295,12 +297,14 @@ class RadialMethod(Method[P]):
                 peak = np.maximum(peak, elsewhere)
             relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
             worst = int(relative.argmax())
+            # Whichever part exceeds a fifth of the tolerance is computed more exactly: section 9, "Requested
+            # accuracy".
             room = 0.2 * allowed * max(float(top[worst]), float(elsewhere[worst]), 1e-3 * float(error[worst]))
             before = level, finer
             if added[worst] > room:
                 level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(added[worst] / room))))
             if given[worst] > room:
-                further = finer.tightened().tightened().tightened()  # about a tenth
+                further = finer.tightened().tightened().tightened()  # an eighth of the tolerance
                 finer = further if further.tol >= 1e-5 * self.tol else self
             stuck = (level, finer) == before
             if relative[worst] <= allowed or (stuck and not self.keeps_tol):
@@ -315,15 +319,15 @@ class RadialMethod(Method[P]):
 def _pixel_sums(
     method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int
 ) -> tuple[Array, Array | None, Array]:
-    """Return values of pixels, and what the profile and the sums add to the bound on their error."""
-    # What varies faster than I is I of a larger window.
-    # Exponential type and range of I, which all bounds of section 9 are in units of.
+    """Return values of pixels, and the parts of the bound on their error due to the profile and to the sums."""
+    # A function of bandwidth 2 `faster` is I on a window that is `faster` times as large. `faster` and `ceiling` are
+    # exponential type and range of I, the units of all bounds of section 9.
     faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
     profile = method.profile(pupil, v / faster)
     values, penalties = pixel_values(window, profile.values, grid.integrate, level, threads)
-    # No average of an intensity is negative, and none less exact for it.
+    # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.maximum(values, 0.0, out=values)
     size = profile.values.max(axis=1)
     # |I'| = 2 |U| |U'|, and |U'| < 1/2; radii, places in a pixel and pixels are off by a few roundings each.
@@ -337,8 +341,8 @@ def _pixel_sums(
 
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
-    """Return what the largest value over the plane is at least, from the axis to where the last rays arrive."""
-    # Rays end at the largest slope of the phase, and diffraction spreads the peak by no more than a few units of v.
+    """Return a lower bound on the largest value over the plane, on a line from the axis to the last ray."""
+    # Rays end at the largest slope of the phase; diffraction moves the peak by no more than a few units of v.
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
     pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
     count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
@@ -382,8 +386,7 @@ def squared(field: FieldValues) -> Intensities:
 
 def relative_error(intensity: Array, field_error: Array) -> Array:
     """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``."""
-    # M is the largest abs(U) computed; the exact one may be smaller by e.
-    # Certificate, section 6.
+    # Certificate, section 6: M is the largest abs(U) computed, and the exact one may be smaller by e.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -391,18 +394,18 @@ def relative_error(intensity: Array, field_error: Array) -> Array:
 
 
 def storing(dtype: DTypeLike) -> float:
-    """Bound what it adds to errors over the peak that values are scaled and stored, as the compiled core does."""
+    """Bound the error over the peak that scaling and storing add, as the compiled core does them."""
     # Six roundings: two squares and their sum, the scale and the product with it (certificate, section 6, "Storing").
     return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
 
 
 def stored(relative: Array, dtype: DTypeLike) -> Array:
-    """Bound the error of values that are off by `relative` of the peak before they are stored."""
+    """Bound the error after storing of values that were off by `relative` of the peak."""
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
 def with_storage_rounding(made: Intensities, wanted: Wanted) -> Array | None:
-    """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
+    """Bound the error of images after scaling (None: to a peak of 1) and storing."""
     if made.error is None:
         return None
     return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
@@ -421,17 +424,16 @@ def to_images(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
 
 def normalized_error(relative: Array) -> Array:
     """Bound the error of values divided by their own largest one, itself in error by `relative`."""
-    # 2 r / (1 - r): the value and the largest one that it is divided by are both off by r.
+    # 2 r / (1 - r): a value and the largest one that divides it are both off by r.
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
 def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
-    """Return images whose bounds count what the terms of wavefront and apodization leave out."""
-    # A phase in error by e changes U by at most e int A dx dy / pi, and a derivative of U by as much. At another
-    # wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
-    # counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
-    # Certificate, "Model error of a wavefront".
+    """Return images whose bounds include the truncation errors of the terms of wavefront and apodization."""
+    # Certificate, "Model error of a wavefront": a phase off by e changes U, and its derivatives, by at most e int A
+    # dx dy / pi. At shorter wavelengths of a spectrum both e and U are larger. An amplitude off by e A does the same,
+    # and counts twice: the peak or the light by which values are divided changes with it.
     of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
@@ -453,7 +455,7 @@ def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normaliz
 
 
 def powers_cancel(pupil: Pupil) -> str | None:
-    """Return why the phase is not to be taken as powers of rho, or None where it may be."""
+    """Return why the phase must not be expanded in powers of rho, or None if it may."""
     from lommel.optics.wavefront.wavefront import MAX_HIGHER  # loaded with what has one
 
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
@@ -466,8 +468,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
 
 def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
     """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
-    # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
-    # Certificate, section 5.
+    # The inner disk has the phase of rho < eps, coefficients c_k eps^(2k): certificate, section 5.
     coefficients = pupil.coefficients()
     outer = disk(coefficients, v)
     if pupil.obscuration == 0.0:

@@ -97,7 +97,8 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
-        # A plan holds the tables of one window. What an apodization leaves out widens bounds, which a plan does not.
+        # A plan holds the tables of one window. The truncation error of an apodization would widen bounds that it
+        # keeps.
         if not pupil.radial or grid.stack or pupil.illumination.error:
             return None
         window = window_of(pupil, grid)
@@ -127,14 +128,16 @@ class NijboerZernike(FieldMethod["Pupil"]):
                 try:
                     return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
                 except ToleranceError:
-                    pass  # filters magnify the errors of samples
+                    pass  # filters magnify the errors of samples, which double precision may then not hold
             return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
 
         averaged = grid.integrate and not grid.stack
-        # Certificate, sections 9 and 10: weights shared by all pupils of a window, or a filter of finer samples.
+        # Weights shared by all pupils of a window (certificate, section 9), or a filter of finer samples (section
+        # 10).
         sampled = averaged and filters_pay(stack, window, self.tol)
         if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
             values = images(wanted._replace(powers=()), sampled=sampled)
+            # Values and derivatives may each be faster by another way.
             return values._replace(slopes=images(wanted._replace(out=None), sampled=True).slopes)
         return images(wanted, sampled=sampled)
 
@@ -158,13 +161,13 @@ def radial_stack(pupil: Pupil) -> RadialStack:
 
 
 def disk_stack(pupil: Pupil) -> DiskStack:
-    """Return the flattened stack of a pupil of any wavefront over a round aperture."""
+    """Return the flattened stack of a pupil of any wavefront over a circular or annular aperture."""
     edge, indices = pupil.wavefront.edge, pupil.wavefront.indices
     return DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
 
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:
-    """Return the pixels of a grid in v."""
+    """Return the pixels of a grid as a window in v."""
     each = (np.stack([np.ravel(part) for part in grid.center], axis=1),) if grid.stack else None
     return Window(grid.shape, each or grid.axis, grid.step(pupil))
 
@@ -176,7 +179,7 @@ def disk_images(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
+    """Return images of any wavefront from a function that samples pixels: its values, or averages of finer ones."""
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
     from lommel.methods.averaging import averaged_images

@@ -35,26 +35,26 @@ from lommel.special.legendre import gauss_legendre
 Complexes = NDArray[np.complex128]
 
 _UNIT = 2.0**-53
-_VALUES = 2**21  # amplitudes at once
+_VALUES = 2**21  # values of the pupil function held at once
 _MOST_TERM = 12  # degree of terms up to which products of polynomials of x and y lose little by cancellation
-_LEAST_FIELDS = 4  # from which on it is worth while to make the rule
-_LEAST_ERROR = 3e-12  # of the field over its amplitude, below which roundings are in the way
+_LEAST_FIELDS = 4  # number of fields from which making the rule pays
+_LEAST_ERROR = 3e-12  # error of the field over its amplitude, below which roundings prevail
 _MOST_WAVES = 2**22  # values of waves that are kept
-_STEP = 32  # of degrees
+_STEP = 32  # degrees are rounded up to multiples of this
 
 
-# A rule for an aperture is a functional L of polynomials. On polynomials up to a degree D it is the integral of these
-# times one polynomial g, so that the nodes of a rule of the disc that is exact to the degree 2 D, times g, give the
-# same: D + 1 chords with D + 1 nodes each, for any number of vanes or segments. The weights may be negative or
-# complex; their moduli sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted
-# area: certificate, section 18, "Moments".
+# A rule of an aperture is a functional L of polynomials. On polynomials up to a degree D it is their integral times
+# one polynomial g: the nodes of a rule of the disc exact to the degree 2 D, weighted by g, give the same. These are
+# D + 1 chords of D + 1 nodes, for any number of vanes or segments. Weights may be negative or complex; their moduli
+# sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area (certificate,
+# section 18, "Moments").
 #
 # g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
 # polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
 
 
 def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float) -> bool:
-    """Return whether these sums take less time than transforms of rows; the rest as for :func:`moment_rule`."""
+    """Return whether the moment rule takes less time than transforms of rows; arguments as of :func:`moment_rule`."""
     count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
     fields, most, (height, width) = 1 + len(terms), 1 + highest, grid.shape
     rows = degree + _STEP / 2
@@ -72,11 +72,11 @@ def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: 
 
 
 class MomentRule(NamedTuple):
-    """Weights of the nodes of the disc rule of so many `rows`, of as many nodes, shape (rows, rows)."""
+    """Weights of the nodes of the disc rule, shape (rows, rows)."""
 
     weight: Complexes
-    total: float  # of their moduli
-    lost: float  # by edges that are misplaced by rounding
+    total: float  # sum of their moduli
+    lost: float  # error by edges misplaced by rounding
 
     @property
     def rows(self) -> int:
@@ -85,59 +85,61 @@ class MomentRule(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """A rule of the disc: rows at `y`, nodes `x`, (rows, rows), and the weight of each."""
+    """Rule of the disc: rows at `y`, nodes `x` (rows, rows), and the weight of each node."""
 
     y: Array
     x: Array
-    along: Array  # x over half of the chord
+    along: Array  # x over half the length of the chord
     weight: Array
 
 
 @lru_cache(maxsize=8)
 def nodes(rows: int) -> Nodes:
-    """Return the rule of the disc, which is exact to the degree ``2 rows - 1``; it is symmetric about both axes."""
+    """Return the rule of the disc exact to the degree ``2 rows - 1``, symmetric about both axes."""
+    # Chords at cos(i pi / (N + 1)) with weights sin^2 / (N + 1): section 8 of the certificate, here along y.
     theta = (np.arange(rows) + 1.0) * (math.pi / (rows + 1))
     half, (along, each) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
     return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), each))
 
 
 def moment_rule(opening: Opening, degree: int, fine: int, error: float) -> MomentRule:
-    """Return the rule that for polynomials up to a `degree` gives what that of :meth:`Opening.rows` for `fine` does.
+    """Return the rule that equals that of :meth:`Opening.rows` for `fine` on polynomials up to a `degree`.
 
-    Segments have their phases in the weights, which `fine` has to allow for.
+    The phases of segments are in its weights, which `fine` allows for.
     """
     return _made(opening, *_rounded(degree, fine, error))
 
 
 def degrees_and_error(pupil: Pupil, reach: float, aim: float) -> tuple[int, int, float]:
-    """Return the degrees that :func:`moment_rule` takes for v up to `reach`, and what U is off by then.
+    """Return the degrees for :func:`moment_rule` for v up to `reach`, and the resulting error of U.
 
-    Polynomials are off by `aim`. The degree of a term that multiplies the pupil function is added to the first two.
+    Polynomials are off by `aim`. The caller adds the degree of a term that multiplies the pupil function to both.
     """
     terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
     degree = degree_needed(terms, reach, pupil.illumination, aim)
-    # The waves of segments are within the error of a polynomial, which multiplies those of this degree.
+    # Waves of segments are approximated by a polynomial, whose degree adds to that of the pupil function.
     fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
-    # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
+    # a (1 + W) / 2 + (1 + a / 2) a of section 18, "A polynomial", with W <= 1 + a.
     return degree, fine, 1.1 * aim + (1.0 + aim) * aim + phase_roundings(pupil)
 
 
 def phase_roundings(pupil: Pupil) -> float:
-    """Return what roundings of the phases of segments change U by, however many turns there are."""
+    """Bound the change of U by roundings of the phases of segments, however many turns they have."""
+    # 8 u s ||A|| of section 18, "Phases"; ||A||^2 is at most the amplitude.
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
 def _rounded(degree: int, fine: int, error: float) -> tuple[int, int, int]:
-    """Return degrees rounded up and the power of ten of the error rounded down, so that searches make few rules."""
+    """Return degrees rounded up and the exponent of the error rounded down, so that searches make few rules."""
     first, second = (_STEP * math.ceil(each / _STEP) for each in (degree, max(fine, degree)))
     return first, second, 2 * math.floor(0.5 * math.log10(error))
 
 
 @lru_cache(maxsize=16)
 def _samples(opening: Opening, fine: int, power: int) -> int:
-    """Return the number of nodes of the rows that a Fourier transform takes."""
+    """Return the number of nodes along rows for a Fourier transform."""
     return sum(rule.nodes.shape[1] for rule in opening.rows(fine, 10.0**power))
 
 
@@ -145,17 +147,20 @@ def _samples(opening: Opening, fine: int, power: int) -> int:
 def _made(opening: Opening, degree: int, fine: int, power: int) -> MomentRule:
     moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
     for rule, phase in zip(opening.rows(fine, 10.0**power), opening.phases, strict=True):
+        # Moments L(phi) of the basis: Legendre sums along each row first, then Gegenbauer polynomials of y.
         x, y, weight = rule.nodes
         if not x.size:
             continue
         firsts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
         half = np.sqrt((1.0 - y) * (1.0 + y))
+        # Whole turns are removed exactly before the cosine, which rounds large angles.
         still = math.remainder(phase[0], 2.0 * math.pi)
         turned = weight * np.exp(1j * (still + phase[1] * x + phase[2] * y))
         along = np.clip(x / half, -1.0, 1.0)
         sums = np.array([np.add.reduceat(turned * part, firsts) for part in _legendre(degree, along)])
         for m, part in enumerate(_across(degree, y[firsts])):
             moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
+    # g = sum L(phi) phi at the nodes, times the weights of the disc (whose sum is 1, of area pi).
     at = nodes(degree + 2)
     values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
     for m, part in enumerate(_across(degree, at.y)):
@@ -175,7 +180,7 @@ def _legendre(degree: int, x: Array) -> Iterator[Array]:
 
 
 def _across(degree: int, y: Array) -> Iterator[Array]:
-    """Yield for m = 0, 1, ... the functions of y of the basis, [k, y] for all k up to ``degree - m``."""
+    """Yield the functions of y of the basis for m = 0, 1, ...: [k, y] for all k up to ``degree - m``."""
     # (1 - y^2)^(k / 2) times polynomials orthonormal for the weight (1 - y^2)^(k + 1/2).
     k = np.arange(degree + 1.0)[:, None]
     area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
@@ -183,6 +188,7 @@ def _across(degree: int, y: Array) -> Iterator[Array]:
     here = half**k / np.sqrt(area)[:, None]
     before = np.zeros_like(here)
 
+    # Off-diagonal coefficient of the orthonormal Gegenbauer recurrence, for each k.
     def beside(m: int) -> Array:
         return np.sqrt(m * (m + 2.0 * k + 1.0) / (4.0 * (m + k + 1.0) * (m + k)))
 
@@ -197,9 +203,9 @@ def _across(degree: int, y: Array) -> Iterator[Array]:
 def field_sums(
     rule: MomentRule, pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...]
 ) -> tuple[Array, Array, Array]:
-    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and what roundings change U and its slopes by."""
-    # Waves are even or odd along x and along y, as Chebyshev polynomials of these are, of whose products terms are
-    # sums. That leaves a quarter of the nodes and of the pixels, and along the rows one sum for each power of x.
+    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and the rounding errors of U and of its slopes."""
+    # Cosines and sines are even or odd along x and y, and so are the products of Chebyshev polynomials that terms are
+    # sums of. A quarter of the nodes and pixels suffices, and one sum along rows for each power of x.
     at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
     light = rule.weight
     if not pupil.illumination.uniform:
@@ -214,14 +220,14 @@ def field_sums(
     many = max(1, _VALUES // (4 * most * q * q))
     for first in range(0, count, many):
         part = slice(first, min(first + many, count))
-        # Products row by row are too small for threads of BLAS, which would wait for each other.
+        # Row by row the products are too small for threads of BLAS, which would wait for one another.
         angle = edge[part] @ phases
         wave = _turned(light[:, None], np.cos(angle), np.sin(angle))
         parts = _parts(wave, q)
         size = len(edge[part])
         field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
         for i in range(2):
-            # Of both parts along y [term, row of pixels, pupil, real or imaginary, column].
+            # For both parities along y: [term, row of pixels, pupil, real or imaginary, column].
             sums = np.zeros((2, len(shares), down.size, size, 2, right.size))
             for a in range(most):
                 for c in range(2):
@@ -230,11 +236,13 @@ def field_sums(
                     found = found.reshape(most - a, *sums.shape[2:])
                     for b in range(min(2, most - a)):
                         sums[c ^ b] += np.tensordot(shares[:, a, b : most - a : 2], found[b::2], 1)
+            # e^{-i v.r} = (cos - i sin)(cos - i sin): each odd part has a factor -i and the sign of its coordinate.
             for j in range(2):
                 both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
                 field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * both
         u, others = field[0], field[1:]
         values[part] = u.real**2 + u.imag**2
+        # dI/dc = -2 Im(conj(U) D): certificate, section 8, "Derivatives".
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
     lost = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
@@ -242,12 +250,13 @@ def field_sums(
 
 
 def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
-    """Return what roundings change U by, up to `reach` in v; where all sums are in `single` precision with those."""
-    # Phases of terms and of waves, sums along both axes, and the weights.
+    """Bound the error of U by roundings up to `reach` in v; with `single`, those of sums in single precision too."""
+    # Phases of terms and of waves, sums along both axes, and weights: certificate, section 18, "Phases" and
+    # "Moments".
     edge = pupil.wavefront.flattened().edge
     size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
-    # Sums of pairs of chords and nodes, and phases in multiples of 2^-32 turns.
+    # Sums of pairs of chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
     more = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single else 0.0
     return (_UNIT * turned + more) * rule.total + rule.lost
 
@@ -258,22 +267,24 @@ def _products(terms: tuple[tuple[int, int], ...]) -> Array:
     from numpy.polynomial.chebyshev import chebvander
 
     count = 1 + max(n for n, _ in terms)
+    # Interpolation at Chebyshev points along both axes, exact for polynomials of this degree.
     x = np.cos((np.arange(count) + 0.5) * (math.pi / count))
     back = np.linalg.inv(chebvander(x, count - 1))
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
     found = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
+    # Entries of the wrong parity are rounding errors, and cost a sum each.
     return np.where(np.abs(found) > 1e-14 * np.abs(found).max(), found, 0.0)
 
 
 def _turned(light: Complexes, cosine: Array, sine: Array) -> Array:
-    """Return the product of light and a wave, [row, pupil, real or imaginary, node]."""
+    """Return light times wave, [row, pupil, real or imaginary, node]."""
     if not light.imag.any():
         return np.stack([light.real * cosine, light.real * sine], axis=2)
     return np.stack([light.real * cosine - light.imag * sine, light.real * sine + light.imag * cosine], axis=2)
 
 
 def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
-    """Return for a quarter of the nodes, [row, ..., node], sums of four mirrored ones, odd or even along x and y."""
+    """Return sums over four mirror images of each node of a quarter, by parity along x and y; [row, ..., node]."""
     y = [wave[:q] + sign * wave[: q - 1 : -1] for sign in (1.0, -1.0)]
     mirrored = [part[..., : q - 1 : -1] for part in y]
     return {
@@ -285,7 +296,7 @@ def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
 
 @lru_cache(maxsize=8)
 def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
-    """Return Zernike terms, 1 at the edge, at the nodes of a rule, shape (rows, terms, rows)."""
+    """Return Zernike terms (1 at the edge) at the nodes of a rule, shape (rows, terms, rows)."""
     at = nodes(rows)
     y = np.broadcast_to(at.y[:, None], at.x.shape)
     rho, theta = np.hypot(at.x, y), np.arctan2(y, at.x)
@@ -294,7 +305,7 @@ def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
 
 @lru_cache(maxsize=4)
 def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Array, Array]:
-    """Return cosines and sines of a quarter of the nodes at columns times T_a(x), shape (a, row, node, column)."""
+    """Return cosines and sines at columns times T_a(x), for a quarter of the nodes, shape (a, row, node, column)."""
     q = rows // 2
     x = nodes(rows).x[:q, :q]
     turn = step * x[:, :, None] * np.array(at)
@@ -303,7 +314,7 @@ def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Ar
 
 
 def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
-    """Return the same of the rows, shape (b, row of pixels, node row), of the other kind where b is odd."""
+    """Return the same for rows, shape (b, row of pixels, node row); cosine and sine exchanged for odd b."""
     y = nodes(rows).y[: rows // 2]
     turn = step * np.outer(at, y)
     powers = np.polynomial.chebyshev.chebvander(y, most - 1).T[:, None]
@@ -312,25 +323,25 @@ def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
     return np.where(swapped, odd, even), np.where(swapped, even, odd)
 
 
-_FEWEST = 4  # pupils and their derivatives, in whose lanes work is shared
-_STEPS = 8  # stacks, or steps of a fit, that take the same rule
+_FEWEST = 4  # number of images and derivatives from which vector lanes are shared
+_STEPS = 8  # stacks, or steps of a fit, with the same rule (assumed)
 _MAKING, _NODE_SUMS, _SAMPLE = (
     2.4e-5,
     5.5e-8,
     1.15e-4,
-)  # ms by cubes of rows, by products, and of a sample of a filter
+)  # measured costs in ms: rule (times rows cubed), sums (times products), filter (times samples)
 _LARGEST = 400  # degree
-_SINGLE = 0.5  # of an error, what sums in single precision may lose
-_LEAST_NODES = 1e-12  # error of the field, below which roundings are in the way
+_SINGLE = 0.5  # share of an error for sums in single precision
+_LEAST_NODES = 1e-12  # error of the field, below which roundings prevail
 
 
-# Averages over pixels: nodes of the window, and a rule with the moments of the aperture. The nodes of the rule are
-# those of the chordal rule of the disk, its weights complex numbers of either sign: pupils stand side by side in
-# vector lanes, as those of round apertures do.
+# Averages over pixels by nodes of the window, from a rule with the moments of the aperture. Its nodes are those of
+# the chordal rule of the disc, its weights complex: pupils are computed side by side in vector lanes, as those of
+# circular apertures are.
 
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
-    """Return the intensity averaged over each pixel with bounds below `tol`; None where that does not serve."""
+    """Return the intensity averaged over each pixel with bounds below `tol`; None if not applicable or slow."""
     highest = max((n for n, _ in wanted.terms), default=0)
     fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
     if pupil.mask is not None or wanted.powers or fields < _FEWEST:
@@ -351,7 +362,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         off = missed + 1.1 * aim + (lost if single else roundings(made, pupil, reach))
         return of_quadrant(made, pupil), off, single
 
-    # Chords of the rule are rows of the aperture, and those of the core are columns.
+    # Chords of this rule are rows of the aperture, those of the core are columns: x and y are exchanged.
     by, signs = exchanged(wanted.terms)
     images = aperture_averages(
         turned(stack),
@@ -366,7 +377,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
 
 
 def _turned_back(images: Images, signs: Array, out: Pixels | None) -> Images:
-    """Return images with x and y exchanged, and derivatives with signs."""
+    """Return images with x and y exchanged, and derivatives multiplied by `signs`."""
     values = np.empty_like(images.values.swapaxes(1, 2), order="C") if out is None else out
     values[...] = images.values.swapaxes(1, 2)
     slopes = images.slopes
@@ -377,42 +388,42 @@ def _turned_back(images: Images, signs: Array, out: Pixels | None) -> Images:
 
 
 def _pays(count: int, rows: float, sums: float, window: Window) -> bool:
-    """Return whether sums over nodes are likely to take less time than a filter of samples, the rule made once."""
+    """Return whether sums over nodes take less time than filtering samples, with the cost of the rule shared."""
     samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
     return _MAKING * rows**3 < _STEPS * count * (samples - sums)
 
 
 def exchanged(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
-    """Return terms with x and y exchanged, cosines of odd orders being sines then, and their signs."""
+    """Return terms with x and y exchanged (cosines and sines of odd orders change places), and their signs."""
     n, m = np.reshape(np.asarray(terms, dtype=np.int32), (-1, 2)).T
     odd, order = m % 2 != 0, np.abs(m)
-    # cos(m (pi / 2 - theta)), and sin of that.
+    # cos(m (pi / 2 - theta)) and sin(m (pi / 2 - theta)), by the remainder of m by 4.
     half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
     other = np.stack([n, np.where(odd, -m, m)], axis=1)
     return np.ascontiguousarray(other, dtype=np.int32), np.where(odd, half, np.where(m < 0, -half, half))
 
 
 def turned(stack: DiskStack) -> DiskStack:
-    """Return the same with x and y exchanged."""
+    """Return the stack with x and y exchanged."""
     terms, signs = exchanged(stack.terms)
     return stack._replace(terms=terms, edge=stack.edge * signs)
 
 
 def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
-    """Return the weights of a rule, with the amplitude of a pupil, as the core takes them, (chords, nodes, 8)."""
+    """Return the weights of a rule times the amplitude of a pupil in the core's layout, (chords, nodes, 8)."""
     weight, half = rule.weight, rule.rows // 2
     if not pupil.illumination.uniform:
         at = nodes(rule.rows)
         weight = weight * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
-    # Rows fall from the top, nodes along them rise.
+    # Rows run from the top down, nodes along them from left to right.
     top, bottom = weight[:half], weight[: half - 1 : -1]
     parts = [part for rows in (top, bottom) for part in (rows[:, : half - 1 : -1], rows[:, :half])]
     return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)
 
 
-_LEAST = 4e-15  # error of U that is asked for, over its largest value
-_SUMS = 0.25  # of the error of U, what sums may lose
-_FEWER = 0.75  # of the pixels, what those on one side of the axis may be for others to be their mirror images
+_LEAST = 4e-15  # least error of U over its largest value
+_SUMS = 0.25  # share of the error of U for the sums
+_FEWER = 0.75  # largest share of pixels on one side of the axis for which mirroring the others pays
 
 
 @dataclass(frozen=True)
@@ -471,13 +482,13 @@ class NonuniformFFT(Method[Pupil]):
             made = averaged_apertures(pupil, grid, self.tol, wanted)
             if made is not None:
                 return made
-        # Errors of averages are over the largest anywhere, as those of samples in a dark window need not be.
+        # Errors of averages are over the largest value anywhere; those of samples in a dark window would not be.
         sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
         return averaged_images(sample, pupil, grid, self.tol, wanted)
 
 
 def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
-    """Return samples of the flattened stack, with bounds over the peak below `tol` once they are stored."""
+    """Return samples of the flattened stack, with bounds over the peak below `tol` after storing."""
     if pupil.mask is not None and not pupil.mask.squares:
         needed, why = samples_needed(pupil, grid)
         if needed > pupil.mask.side:
@@ -486,10 +497,12 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
             )
     room = tol - (1.0 + tol) * storing(wanted.dtype)
     if wanted.scale is None:
-        room *= 0.49  # values divided by their own largest one are off by twice as much
-    # Light spread evenly over a blur has about this field; where it gathers the peak is brighter.
+        room *= 0.49  # values divided by their own largest one have twice the error (section 6)
+    # Estimate of the field for light spread evenly over the blur; where it gathers the peak is brighter.
     bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
     elsewhere: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
+    # Section 6: the first error is for a likely peak, and is reduced if the peak that is found does not prove the
+    # bound.
     for _ in range(8):
         asked = max(0.45 * room * bright / pupil.amplitude, _LEAST)
         values, slopes, off, off_slopes = _sums(pupil, grid, asked, wanted)
@@ -500,7 +513,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
             made, error = _judged(values, np.maximum(peak, elsewhere), off, wanted)
         if error <= tol or asked <= _LEAST:
             break
-        # Budgets follow the peak that was found.
+        # The next budget follows the peak that was found.
         assert made.peak is not None
         bright = min(0.9 * math.sqrt(max(float(made.peak.min()), 1e-300)), 0.5 * bright)
     if not error <= tol:
@@ -509,7 +522,7 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
     if not wanted.terms:
         return answer
     peak = np.asarray(made.peak)
-    # I' = 2 Re(conj(U) U'), and |U'| is at most what light there is.
+    # I' = 2 Re(conj(U) U'), and |U'| is at most the amplitude.
     rise = 2.0 * (np.sqrt(peak) * off_slopes + (pupil.amplitude + off_slopes) * off) / peak
     scaled = (slopes * answer.scale[:, None, None]).astype(wanted.dtype)
     error = rise + (np.abs(slopes).max(axis=(2, 3)) / peak + rise) * storing(wanted.dtype)
@@ -517,13 +530,13 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
 
 
 def _judged(values: Array, peak: Array, off: Array, wanted: Wanted) -> tuple[Intensities, float]:
-    """Return intensities with bounds over a peak, from those of U, and the largest of these once they are stored."""
+    """Return intensities with bounds over a peak, from those of U, and the largest bound after storing."""
     made = Intensities(values, relative_error(peak[:, None], off), peak)
     return made, float(np.max(with_storage_rounding(made, wanted)))  # type: ignore[arg-type]
 
 
 def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:
-    """Return what the peak of each PSF is at least, from a coarse lattice over all the blur."""
+    """Return a lower bound on the peak of each PSF, from a coarse lattice over the whole blur."""
     blur = float(pupil.v(pupil.geometric_radius()).max())
     far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
     values, _, off, _ = _sums(pupil, far, error, Wanted(threads=threads))
@@ -531,12 +544,12 @@ def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:
 
 
 def _real(pupil: Pupil) -> bool:
-    """Return whether the pupil function is real, so that images are the same turned by half a turn."""
+    """Return whether the pupil function is real, so that images equal themselves turned by half a turn."""
     return pupil.wavefront.flat and not pupil.phase_mask and not pupil.opening.phases.any()
 
 
 def _half(grid: Grid) -> Grid | None:
-    """Return pixels on one side of the axis that tell all others, or None where they are not much fewer."""
+    """Return the pixels on one side of the axis, whose mirror images the others are; None if not much fewer."""
     if not grid.mirrored:
         return None
     down, across = (max(c, side - 1 - c) for c, side in zip(grid.axis, grid.shape, strict=True))
@@ -548,7 +561,7 @@ def _half(grid: Grid) -> Grid | None:
 
 
 def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
-    """Return images on the pixels of `grid` from those on the :func:`_half` of them."""
+    """Return images on the pixels of `grid` from those on its :func:`_half`."""
     (row, column), (down, _) = grid.axis, half.axis
     left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
     out = np.empty((len(values), *grid.shape))
@@ -560,9 +573,9 @@ def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
 
 
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
-    """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term of `wanted`.
+    """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term.
 
-    `error` is that of U over its largest value, which the bounds will be close to.
+    `error` is the requested error of U over its largest value; the bounds will be close to it.
     """
     half = None if wanted.terms or not _real(pupil) else _half(grid)
     if half is not None:
@@ -573,6 +586,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     factor = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
     if pupil.mask is None:
+        # To [-pi, pi): large phases of segments lose digits in the sine.
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
@@ -590,6 +604,8 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     window = window_of(pupil, grid)
     values, slopes, lost = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUMS * error, wanted)
     if pupil.mask is not None and pupil.mask.squares:
+        # Square cells: the field of samples times sinc along each axis (section 18, "The light of a mask"); squared
+        # for I.
         down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
         cells = down[:, None] * across
         values, slopes = values * cells, slopes * cells

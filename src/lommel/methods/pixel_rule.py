@@ -73,7 +73,7 @@ def sums_of_windows(means: Array, half: int) -> Array:
 
 
 def cells_alike(half: int) -> Array:
-    """Return how many pixels of a window each cell of the octant stands for, shape ``(cells,)``.
+    """Return the number of pixels of a window for each cell of the octant, shape ``(cells,)``.
 
     Parameters
     ----------
@@ -89,8 +89,9 @@ def cells_alike(half: int) -> Array:
 
 @lru_cache(maxsize=16)
 def _rings(half: int) -> tuple[Array, NDArray[np.int64]]:
-    """Return how many pixels of the window each cell of the octant stands for, and where its columns begin."""
+    """Return the number of pixels of the window for each cell of the octant, and the first cell of each column."""
     column, row = octant(half)
+    # Eight symmetries; pixels on an axis or a diagonal have four images, the middle one is alone.
     alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
     return alike, np.flatnonzero(row == 0)
 
@@ -146,15 +147,16 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
 
 @lru_cache(maxsize=16)
 def _rule(half: int, eighths: int, margin: int) -> PixelRule:
+    # Steps within an eighth of an octave share the rule of the largest.
     step = 2.0 ** (eighths / 8.0)
     radii, weights, starts = _nodes(half, step, margin)
     reach = math.sqrt(2.0) * (half + 0.5)
-    # The coefficients of exp(i phase x) are Bessel functions of the phase, which vanish soon beyond it.
+    # Coefficients of exp(i phase x) are Bessel functions of the phase, negligible soon beyond it (Airy's cube root).
     phase = 2.0 * step * reach
     count = math.ceil(0.5 * (phase + 10.0 * math.cbrt(phase) + 2.0 * margin))
     angle = np.arccos(np.minimum(1.0, radii / reach))
     moments = _moments(2.0 * np.cos(2.0 * angle), weights, starts, count)
-    # From values at the positive half of 2 count Chebyshev nodes to coefficients: a cosine transform.
+    # Values at the positive half of 2 count Chebyshev nodes to coefficients of even degree: a cosine transform.
     at = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
     transform = np.cos(2.0 * np.outer(at, np.arange(count))) * (2.0 / count)
     transform[:, 0] *= 0.5
@@ -177,7 +179,7 @@ class LocalRule(NamedTuple):
     matrix: csr_array
 
 
-_SPACING, _STENCIL = 0.4, 16  # in v, and values that I between them follows from
+_SPACING, _STENCIL = 0.4, 16  # spacing of values in v, and number of values of an interpolation
 
 
 @lru_cache(maxsize=4)
@@ -207,9 +209,10 @@ def local_rule(half: int, step: float) -> LocalRule:
     t -= first
     counts = np.diff(starts, append=radii.size)
     low, high = np.minimum.reduceat(first, starts), np.maximum.reduceat(first, starts) + _STENCIL
-    # A pixel depends on all values from its nearest to its farthest.
+    # Values from the nearest to the farthest node of a pixel form its row of the matrix.
     ends = np.cumsum(high - low)
     place = np.repeat(ends - (high - low) - low, counts) + first
+    # Lagrange weights prod (t - k) / (j - k), as products before and after j.
     after = np.ones((_STENCIL, radii.size))
     for j in range(_STENCIL - 1, 0, -1):
         after[j - 1] = after[j] * (t - j)
@@ -218,7 +221,7 @@ def local_rule(half: int, step: float) -> LocalRule:
         scale = math.prod(j - k for k in range(_STENCIL) if k != j)
         sums += np.bincount(place + j, before * after[j] / scale, ends[-1])
         before = before * (t - j)
-    column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))  # I is even
+    column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))  # I is even: mirrored at the axis
     count = int(high.max())
     made = csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
     return LocalRule(_SPACING * np.arange(count, dtype=np.float64), made)
@@ -226,6 +229,7 @@ def local_rule(half: int, step: float) -> LocalRule:
 
 def _moments(twice: Array, weights: Array, starts: NDArray[np.int64], count: int) -> Array:
     """Return the sums over each cell of weights times ``T_0, T_2, ..., T_{2 count - 2}``, by their recurrence."""
+    # T_{2k+2}(x) = 2 cos(2 theta) T_{2k} - T_{2k-2}: `twice` is 2 cos(2 theta).
     moments = np.empty((count, starts.size))
     before, now = 0.5 * twice * weights, weights
     for k in range(count):
@@ -235,17 +239,17 @@ def _moments(twice: Array, weights: Array, starts: NDArray[np.int64], count: int
 
 
 def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return radii (in pixels) and weights for the integrals over all cells, and where the nodes of each begin."""
+    """Return radii (pixels) and weights for the integrals over all cells, and the first node of each."""
     column, row = octant(half)
-    # Pixels on an axis are cut in half there, the middle one in four.
+    # Pixels on an axis are halved there, the middle one quartered; `share` restores the whole.
     x0, y0, x1, y1 = np.maximum(0.0, column - 0.5), np.maximum(0.0, row - 0.5), column + 0.5, row + 0.5
     share = np.where(column == 0, 2.0, 1.0) * np.where(row == 0, 2.0, 1.0)
-    # Of each cell there are three pieces, between the distances of its corners.
+    # Three pieces of each cell, between the distances of its corners.
     corners = np.stack([np.hypot(x0, y0), np.hypot(x0, y1), np.hypot(x1, y0), np.hypot(x1, y1)], axis=1)
     low, high = corners[:, :-1], corners[:, 1:]
     edge = np.stack([x0, np.zeros_like(x0), x1], axis=1)
     a, b = (np.sqrt(np.maximum(0.0, r * r - edge * edge)) for r in (low, high))
-    # The phase of I runs fastest, by 2 dr/du = 2 u / r, at the outer end.
+    # The phase 2 v of I changes fastest at the outer end: dv/du = step u / r.
     counts = np.ceil(0.5 * step * 2.0 * (b / high) * (b - a)).astype(np.int64) + margin
     counts[high - low < 1e-12 * high] = 0
     rules = {n: gauss_legendre(n) for n in np.unique(counts).tolist() if n > 0}
@@ -260,6 +264,7 @@ def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[n
     def angle(arc: Callable[[Array], Array], at: Pixels) -> Array:
         return np.asarray(arc(np.minimum(1.0, at[cell] * inverse)))
 
+    # Angle of the arc in the pixel: it enters through the nearer edge and leaves through the farther one.
     first = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))
     last = np.where(piece < 1, angle(np.arccos, x0), angle(np.arcsin, y1))
     w = share[cell] * length * np.concatenate([weights for _, weights in each])

@@ -25,12 +25,12 @@ def mixed(
     tol: float,
     window: bool = False,
 ) -> list[Intensities]:
-    """Return sums of what is asked for each wavelength, every one to `tol` over its peak.
+    """Return sums over wavelengths of the answers of `ask`, each to `tol` over its peak.
 
-    Or, with `window`, over its largest value in the window: a contract where `way` keeps one.
+    With `window`, over its largest value in the window; this is a contract if `way` keeps its tolerance.
     """
-    # At a shorter wavelength the same light is concentrated on a smaller area: I over that of the reference grows as
-    # 1/lambda^2.
+    # At a shorter wavelength the same light falls on a smaller area: I relative to the reference grows as 1 /
+    # lambda^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
     asked, least = tol, (way.method or Method).least_tol
     while True:
@@ -44,10 +44,10 @@ def mixed(
         errors = [float(each.error.max()) for each in made if each.error is not None]
         if not errors or not way.keeps_tol or (worst := max(errors)) <= tol:
             return made
-        # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
+        # Each part is within the tolerance of its own peak; the peak of the sum may be below the sum of their peaks.
         if asked <= least:
             raise not_met(way.tol, worst, "the largest value in the window" if window else "the peak")
-        # The next tolerance from the error that was found, with a factor of two to spare.
+        # The next tolerance follows the excess of the error, halved for safety.
         asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
@@ -58,9 +58,9 @@ def _sums(
     asked: float,
     window: bool,
 ) -> list[Intensities]:
-    """Return weighted sums of intensities, and their errors over what their peaks are at least.
+    """Return weighted sums of intensities, and their errors over lower bounds on their peaks.
 
-    Or, with `window`, over what their largest values in the window are at least. One part is kept at a time.
+    With `window`, over lower bounds on their largest values in the window. Only one part is in memory at a time.
     """
     sums: list[Array | None] = [None] * len(weights)
     tops, errors, bounded = [], [], [True] * len(weights)
@@ -74,16 +74,16 @@ def _sums(
             sums[c] = term if before is None else np.add(before, term, out=before)
     found = []
     for row, values, known in zip(weights, sums, bounded, strict=True):
-        assert values is not None  # each has a share of some light
+        assert values is not None  # each sum has light at some wavelength
         highest = values.reshape(len(values), -1).max(axis=1)
         if not known:
             found.append(Intensities(values, None, highest))
             continue
         used = np.flatnonzero(row)
         # Certificate, section 9, last paragraph.
-        off = (len(used) + 8) * 2.0**-53 * highest  # what weights, products and the sum are rounded by
+        off = (len(used) + 8) * 2.0**-53 * highest  # roundings of weights, products and the sum
         off = off + sum(row[k] * errors[k] * tops[k] for k in used)
-        # Nothing is negative, so the sum is at least as bright as any part of it.
+        # Intensities are not negative: the sum is at least as bright as any of its parts.
         peak = highest if window else np.maximum(highest, np.max([row[k] * tops[k] for k in used], axis=0))
         least = peak - off
         relative = np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0)
@@ -150,16 +150,16 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
 
     @property
     def keeps_tol(self) -> bool:  # type: ignore[override]
-        """That of the method."""
+        """Tolerance contract of the method."""
         return (self.method or Method).keeps_tol
 
     @property
     def sampling(self) -> str:  # type: ignore[override]
-        """That of the method."""
+        """Sampling of the method."""
         return (self.method or Method).sampling
 
     def unsupported(self, pupil: BasePupil) -> str | None:
-        """Return the reason where the reference wavelength is unknown, or where the method gives one."""
+        """Return the reason if the reference wavelength is unknown, or if the method gives one."""
         if pupil.wavelength is None:
             return "needs a pupil with a wavelength, to which the others are related"
         if self.method is None:
@@ -167,6 +167,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         try:
             self.method.require(pupil)
         except Declined as fault:
+            # The message of the method begins with its name; it becomes a relative clause.
             name, reason = str(fault).split(" ", 1)
             return f"sums {name}, which {reason}"
         return None
@@ -180,12 +181,12 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return max(part.stretch for part in self.components(pupil))
 
     def along_radius(self, pupil: BasePupil) -> RadialMethod | None:
-        """Return the sum itself where method and pupil are radial, in every light."""
+        """Return the sum itself if method and pupil are radial at every wavelength, else None."""
         radial = pupil.radial and isinstance(self.method, RadialMethod | None)
         return self if radial and all(part.pupil.radial for part in self.components(pupil)) else None
 
     def period(self, pupil: BasePupil) -> float:
-        """Return the shortest period of the components of `pupil`, whose sum has none."""
+        """Return the shortest period of the components of `pupil`; their sum has none."""
         way = Method.period if self.method is None else type(self.method).period
         return min(way(self.method or self, part.pupil) / part.stretch for part in self.components(pupil))
 
@@ -214,7 +215,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
                 "derivatives of white light are sums of those of its components; ask lommel.psf for them"
             )
         aim = self.tol - 1.1 * storing(wanted.dtype)
-        # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
+        # Values divided by their own largest one have twice the error; 0.48 leaves a reserve.
         aim = aim if wanted.scale is not None else 0.48 * aim
         made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
         return to_images(made[0], grid, wanted)
@@ -228,9 +229,10 @@ def together(
     parts = Spectrum(tuple(places), np.ones(len(places))).components(pupil)
     shares = np.zeros((len(sums), len(parts)))
     for row, each in zip(shares, sums, strict=True):
+        # A wavelength that a sum names twice counts twice: += on repeated indices would count it once.
         np.add.at(row, [places[w] for w in each.wavelengths], each.weights)
     method = sums[0].method
-    # Colours of which some lie beside the axis have no radii in common.
+    # With lateral colour some components are off the axis, and have no radii in common with the others.
     alike = all(part.pupil.radial == pupil.radial for part in parts)
 
     def ask(part: Component, tol: float) -> Intensities:

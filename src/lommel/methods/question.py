@@ -26,22 +26,22 @@ if TYPE_CHECKING:
 
 
 class Prepared(NamedTuple):
-    """A window, methods and settings for all pupils that differ in their phase alone."""
+    """Window, methods and settings for all pupils that differ in their phase only."""
 
-    light: tuple[object, ...]  # all of a pupil but its phase, and whether that is radially symmetric
+    light: tuple[object, ...]  # all properties of a pupil but its phase, and whether that is radially symmetric
     grid: Grid
-    ways: tuple[Method, ...]  # as they are tried, one by one
+    ways: tuple[Method, ...]  # in the order in which they are tried
     named: bool  # whether the caller named the method
     energy: bool  # whether values are fractions of all light
-    wanted: Wanted  # without `out`, and without derivatives
+    wanted: Wanted  # without `out` and derivatives
     shape: tuple[int, ...]  # of the values
-    flat: tuple[int, ...]  # of those of the flattened stack
+    flat: tuple[int, ...]  # of the values of the flattened stack
     shortcut: Shortcut | None  # see Method.plan
 
     def images(
         self, pupil: BasePupil, names: tuple[Name, ...] = (), out: Pixels | None = None
     ) -> tuple[Method, Images, list[Slope]]:
-        """Return the method, images of a pupil of this light and their derivatives, without a shortcut."""
+        """Return the method, images of a pupil and their derivatives, without the shortcut."""
         self.ways[0].require(pupil)
         question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
         if names and pupil.layered:
@@ -83,7 +83,7 @@ def prepare(
     dtype: DType,
     threads: int,
 ) -> Prepared:
-    """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`."""
+    """Return the prepared computation for pupils that share an aperture and light; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     ways = candidates(pupil, grid, tol) if method is None else (method,)
@@ -95,11 +95,11 @@ def prepare(
 
 
 def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
-    """Return how images are wanted, once pupil and window are checked."""
+    """Return the specification of images, after checks of pupil and window."""
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
-    # Rays have no largest v: Geometric is the one method without samples.
+    # Geometric, the one method without point samples, has no largest v.
     if method.sampling == "center":
         grid.require_reach(pupil)
     if pupil.period < math.inf:
@@ -152,7 +152,7 @@ def gradient(
 
 
 def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
-    """Return the terms of a wavefront but the constant, on which no intensity depends."""
+    """Return the terms of a wavefront without the constant, on which no intensity depends."""
     return tuple(term for term in wavefront.terms if term != (0, 0)) if wavefront else ()
 
 
@@ -162,23 +162,23 @@ AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
 def names(
     derivatives: Sequence[str | tuple[int, int]], argument: str = "derivatives"
 ) -> tuple[str | tuple[int, int], ...]:
-    """Return what `derivatives` are by; TypeError or ValueError, naming the `argument`, if there are none such."""
+    """Return checked names of derivatives; TypeError or ValueError, naming the `argument`, if one is not valid."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
-    from lommel.methods.derivative_names import checked  # most answers have none
+    from lommel.methods.derivative_names import checked  # late: rarely needed
 
     return checked(derivatives, argument)
 
 
 def array(name: str, value: object) -> Pixels:
-    """Return `value` if it is an array; the TypeError says which argument is not."""
+    """Return `value` if it is an array; TypeError with the name of the argument otherwise."""
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
     return value
 
 
 def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
-    """Return `out` if values of this shape and type can be put there; TypeError or ValueError otherwise."""
+    """Return `out` if it can take values of this shape and type; TypeError or ValueError otherwise."""
     if array("out", out).shape != shape:
         raise ValueError(f"out must have the shape {shape}, got {out.shape}")
     if out.dtype != dtype:
@@ -191,9 +191,9 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
 
 
 def output_type(dtype: DTypeLike | None, tol: float) -> DType:
-    """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
+    """Return the dtype of values accurate to `tol`; ValueError if the requested one cannot hold them."""
     if dtype is None:
-        # float32 rounds values by 2^-24 of the peak, 6e-8, which a tolerance of 1e-6 has room for.
+        # float32 rounds by 2^-24 = 6e-8 of the peak, a small part of a tolerance of 1e-6.
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
     kind = validation.kind("dtype", dtype, np.float32, np.float64)
     if kind == np.float32 and tol < 2.0**-22:
@@ -202,7 +202,7 @@ def output_type(dtype: DTypeLike | None, tol: float) -> DType:
 
 
 def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
-    """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
+    """Return a pupil for each axis, in the shape to which the stack and the axes broadcast."""
     try:
         return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
     except ValueError:
@@ -212,7 +212,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
 
 
 def checked_method(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
-    """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
+    """Return the method (None if none is named) and the tolerance; TypeError or ValueError if they do not fit."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(
             f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"

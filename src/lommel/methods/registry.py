@@ -49,7 +49,7 @@ METHODS = _named(
 LAYERED = _named(Stratified, ChordalDebye, DebyeRings, DebyeWolf)
 """Those for the pupils of objectives."""
 
-_SUMS = _named(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # of the answers of others
+_SUMS = _named(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # methods that combine images of others
 
 ERFS: dict[str, type[AbramowitzErf | TableErf | FresnelErf]] = {
     "abramowitz": AbramowitzErf,
@@ -84,6 +84,7 @@ def method_from_dict(description: Mapping[str, object]) -> Method:
         name = options.pop("name")
         if name not in known:
             raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(map(str, known)))}")
+        # JSON has lists only; options are tuples, which are hashable.
         return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
 
     method = build(description)

@@ -25,10 +25,10 @@ from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
-_BACKGROUNDS = {FLAT: 1, "uneven": 3}  # how many points each side has, whose levels are estimated
+_BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side whose levels are estimated
 
-_LEAST_PLANES = 8  # of the margin, where the PSF has so many
-_RIM = 0.02  # of the light, on the outermost pixels of the window of the PSF: more is a cone that is cut off
+_LEAST_PLANES = 8  # least margin in planes, where the PSF has that many
+_RIM = 0.02  # of the light, on the outermost pixels of the PSF's window: with more, the cone is cut off
 
 
 def deconvolve(
@@ -130,9 +130,11 @@ def deconvolve(
     blur = blur_of()
     before = counted.mean(counted.discrepancies(blur, counted.scene(planes, pixels)))
     pupil: Any = psf.pupil
+    # Planes over pixels in the sample: the total variation takes differences along z in proportion.
     aspect = float(psf.grid.side / pupil.magnification / np.diff(stage(psf))[0])
     way = method or RichardsonLucy(target=1.0)
     held_out = 0
+    # Photons are held out of stacks that fit in memory, and only where a flat scene does not explain them.
     sparse = recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack
     if diagnosis and whole and sparse and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
@@ -159,7 +161,7 @@ def deconvolve(
 
 
 def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> tuple[Background, int]:
-    """Return the flat background that photons held out agree with, and the number of steps."""
+    """Return the flat background that held-out photons agree with, and the number of steps."""
     halves = Halves(recorded, noise.poisson)
 
     def walked(background: Background, start: State, steps: int) -> Best:
@@ -170,7 +172,7 @@ def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> 
 
 
 def background_of(given: float | str) -> Background:
-    """Return a known background, or what of one is to be estimated."""
+    """Return a known background, or the number of points at which one is to be estimated."""
     if isinstance(given, str):
         if given not in _BACKGROUNDS:
             raise ValueError(

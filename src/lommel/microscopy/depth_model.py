@@ -25,17 +25,17 @@ SPREADING = ("widefield", "light sheet")
 """Modalities that record light out of focus."""
 _TURNING = emitter_of("isotropic")
 _TOL = 1e-4
-_LIKE = 0.003  # of the light of a PSF, by which that of another depth may differ from it
-_ALIKE = 0.03  # by which those between two depths may be off their mean
-_MOST = 9  # PSFs
-_FAR = 9  # of light far from its emitter, which changes slowly
-_RADIAL = 0.01  # of the rms transfer function, by which it may depend on more than the magnitude of frequencies
-_LEAST_REACH, _MOST_PLANES, _MOST_REACH = 8, 64, 48  # planes and pixels of a PSF beside its middle
-_PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes beside the middle
-_DARK = 4.0  # thicknesses of a light sheet
-_TABLE = 33  # depths
-_SPLINES = (3, 2)  # degrees
-_NEGATIVE = 0.015  # of the light of a PSF, that may be so
+_LIKE = 0.003  # of the light: largest difference of PSFs over the stack for which one PSF is enough
+_ALIKE = 0.03  # of the light: largest difference of a PSF from the mean of its neighbours
+_MOST = 9  # largest number of PSFs
+_FAR = 9  # depths of light far from its emitter, which changes slowly
+_RADIAL = 0.01  # of the rms transfer function: largest deviation from rotational symmetry
+_LEAST_REACH, _MOST_PLANES, _MOST_REACH = 8, 64, 48  # planes and pixels of a PSF on a side of its middle
+_PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes on a side of the middle
+_DARK = 4.0  # thicknesses of a light sheet beyond which it counts as constant
+_TABLE = 33  # depths of the table of foci
+_SPLINES = (3, 2)  # degrees that are tried
+_NEGATIVE = 0.015  # of the light of a PSF: largest negative part
 
 
 class PSFs(NamedTuple):
@@ -91,7 +91,7 @@ class DepthModel:
         return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))
 
     def psf(self, depth: float) -> PSF:
-        """Return the PSF of an emitter at a depth, z from its brightest focus."""
+        """Return the PSF of an emitter at a depth, with z from its brightest focus."""
         side = self.window[1]
         if self.modality == "two-photon":
             return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
@@ -101,13 +101,14 @@ class DepthModel:
             offset = np.clip(self._z, -_DARK * self.thickness, _DARK * self.thickness)
             return light_sheet(emission, self.thickness, side, self.pixel, offset=offset, tol=_TOL)
         if self.modality in ("confocal", "spinning disc"):
+            # The laser is focused where the emission is: both with the same focus over the cover glass.
             beam = self._laser(depth, emission.focus, "coverslip")
             return confocal(beam, emission, side, self.pixel, pinhole=self.pinhole, tol=_TOL)
         return psf(emission, side, self.pixel, tol=_TOL)
 
     @property
     def spreads(self) -> bool:
-        """Whether light out of focus is recorded, all of which counts; else that in the window does."""
+        """Whether light out of focus is recorded and counts in full; otherwise only that in the window."""
         return self.modality in SPREADING
 
     def near(self, depth: float) -> Array:
@@ -119,7 +120,8 @@ class DepthModel:
         values = self.psf(depth).values.astype(np.float64)
         if not self.spreads:
             return np.asarray(values / values.sum())
-        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._lit.sum())
+        # A taper, so that what the coarse grid takes over has no edge.
+        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
 
     def kernel(self, depth: float) -> Array:
         """Return the light of an emitter that is spread over the nearest voxels as a B-spline, as :meth:`near`.
@@ -142,19 +144,20 @@ class DepthModel:
         What lies beyond these is on the outermost ones.
         """
         pitch, side = pitch_of(self.window[1]), 2 * reach + 1
-        lit = self._lit / self._lit.sum()
+        lit = self._collected_light / self._collected_light.sum()
         made = psf(self._emission(depth), _PARTS * side, self.pixel * pitch / _PARTS, integrate=False, tol=_TOL)
         at = np.asarray((np.arange(_PARTS * side) - _PARTS * side // 2) * (pitch / _PARTS), np.float64)
         values = made.values * (1.0 - taper(self.window[1], pitch, at)) * (_PARTS / pitch) ** 2
         means = values.reshape(-1, side, _PARTS, side, _PARTS).mean(axis=(2, 4)) * lit[:, np.newaxis, np.newaxis]
         rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
+        # Light that neither the window nor the coarse grid holds goes to the rim: the sum is that collected.
         asked = np.maximum(lit - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
         found = np.maximum(means.sum(axis=(1, 2)), 1e-30)
         means *= np.minimum(asked / found, 1.0)[:, np.newaxis, np.newaxis]
         return np.asarray(means + np.maximum(asked - found, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
 
     def reach(self, shape: tuple[int, int], margin: int) -> int:
-        """Return how many nodes of the coarse grid PSFs reach: over the cone of light, or all of the field."""
+        """Return the nodes of the coarse grid that PSFs reach: over the cone of light, or the whole field."""
         pitch = pitch_of(self.window[1])
         field = (max(shape) + margin) / pitch
         cone = _cone(self.objective, self.wavelength, self.pixel, float(np.abs(self._z).max())) / pitch
@@ -165,11 +168,12 @@ class DepthModel:
         return np.asarray((np.arange(self.window[0]) - self.window[0] // 2) * self.step)
 
     @property
-    def _lit(self) -> Array:
-        """Light collected in each plane of the window, over that in focus."""
+    def _collected_light(self) -> Array:
+        """Collected light in each plane of the window, over that in focus."""
         if self.modality != "light sheet":
             return np.ones(self.window[0])
         assert self.thickness is not None
+        # A Gaussian of this full width at half maximum.
         return np.asarray(np.exp(-4.0 * math.log(2.0) * np.clip(self._z / self.thickness, -_DARK, _DARK) ** 2))
 
     def _laser(self, depth: float, z: Array, origin: str) -> ObjectivePupil:
@@ -193,7 +197,8 @@ class DepthModel:
         )
 
     def depths(self, margin: int = 0) -> Array:
-        """Return the depth in focus in each plane, with so many more on each side; 0 where that is in the glass."""
+        """Return the depth in focus in each plane, with `margin` more on each side; 0 where that is in the glass."""
+        # Without a mismatch of indices the focus moves as the stage does.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
             ratio = 1.0
             found = self.depth + ratio * self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
@@ -201,9 +206,11 @@ class DepthModel:
         wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
         away = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
         span = float(np.abs(away).max()) * self.objective.sample / self.objective.immersion
+        # The paraxial focus in the sample moves by the ratio of the indices; the table reaches farther.
         table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _TABLE)
         table = np.unique(np.append(table, self.depth))
         focus = self.objective.pupil(depth=table, wavelength=wave).focus
+        # np.interp needs positions that increase.
         best = np.maximum.accumulate(focus)  # at the glass it may jump back by nanometres
         middle = float(np.interp(self.depth, table, best))
         return np.asarray(np.interp(middle + away, best + 1e-15 * np.arange(len(best)), table))
@@ -224,7 +231,7 @@ class DepthModel:
         if slabs is not None:
             nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
-        if _apart(self.near(low), self.near(high)) < _LIKE:
+        if _relative_difference(self.near(low), self.near(high)) < _LIKE:
             return alone
         radial = self._radial(low, high)
         if radial is not None:
@@ -260,7 +267,7 @@ class DepthModel:
         return RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
 
     def _slabs(self, low: float, high: float) -> int:
-        """Return how many PSFs those between are like the means of."""
+        """Return the number of PSFs for which those between two are like the means of these."""
         made: dict[float, Array] = {}
 
         def at(share: float) -> Array:
@@ -270,8 +277,10 @@ class DepthModel:
 
         pieces = 1
         while pieces < _MOST - 1 and any(
-            _apart(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE for k in range(pieces)
+            _relative_difference(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE
+            for k in range(pieces)
         ):
+            # Doubling keeps the PSFs that are already computed.
             pieces *= 2
         return pieces + 1
 
@@ -306,17 +315,20 @@ def narrowed(kernel: Array, along: int, across: int) -> Array:
 def _weights(depths: Array, nodes: Array) -> Array:
     """Return the weights of PSFs at each depth, linear between two."""
     place = np.interp(depths, nodes, np.arange(len(nodes)))
+    # Hat functions around the nodes.
     return np.asarray(np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis])))
 
 
-def _apart(one: Array, *others: Array) -> float:
-    """Return half of the light by which a PSF differs from the mean of others, over its own."""
+def _relative_difference(one: Array, *others: Array) -> float:
+    """Return half of the absolute difference of a PSF from the mean of others, over its light."""
+    # Half: light that is missing in one place is too much in another.
     return float(np.abs(one - sum(others) / len(others)).sum() / one.sum()) / 2.0
 
 
 def _cone(objective: Objective, wavelength: float, pixel: float, away: float) -> float:
-    """Return the radius of the cone of light so far from the focus, pixels."""
+    """Return the radius of the cone of light at a distance from the focus, pixels."""
     side = pixel / objective.magnification
+    # NA = n sin(alpha): the marginal ray's tan(alpha); two wavelengths over NA for the spot itself.
     tangent = objective.NA / math.sqrt(objective.immersion**2 - objective.NA**2)
     return (away * tangent + 2.0 * wavelength / objective.NA) / side
 

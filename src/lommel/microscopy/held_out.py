@@ -28,14 +28,14 @@ SIDE = 40
 """Pixels of the side of the part in which PSFs are compared."""
 WHOLE = 500_000
 """Voxels of a stack, up to which its background is estimated by photons that are held out of all of it."""
-_STEPS, _PATIENCE = 150, 6  # of a walk at most, and after the best of them
-_USUAL = 55  # steps of a walk
-_RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # share by which the background is raised, how often at most, steps of each
-_WITHIN = 2.0  # of lnL, that a background may have less than the best one
-_APART, _FARTHER = 0.005, 4  # of the index of the sample, and how often it is changed further
-_SURE = 2.5  # standard errors, by which another PSF agrees better
-_OPEN = -1.0, 4.0  # standard errors between which the other half decides, too
-_WALKS = 8.0  # that are usual
+_STEPS, _PATIENCE = 150, 6  # largest number of steps of a walk, and steps after the best one
+_USUAL = 55  # usual number of steps of a walk
+_RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # relative rise of the background, largest number of rises, steps of each
+_WITHIN = 2.0  # of lnL: largest loss of a background against the best one
+_APART, _FARTHER = 0.005, 4  # change of the sample's index that is tried, and number of further ones
+_SURE = 2.5  # standard errors from which on another PSF agrees better
+_OPEN = -1.0, 4.0  # standard errors between which the other half is used as well
+_WALKS = 8.0  # usual number of walks
 _ESTIMATED, _FLAT = Background(None), State()
 
 
@@ -52,7 +52,7 @@ class Best(NamedTuple):
 
 
 class _Half(PoissonCounts):
-    """Counts of one half, and how well their model agrees with the other half."""
+    """Counts of one half, and the agreement of their model with the other half."""
 
     def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
         self._held: Values | None = None
@@ -69,13 +69,14 @@ class _Half(PoissonCounts):
             seen = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
             known = np.isfinite(seen) & (weight > 0.0)
             seen = np.where(known, seen, light)  # the light has become the model
+            # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
             loss = light - seen + seen * np.log(np.maximum(seen, TINY) / light)
             self._losses[at] = np.where(known, self.white * weight * loss, 0.0)
             self._electrons[at] = self.white * weight * light
         return found
 
     def past(self, step: int, walk: Iteration) -> bool:
-        """Return whether the best step of a walk was some steps ago."""
+        """Return whether the best step of a walk is _PATIENCE or more steps ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
             self.best = Best(
@@ -101,11 +102,14 @@ class Halves:
             known = np.isfinite(recorded) & (recorded < limit)
         given = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
         whole = np.maximum(np.rint(given), 0.0)
+        # Each photon goes to either half with the same chance: shares of a Poisson variable are independent.
         draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
         self.parts = [
+            # Each half has half of the variance of reading, which was added to the counts.
             np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
             for each in (draw, whole - draw)
         ]
+        # Half of the variance each.
         self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
 
     def walked(
@@ -153,6 +157,7 @@ def highest_level(free: Best, walked: Callable[[Background, State, int], Best]) 
         if losses[-1] > most:
             # Between the last two.
             share = (most - losses[-2]) / (losses[-1] - losses[-2])
+            # Two halves make the counts.
             return 2.0 * (places[-2] + share * (places[-1] - places[-2]))
     return 2.0 * places[-1]
 
@@ -167,7 +172,7 @@ class HeldOut(TrialDeconvolution):
 
     @property
     def plain(self) -> bool:
-        """Whether a flat scene explains all."""
+        """Whether a flat scene explains the stack."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
     def best(self, words: str, model: DepthModel, fold: int = 0, course: list[Move] | None = None) -> Best:
@@ -245,7 +250,7 @@ class HeldOut(TrialDeconvolution):
 
 
 def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
-    """Return about how many steps of the whole stack all of this takes."""
+    """Return about how many steps of the whole stack the comparison of PSFs takes."""
     return _WALKS * _USUAL * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
 
 
@@ -271,4 +276,5 @@ def _least(losses: dict[float, float]) -> tuple[float, float]:
         return places[at], math.inf
     near = places[at - 1 : at + 2]
     bend, slope, _ = np.polyfit(np.array(near) - places[at], [losses[each] for each in near], 2)
+    # The minimum of b x^2 + s x is at -s / (2 b); lnL falls by 1/2 at 1 / sqrt(2 b), and twice that is returned.
     return float(places[at] - 0.5 * slope / bend), float(2.0 / math.sqrt(2.0 * bend))

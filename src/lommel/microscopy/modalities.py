@@ -16,8 +16,8 @@ from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
-_DARK = 5.0  # thicknesses: 1e-30 of the light
-_CLOSE = 1e-12  # metres: as near as planes of two colours must be
+_DARK = 5.0  # thicknesses beyond which a sheet is dark: 1e-30 of its light
+_CLOSE = 1e-12  # metres: largest distance of planes of two colours that count as the same
 
 
 def confocal(
@@ -221,10 +221,12 @@ def light_sheet(
         raise ValueError(f"offset must broadcast to the stack of shape {seen.shape}, got shape {away.shape}")
     if (far := float(np.abs(away).max(initial=0.0))) > _DARK * width:
         raise ValueError(f"offset must be within {_DARK:g} times the thickness, beyond which it is dark, got {far:g}")
+    # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).
     lit = np.exp(-4.0 * math.log(2.0) * (away / width) ** 2)
     dtype = output_type(None, validation.real("tol", tol, least=Method.least_tol, below=1e-1))
     # Values are stored once more after they are multiplied.
     further = storing(dtype)
+    # Room for that in the tolerance, and 10 % more.
     made = psf(seen, shape, pixel, tol=tol - 1.1 * further, normalize=normalize, dtype=np.float64)
     values = (made.values * lit[..., None, None]).astype(dtype)
     if made.error_bound is None:
@@ -233,7 +235,7 @@ def light_sheet(
 
 
 def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
-    """Refuse what are no pupils, or are pupils of other planes."""
+    """Refuse what is not a pupil, and pupils of other planes."""
     validation.instance(what, beam, ObjectivePupil)
     validation.instance("emission", emission, ObjectivePupil)
     if beam.shape != emission.shape:
@@ -314,6 +316,7 @@ def sted(
     _same_planes("depletion", depletion, emission)
     factor = validation.real("saturation", saturation, least=0.0)
     plain = replace(depletion, aberrations=None)
+    # The saturation is stated at the crest of the doughnut: over its intensity there.
     highest = crest(plain) if plain.radial else 1.0  # a beam that is no doughnut is refused by the method
     way = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
     return psf(emission, shape, pixel, method=way, normalize="strehl", integrate=False)

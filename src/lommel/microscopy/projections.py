@@ -30,7 +30,7 @@ class Projections(NamedTuple):
 
 
 def blank(shape: tuple[int, int, int]) -> Projections:
-    """Return projections of which nothing is known, NaN."""
+    """Return projections in which nothing is known: NaN."""
     planes, height, width = shape
     recorded, restored, residual = (
         (np.full((height, width), np.nan, np.float32), np.full((planes, width), np.nan, np.float32)) for _ in range(3)
@@ -54,7 +54,7 @@ class Projecting:
         light: Part,
         restored: Values,
     ) -> None:
-        """Add a chunk: these rows and columns of the stack, of which those of a blur begin at the corner."""
+        """Add a chunk: these rows and columns of the stack; those of the blur begin at the corner."""
         down, across = (at.start - first for at, first in zip((rows, columns), corner, strict=True))
         height, width = rows.stop - rows.start, columns.stop - columns.start
         sums, known, most = (np.zeros((height, width), np.float32) for _ in range(3))
@@ -67,6 +67,7 @@ class Projecting:
             inner = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
             counts, off, share = counts[inner], off[inner], share[inner]
             at = np.s_[max(top, 0) : max(top, 0) + len(off), max(left, 0) : max(left, 0) + off.shape[1]]
+            # Planes are compared by several threads.
             with lock:
                 sums[at] += off
                 known[at] += share
@@ -83,6 +84,7 @@ class Projecting:
         residual[0][rows, columns] = _over_root(sums, known)
         # Chunks above and below have a part of each voxel of the projection along y.
         before = self._known[:, columns]
+        # Back to sums: residuals are stored over the root of their number.
         off = along[0] + np.nan_to_num(residual[1][:, columns]) * np.sqrt(before)
         self._known[:, columns] = before + along[1]
         residual[1][:, columns] = _over_root(off, self._known[:, columns])
@@ -98,5 +100,5 @@ class Projecting:
 
 
 def _over_root(sums: Values, known: Values) -> Values:
-    """Return sums over the root of the number of voxels, NaN where there are none."""
+    """Return sums over the square root of the number of voxels, NaN where there are none."""
     return np.where(known > 0.0, sums / np.sqrt(np.maximum(known, 1.0)), np.float32(np.nan))

@@ -1,4 +1,4 @@
-"""What a stack says of its own recording: the direction of z, depth, index of the sample, spherical aberration."""
+"""What a stack shows of its recording: the direction of z, depth, index of the sample, spherical aberration."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "s
 """What can be estimated from a stack, and its name."""
 
 Tell = Callable[[float, str], object]
-"""Takes the share that is done, 0 to 1, and what is being done."""
+"""Called with the share of the work that is done, 0 to 1, and its name."""
 
-_STEPS = 40  # of each trial of the search: after fewer, sharper PSFs look better than they are
-_MORE = 100  # of those around the value that was found: of dim points, 40 leave too much, and 160 follow the noise
-_SIDES = 48, 64  # pixels of the part that is looked at
-_NARROWEST, _WIDEST = 33, 49  # pixels of PSFs
-_ROUGH = 40  # pixels of the part in which values are searched for, with the narrowest PSFs
-_LEAST_PLANES = 8  # of the margin
+_STEPS = 40  # steps of each trial of the search: after fewer, sharper PSFs look better than they are
+_MORE = 100  # steps of trials around the answer: of dim points, 40 leave too much, and 160 follow the noise
+_SIDES = 48, 64  # pixels: smallest and largest side of the part that is used
+_NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
+_ROUGH = 40  # pixels a side of the part in which values are searched, with the narrowest PSFs
+_LEAST_PLANES = 8  # least margin in planes
 _FAR = 3  # depths of light far from its emitter, which changes slowly
 _REACH = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}
-_APART = 1 / 6  # of these, between values around that which was found; twice that in the search
-_ROUNDS = 3  # of these, where the least value is not between them
+_APART = 1 / 6  # of the reach: distance of values around the answer; twice that in the search
+_ROUNDS = 3  # largest number of rounds, where the least value is not between the tried ones
 # What is tried where a stack does not follow its PSF: first changes, which are doubled while that is better.
 _OTHERS = {
     "sample": (6e-3, "index of the sample"),
@@ -43,11 +43,11 @@ _OTHERS = {
     "wavelength": (0.03, "wavelength"),
     "step": (0.03, "step of z"),
 }
-_DOUBLED = 5  # changes of one value
-_USUAL = 2.6  # of these are tried
-_SIGNIFICANT = 9.0  # of the deviance, by which another PSF is better: three standard deviations
-_EXPLAINED = 0.03  # of the misfit that these steps leave, by another PSF that is better
-_AS_GOOD = 0.5  # of what the best PSF explains: others that explain so much are named beside it
+_DOUBLED = 5  # largest number of changes of one value
+_USUAL = 2.6  # usual number of these
+_SIGNIFICANT = 9.0  # of the deviance: three standard deviations, by which another PSF is better
+_EXPLAINED = 0.03  # of the misfit left after these steps, that a better PSF explains at least
+_AS_GOOD = 0.5  # of what the best PSF explains: others that explain as much are reported beside it
 
 
 def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
@@ -65,29 +65,32 @@ def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]
         values = np.asarray(plane_of(stack, int(plane)), np.float64)
         known = np.isfinite(values) & (values < saturation)
         values = np.where(known, values, np.median(values[known]) if known.any() else 0.0)
+        # A difference of two means: details of a few pixels, without the background.
         np.maximum(whole, uniform_filter(values, 3) - uniform_filter(values, 15), out=whole)
+    # The root keeps one bright spot from outweighing many dim ones.
     bright = uniform_filter(np.maximum(whole, 0.0) ** 0.5, min(size, height, width))
     row, column = np.unravel_index(int(bright.argmax()), bright.shape)
-    return _placed(int(row), size, height), _placed(int(column), size, width)
+    return _window_around(int(row), size, height), _window_around(int(column), size, width)
 
 
-def _placed(middle: int, size: int, side: int) -> slice:
+def _window_around(middle: int, size: int, side: int) -> slice:
     start = min(max(middle - size // 2, 0), max(side - size, 0))
     return slice(start, min(start + size, side))
 
 
 def estimated_steps(direction: bool, names: int) -> tuple[float, float]:
-    """Return about how many steps the direction of z, and so many values, take in the part that is looked at."""
+    """Return the approximate numbers of steps for the direction of z, and for `names` values."""
     return 2.0 * _STEPS * direction, (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
 
 
 def _places(names: int) -> int:
-    """Return how many trials determine a quadratic function."""
+    """Return the number of trials that determine a quadratic function."""
+    # Its constant, n slopes, n curvatures and n (n - 1) / 2 mixed terms.
     return 1 + 2 * names + names * (names - 1) // 2
 
 
 class StackContext(NamedTuple):
-    """A stack, and what is known of it."""
+    """A stack with its model, camera and saturation."""
 
     stack: Stack
     model: DepthModel
@@ -97,13 +100,13 @@ class StackContext(NamedTuple):
 
 
 class Work:
-    """Says how much of several trials is done, of about so many steps."""
+    """Progress of several trials of about `steps` steps together."""
 
     def __init__(self, tell: Tell, steps: float) -> None:
         self._tell, self._steps, self._done = tell, steps, 0.0
 
     def __call__(self, words: str, steps: int) -> Callable[[int, float, float], None]:
-        """Begin a trial, and return what is to be called after each of its steps."""
+        """Begin a trial, and return the function to call after each of its steps."""
         begun, self._done = self._done, self._done + steps
 
         def told(step: int, *_: float) -> None:
@@ -162,10 +165,11 @@ class TrialDeconvolution:
         return found
 
     def blur(self, model: DepthModel, planes: int) -> PlaneOperator:
-        """Return the blur of the part, with smaller PSFs, and B-splines as those of the first model."""
+        """Return the blur of the part, with smaller PSFs, and the B-splines of the first model."""
         side = min(max(model.window[1], _NARROWEST), self._widest)
         deep = model.window[0]
         small = replace(model, window=(deep, side), planes=planes, degrees=self._degrees)
+        # The same splines for all models: others would change the discrepancy by themselves.
         self._degrees = small.splines
         margin = min(deep // 2, max(_LEAST_PLANES, planes // 4)), side // 2
         psfs = small.psfs(margin[0])
@@ -177,7 +181,7 @@ class TrialDeconvolution:
 
 
 def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
-    """Return "up" or "down", whichever the stack follows better, and what to say of it."""
+    """Return "up" or "down", whichever the stack follows better, and a sentence on it."""
     trial, work = TrialDeconvolution(context, crop), Work(tell, 2.0 * _STEPS)
     up, down = (
         trial.course(context.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
@@ -225,13 +229,13 @@ def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> lis
                 other = model.changed(name, value)
             except ValueError:
                 return math.inf
-            return cost(other, f"another {words}: {_shown(model, name, value)}")
+            return cost(other, f"another {words}: {_value_in_words(model, name, value)}")
 
         start = _start(model, name)
         value, found = _line_search(changed, start, apart, given)
         if value != start:
             change = "smaller" if value < start else "larger"
-            explained[f"a {change} {words} (about {_shown(model, name, value)})"] = given - found
+            explained[f"a {change} {words} (about {_value_in_words(model, name, value)})"] = given - found
     most = max(explained.values(), default=0.0)
     least = max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0), _AS_GOOD * most)
     return sorted((each for each in explained if explained[each] > least), key=lambda each: -explained[each])
@@ -263,7 +267,7 @@ def _line_search(cost: Callable[[float], float], start: float, apart: float, giv
     return start, given
 
 
-def _shown(model: DepthModel, name: str, value: float) -> str:
+def _value_in_words(model: DepthModel, name: str, value: float) -> str:
     """Return the value of a parameter in words."""
     if name == "depth":
         return format_length(value, digits=3)
@@ -288,7 +292,7 @@ def refined(
     def course(trial: TrialDeconvolution, steps: int, much: float) -> Callable[[Array], list[float]]:
         def made(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
-            words = ", ".join(f"{PARAMETERS[name]} {_shown(model, name, value)}" for name, value in pairs)
+            words = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
             told = work(words, int(steps * much))
             return trial.course(_with(model, names, values), steps, lambda step, *rest: told(int(step * much), *rest))
 
@@ -303,7 +307,7 @@ def refined(
 
 
 def _start(model: DepthModel, name: str) -> float:
-    """Return a value from which to look for another; 1 of those that are scaled."""
+    """Return the value from which another one is searched; 1 for those that are factors."""
     given = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
     return given.get(name, 1.0)
 
@@ -326,6 +330,7 @@ def _minimum(
     count, centre = len(start), np.clip(start, *limits)
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
+    # The points of a quadratic function: the centre, one step along each axis and back, and one along each pair.
     places = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
     found, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
@@ -347,6 +352,7 @@ def _minimum(
             lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
             variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
             errors = np.sqrt(variance + (least + np.linalg.solve(*fits[0])) ** 2) * apart
+        # Beyond one and a half steps the quadratic function is an extrapolation.
         if np.abs(least).max() <= 1.5:
             break
         centre = np.clip(centre + np.clip(least, -3.0, 3.0) * apart, *limits)
@@ -358,6 +364,7 @@ def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, 
     count = (len(values) - 1 - len(pairs)) // 2
     up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
     bend = np.diag(up + down)
+    # f(x + y) - f(x) - f(y) + f(0) is the mixed derivative.
     for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
         bend[i, k] = bend[k, i] = value - up[i] - up[k]
     return bend, (up - down) / 2.0

@@ -71,11 +71,11 @@ MISFIT = "misfit"
 
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # bytes
-_OFF = 0.02  # by which lengths of the file and of the objective may differ
-_BELOW = 0.02  # of the voxels: so many are not below the offset by chance
-_USUAL_STEPS = 60  # of a restoration
-_EARLY = 0.3  # of the work, after the steps in which a misfit may be found
-_LEAST_PLANES = 8  # of the margin
+_OFF = 0.02  # largest relative difference of lengths of the file and of the objective
+_BELOW = 0.02  # share of the voxels that are not below the offset by chance
+_USUAL_STEPS = 60  # usual number of steps of a restoration
+_EARLY = 0.3  # share of the work done after the steps in which a misfit may be found
+_LEAST_PLANES = 8  # least margin in planes
 
 Shown = Callable[[float, str], object]
 
@@ -421,7 +421,7 @@ def restore(
             path=opened.path,
         )
         left = _mask_of(mask, hidden, opened.shape)
-        target = held.enter_context(_begun(out, (len(chosen), *opened.shape[1:]), described))
+        target = held.enter_context(_destination(out, (len(chosen), *opened.shape[1:]), described))
         made = _by_channel(opened, chosen, models, options, left, target, notes, progress or silent)
         values = target.finish(" ".join(notes), len(made))
     findings = Findings(
@@ -698,7 +698,7 @@ def _model(
 
 
 class _ReversedStack:
-    """A stack whose planes are taken in the other order."""
+    """A stack with its planes in reverse order."""
 
     def __init__(self, stack: Stack) -> None:
         self._stack = stack
@@ -718,7 +718,7 @@ Chunk = tuple[int, slice, slice, slice]
 
 
 class _Target:
-    """Where values go: an array, or a folder of OME-Zarr that is given its name when it is complete."""
+    """The destination of values: an array, or an OME-Zarr folder that gets its name when it is complete."""
 
     def __init__(self, shape: tuple[int, ...], begun: Unfinished | None) -> None:
         self.shape, self.begun = shape, begun
@@ -758,6 +758,7 @@ class _Target:
         if self.begun is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
+        # Checked once more: chunks of an earlier call may have been replaced while this one wrote others.
         if not all(self._same(*each) for each in self._kept):
             raise ValueError(f"chunks in {line(self.begun.room)} were changed while it was written; call again")
         recordings.require_own(self.begun.place)
@@ -769,7 +770,7 @@ class _Target:
 
 @contextmanager
 def _damaged(begun: Unfinished) -> Iterator[None]:
-    """Tell what zarr cannot read or write."""
+    """Turn errors of zarr into a sentence that names the folder."""
     try:
         with atomic.as_path_error(begun.place):
             yield
@@ -784,8 +785,8 @@ def _name(at: Chunk) -> str:
 
 
 @contextmanager
-def _begun(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
-    """Yield where values of a shape go."""
+def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
+    """Yield the destination of values of a shape."""
     if out is None:
         yield _Target(shape, None)
         return
@@ -855,7 +856,7 @@ class _Job:
         self._steps = 0  # that agree best with photons that were held out
 
     def run(self, mask: NDArray[np.bool_] | None, tell: Shown) -> RestoredChannel:
-        """Restore the channel but for what a mask hides."""
+        """Restore the channel, without the voxels that a mask hides."""
         options, notes = self._options, self._notes
         tell(0.0, "noise")
         source = self._recorded(mask)
@@ -902,7 +903,7 @@ class _Job:
         )  # fmt: skip
 
     def _recorded(self, mask: NDArray[np.bool_] | None) -> _Source:
-        """Return the stack without voxels that are saturated, masked or hot, and its noise."""
+        """Return the stack without saturated, masked or hot voxels, and its noise."""
         given = self._options.noise
         limit = self._limit(self._options.saturation)
         if mask is not None:
@@ -931,6 +932,7 @@ class _Job:
             self._notes.append(words)
         source.turned = direction == "down"
         if source.turned:
+            # Results are turned back at the end.
             source.stack = _ReversedStack(source.stack)
         return context._replace(stack=source.stack)
 
@@ -956,7 +958,7 @@ class _Job:
         return min(deep // 2, max(_LEAST_PLANES, len(self._stack) // 4)), side // 2
 
     def _note_psfs(self, psfs: PSFs, depths: Array) -> None:
-        """Note of which depths PSFs are, and what a restored value is."""
+        """Note the depths of the PSFs, and the unit of a restored value."""
         notes, model, nodes = self._notes, self._model, psfs.depths
         above = int((depths <= 0.0).sum())
         if above > 1:
@@ -978,8 +980,9 @@ class _Job:
     def _request(
         self, source: _Source, psfs: PSFs, margin: tuple[int, int], side: int, background: Background
     ) -> str:
-        """Return the checksum of all that restored values depend on."""
+        """Return the checksum of everything that restored values depend on."""
         model, options, stack = self._model, self._options, source.stack
+        # The first and last PSF stand for the model: a change of the optics changes these.
         ends = [hashlib.sha256(model.psf(psfs.depths[at]).values.tobytes()).hexdigest() for at in (0, -1)]
         content = (
             _hashed(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
@@ -989,7 +992,7 @@ class _Job:
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
     def _conclude(self, found: _Outcome, context: StackContext, tell: Shown) -> None:
-        """Add what is found of the restoration, and of a misfit which other PSFs the stack follows better."""
+        """Add the findings of the restoration, and of a misfit those PSFs that the stack follows better."""
         options, finding = self._options, found.finding
         if finding is not None:
             if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubts():
@@ -1002,7 +1005,7 @@ class _Job:
             )
 
     def _held_out(self, context: StackContext, estimate: bool, tell: Shown) -> float | None:
-        """Compare PSFs by photons that are held out, and return the level of the background, if it is to be found."""
+        """Compare PSFs by held-out photons, and return the level of the background if it is to be estimated."""
         if not self._options.diagnosis:
             return None
         held = HeldOut(context, tell)
@@ -1025,11 +1028,11 @@ class _Job:
         return held.level(own)
 
     def _doubts(self) -> tuple[str, ...]:
-        """Return the codes of what is in doubt."""
+        """Return the codes of findings in doubt."""
         return tuple(each.code for each in self._findings if each.severity == "doubt")
 
     def _without_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
-        """Return the stack without its hot pixels and voxels, its noise, and the value that unknown voxels reach."""
+        """Return the stack without hot pixels and voxels, its noise, and the value that marks unknown voxels."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
         if count := int(pixels.sum()):
@@ -1056,8 +1059,9 @@ class _Job:
         return known, camera, known.limit
 
     def _doubt(self, camera: Noise) -> None:
-        """Note where the noise that was given is not that of the stack."""
+        """Note where the stated noise differs from that of the stack."""
         planes, lowest = len(self._stack), math.inf
+        # Three standard deviations of reading; 0.3 counts for the rounding to integers.
         dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
         below = 0
         for plane in range(planes):
@@ -1096,13 +1100,14 @@ class _Job:
         if tile is not None:
             return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
         side, overlap = int(max(height, width)), self._model.window[1]
+        # Chunks of equal size: one more along each side until they fit.
         while side > 64 and self._bytes(side, overlap, margin, psfs, specimens) > self._options.memory:
             pieces = math.ceil(max(height, width) / side) + 1
             side = math.ceil(max(height, width) / pieces)
         return side
 
     def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
-        """Return about how much memory a chunk takes, with so many arrays as large as the specimen."""
+        """Return the approximate memory of a chunk, with `specimens` arrays as large as the specimen."""
         planes, height, width = self._stack.shape
         given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
         whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
@@ -1111,6 +1116,7 @@ class _Job:
         if psfs.radial is not None:
             transfers = float(len(psfs.radial.frequencies) * planes * deep)
         # With the transforms of all planes, and a tenth for the coarse grid.
+        # Four bytes a value.
         return 4.4 * float(specimens * deep * whole + 3.0 * planes * given + transfers)
 
     def _by_chunks(
@@ -1128,8 +1134,10 @@ class _Job:
         method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
         sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
         tiles = sorted(
-            tiles_of((height, width), sides, self._model.window[1]), key=lambda tile: _off(tile[0], height, width)
+            tiles_of((height, width), sides, self._model.window[1]),
+            key=lambda tile: _distance_from_middle(tile[0], height, width),
         )
+        # All chunks start from the same light.
         level = None if len(tiles) == 1 else _level(source)
         course: list[Move] | None = None
         per = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
@@ -1138,6 +1146,7 @@ class _Job:
             at = np.s_[self._place, :, *place]
             if number and self._target.has(request, at):
                 continue
+            # The level is that of the whole stack where there are several chunks.
             counted = PoissonCounts(_loaded(source.stack, *around), source.camera.part(*around), source.limit)
             counted.level = counted.level if level is None else level
             size = (planes, *(part.stop - part.start for part in around))
@@ -1155,7 +1164,7 @@ class _Job:
             count, why, each = self._solved(iteration, told, alone=level is None)
             if course is None:
                 course, found.steps, found.strength = iteration.course, count, iteration.strength
-                found.finding = self._ended(counted, why, count, counted.mean(each))
+                found.finding = self._central_finding(counted, why, count, counted.mean(each))
                 is_misfit = found.finding is not None and found.finding.code == "misfit"
                 found.stopped = MISFIT if is_misfit else why
             if isinstance(found.background, np.ndarray):
@@ -1170,6 +1179,7 @@ class _Job:
             kept *= per
             corner = around[0].start, around[1].start
             self._projecting.add(*place, corner, blur, counted, iteration.guess, kept)
+            # In the order of the recording.
             self._target.put(request, at, kept[::-1] if source.turned else kept)
         return found
 
@@ -1194,7 +1204,7 @@ class _Job:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
-    def _ended(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
+    def _central_finding(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
         """Return what is wrong with the central chunk."""
         finding = counted.finding(why, steps, discrepancy)
         is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
@@ -1205,7 +1215,7 @@ class _Job:
 
 
 class _ChunkProgress:
-    """Tells the steps of a chunk as a share of all."""
+    """Reports the steps of a chunk as a share of all work."""
 
     def __init__(self, tell: Shown, number: int, count: int, steps: int, doubtful: bool) -> None:
         self._tell, self._number, self._count, self._steps = tell, number, count, steps
@@ -1226,7 +1236,7 @@ class _ChunkProgress:
 
 
 def _within(tell: Shown, begin: float, end: float) -> Shown:
-    """Return what says shares of a part of the work."""
+    """Return the function that reports shares of a part of the work."""
     return lambda share, words: tell(begin + (end - begin) * share, words)
 
 
@@ -1248,7 +1258,7 @@ def _explained(misfit: Finding, others: list[str]) -> Finding:
 def _shares(
     context: StackContext, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
 ) -> tuple[float, float, float]:
-    """Return about which share of the work is done once the direction of z, the PSF, and the background are found."""
+    """Return the share of the work done after the direction of z, after the PSF, and after the background."""
     height, width = context.stack.shape[1:]
     part = math.prod(at.stop - at.start for at in crop) / (height * width)
     first, second = (part * steps for steps in estimated_steps(direction, refine))
@@ -1266,7 +1276,7 @@ def _estimate(name: str, value: float, error: float) -> str:
 
 
 def _gain(camera: Noise, error: float) -> str:
-    """Return a gain that was measured, in words."""
+    """Return a measured gain in words."""
     gain = 1.0 if camera.white is None else float(camera.white)
     return " +- ".join(with_error(gain, gain * error)) + " electrons per count"
 
@@ -1289,7 +1299,7 @@ def _level(source: _Source) -> float:
     return total / max(weights, 1e-30)
 
 
-def _off(part: tuple[slice, slice], height: int, width: int) -> float:
+def _distance_from_middle(part: tuple[slice, slice], height: int, width: int) -> float:
     return math.hypot(*(at.start + at.stop - side for at, side in zip(part, (height, width), strict=True)))
 
 

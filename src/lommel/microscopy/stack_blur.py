@@ -81,6 +81,7 @@ def kernel_of(psf: PSF) -> Kernel:
     steps = np.diff(z)
     if z.ndim != 1 or np.ptp(steps) > 1e-6 * np.abs(steps).max():
         raise ValueError(f"psf must be one stack over even steps of z, got steps {np.unique(steps)[:3]} metres")
+    # The plane of the point: z = 0.
     origin = int(np.abs(z).argmin())
     if abs(z[origin]) > 1e-6 * abs(steps[0]):
         raise ValueError(f"psf must have a plane at z = 0, the nearest is at {z[origin]:g} metres")
@@ -102,10 +103,10 @@ class _Job(NamedTuple):
     inside: Plane
 
 
-_SHARE = 3.0  # of the recording that the transform of a tile takes, in memory
+_SHARE = 3.0  # largest memory of the transform of a tile, over that of the recording
 _SMALL = 2**23  # values that it may have in any case
-_COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # of a transform that are filtered in one go, in the order of the core
-_ALIKE = 1e-6  # of the largest value, by which a kernel may differ from its mirror image
+_COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # columns of a transform that the core filters together, in its order
+_ALIKE = 1e-6  # of the largest value: largest difference of a kernel from its mirror image
 
 
 class TiledBlur(PlaneOperator):
@@ -136,6 +137,7 @@ class TiledBlur(PlaneOperator):
         self._lower = middle
         self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
         self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
+        # Planes beyond the margin that the outermost ones stand for: their PSFs reach the recording.
         self._depth: int = engine.fft_length(self.whole[0] + self._before + self._after)
         self._weights = np.ones((1, self.whole[0]), np.float32) if weights is None else weights.astype(np.float32)
         most = max(_SHARE * math.prod(shape), _SMALL) / self.whole[0]
@@ -165,7 +167,7 @@ class TiledBlur(PlaneOperator):
         self._room: Values | None = None
 
     def _learn(self, number: int, kernel: Array) -> None:
-        """Keep what is needed to convolve with a kernel."""
+        """Keep the transform of a kernel."""
         self._transfers.append(self._transfer(kernel, _mirrored(kernel)))
 
     def _transfer(self, kernel: Array, even: bool) -> Values:
@@ -192,6 +194,7 @@ class TiledBlur(PlaneOperator):
         order = np.arange(len(kernel)) - middle[0]
         for row in range(rows):
             column[order, : made.shape[2]] = made[:, row]
+            # The inverse transform is not scaled: the factor is in the transfer function.
             found = (rfft(column, axis=0) if even else fft(column, axis=0)) / np.float32(self._depth)
             parts = found.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
             out[row, :, :, 0], out[row, :, :, 1] = parts.real, parts.imag
@@ -216,7 +219,7 @@ class TiledBlur(PlaneOperator):
         return limits, places
 
     def _share(self, number: int, kernel: Array) -> None:
-        """Add the share of the light that falls on the recording, of a kernel."""
+        """Add the share of a kernel's light that falls on the recording."""
         (top, bottom), (left, right) = self._limits
         # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
         along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
@@ -227,6 +230,7 @@ class TiledBlur(PlaneOperator):
                 continue
             begin = self._margin[0] + self._lower[0] - at
             low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
+            # Sums over rectangles from cumulative sums, at four corners.
             sums = (along[high] - along[low]).cumsum(axis=0).cumsum(axis=1)
             between = sums[bottom] - sums[top]
             self._seen[plane] += share * (between[:, right] - between[:, left])
@@ -250,22 +254,26 @@ class TiledBlur(PlaneOperator):
         return made
 
     def release(self) -> None:
-        """Give back what transforms took; they take it again."""
+        """Release the memory of transforms; it is taken again when needed."""
         self._room = None
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        first, second = (
+            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
+        )
         return _spread(self._seen[plane], first, second)
 
     def weigh(self, weight: float) -> None:
-        """State by what to divide besides, in :meth:`per_seen`."""
+        """Set the weight that :meth:`per_seen` divides by as well."""
         with np.errstate(divide="ignore"):
             self._per = np.where(self._seen * weight > UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
-        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        first, second = (
+            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
+        )
         return _spread(self._per[plane], first, second)
 
     def _jobs(
@@ -290,7 +298,7 @@ class TiledBlur(PlaneOperator):
                 yield _Job(core, (rows, columns), (above, beside), inside)
 
     def _transformed(self, values: Part, planes: int, job: _Job) -> None:
-        """Transform planes into the first of the room, each laterally."""
+        """Transform planes into the first ones of the room, each laterally."""
         from scipy.fft import rfft2
 
         if self._room is None:
@@ -299,6 +307,7 @@ class TiledBlur(PlaneOperator):
 
         def transform(plane: int) -> None:
             with spare.taken() as tile:
+                # The rest of the tile stays dark: each is written at the same place.
                 tile[job.placed] = values(plane, *job.taken)
                 room[plane] = rfft2(tile)
 
@@ -346,7 +355,7 @@ def _kernel(given: PSF | Array | Kernel) -> Kernel:
 
 
 class _Spare:
-    """Dark tiles, each of one thread at a time."""
+    """Tiles of zeros, each used by one thread at a time."""
 
     def __init__(self, shape: tuple[int, int]) -> None:
         self._shape, self._tiles = shape, list[Values]()
@@ -369,7 +378,7 @@ def _mirrored(kernel: Array) -> bool:
     return all(np.allclose(kernel, np.flip(kernel, axis), rtol=0.0, atol=limit) for axis in (1, 2))
 
 
-def _at(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
+def _places_of_part(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
     """Return what `TiledBlur._edges` says of an axis, of a part of it."""
     low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
     return place[part], low, max(low, high)
@@ -388,9 +397,10 @@ def _spread(values: Values, first: _Places, second: _Places) -> Values:
 
 
 def _tile(side: int, kernel: int, most: int) -> int:
-    """Return the side of tiles, of which few do for `side` pixels."""
+    """Return the side of tiles such that few cover `side` pixels."""
     from scipy.fft import next_fast_len
 
+    # Tiles of less than twice the kernel would consist of overlap for the most part.
     core = max(most, 2 * kernel) - kernel + 1
     pieces = math.ceil(side / core)
     return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
@@ -402,12 +412,12 @@ def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
     return rows, columns
 
 
-_APART = 0.2  # radians between two frequencies, at the edge of the PSF
-_FREQUENCIES_TOGETHER = 16  # magnitudes of frequencies that are a task of a thread
+_APART = 0.2  # radians between two neighbouring frequencies, at the edge of the PSF
+_FREQUENCIES_TOGETHER = 16  # magnitudes of frequencies in a task of a thread
 _ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
 
 
-_BESIDE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # what a B-spline has at the voxels beside its middle
+_BESIDE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # B-splines of a degree at the voxels beside their middle
 
 
 class RadialTransfer:
@@ -434,11 +444,13 @@ class RadialTransfer:
         pixels, spline = self._parts
         found = np.sinc(frequency) if pixels else np.ones(frequency.shape)
         beside = _BESIDE[spline]
+        # A B-spline of values b beside 1 - 2 b has the transfer function 1 - 2 b (1 - cos 2 pi f).
         return np.asarray(found / (1.0 - 2.0 * beside * (1.0 - np.cos(2.0 * math.pi * frequency))))
 
     def __call__(self, kernel: Array) -> Values:
-        """Return it of the planes of an even kernel, shape (frequencies, planes)."""
+        """Return the transfer function of the planes of an even kernel, shape (frequencies, planes)."""
         values = kernel.astype(np.float32)
+        # On an axis: the transform of sums over the other one. On the diagonal: cosines along both.
         near = product(values.sum(axis=1), self._axis)
         half = product(values.reshape(-1, values.shape[2]), self._slanted).reshape(*values.shape[:2], -1)
         far = np.einsum("yf,pyf->pf", self._slanted, half)
@@ -446,11 +458,12 @@ class RadialTransfer:
         return np.ascontiguousarray(made.T, np.float32)
 
     def misfit(self, kernel: Array) -> float:
-        """Return by how much the transfer function of a kernel differs from this, rms over its own."""
+        """Return the rms difference of a kernel's transfer function from this, over its own rms."""
         from scipy.fft import rfft2
 
         sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
         half = kernel.shape[1] // 2
+        # A shift of the middle to the first pixel, as a phase.
         known = rfft2(kernel, sides) * np.exp(
             2j * math.pi * half * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
         )
@@ -461,7 +474,7 @@ class RadialTransfer:
         return float(np.sqrt((np.abs(off) ** 2).sum() / (np.abs(known) ** 2).sum()))
 
     def places(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
-        """Return the frequencies of a tile: number of the one below, share of the one above, transfer of a pixel."""
+        """Return for each frequency of a tile the index below, the share of that above, and the pixel's transfer."""
         down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
         place = np.hypot(down, across).ravel() / self.apart
         pixel = (self._own(down) * self._own(across)).ravel()
@@ -508,7 +521,7 @@ class PlaneBlur(TiledBlur):
                 self._matrices[:, low:high, number] += transfer[:, low - start : high - start]
 
     def _along(self, *, transposed: bool) -> None:
-        """Multiply each frequency of the room by its matrix, or the transpose of it, in place."""
+        """Multiply each frequency of the room by its matrix or the transpose, in place."""
         assert self._room is not None
         flat = self._room.reshape(self.whole[0], -1)
         given, made = (self.shape[0], self.whole[0]) if transposed else (self.whole[0], self.shape[0])
@@ -523,6 +536,7 @@ class PlaneBlur(TiledBlur):
             first, second = self._matrices[level], self._matrices[level + 1]
             if transposed:
                 first, second = first.T, second.T
+            # Complex values as pairs of real ones: the matrices are real.
             found = product(first, (values * self._below[here]).view(np.float32))
             values *= self._above[here]
             found += product(second, values.view(np.float32))
@@ -567,6 +581,7 @@ class WideBlur(PlaneOperator):
             for side, count in zip(near.whole[1:], nodes, strict=True)
         ]
         down, across = (each.shares.sum(axis=0) for each in self._given)
+        # A node stands for pitch^2 pixels: what those of the specimen do not fill is outside.
         self._beyond = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
         self.outside = np.ones(near.whole[0], np.float32)
         ones = np.outer(*(each.shares.sum(axis=0) for each in self._recorded)).astype(np.float32)
@@ -594,7 +609,7 @@ class WideBlur(PlaneOperator):
         return self._near.adjoint(recording, self._added(light, self._given, take))
 
     def release(self) -> None:
-        """Give back what transforms took; they take it again."""
+        """Release the memory of transforms; it is taken again when needed."""
         self._near.release()
         self._far.release()
 
@@ -605,7 +620,7 @@ class WideBlur(PlaneOperator):
         return found
 
     def weigh(self, weight: float) -> None:
-        """State by what to divide besides, in :meth:`per_seen`."""
+        """Set the weight that :meth:`per_seen` divides by as well."""
         self._weight = weight
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
@@ -614,7 +629,7 @@ class WideBlur(PlaneOperator):
 
     @property
     def per_outside(self) -> Values:  # type: ignore[override]
-        """1 over the light of the outside that falls on the recording, and the weight."""
+        """1 over the weight and the light from outside that falls on the recording."""
         return per(self.outside_seen * np.float32(self._weight))
 
     def _returned(self, light: Values) -> Values:
@@ -646,7 +661,7 @@ class WideBlur(PlaneOperator):
         return made
 
     def _added(self, light: Values, hats: list[_Hats], take: Take[Made]) -> Take[Made]:
-        """Return `take`, with interpolated light added to what it gets."""
+        """Return `take` with interpolated light added to its values."""
 
         def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
             values += _between(light[plane], hats, rows, columns)
@@ -656,7 +671,7 @@ class WideBlur(PlaneOperator):
 
 
 class _Hats:
-    """The share of each pixel in each node of a coarse grid: node `lower` is at pixel `before`."""
+    """The share of each pixel in each node of a coarse grid; node `lower` is at pixel `before`."""
 
     def __init__(self, side: int, before: int, pitch: int, lower: int, nodes: int) -> None:
         place = (np.arange(side) - before) / pitch + lower
@@ -667,7 +682,7 @@ class _Hats:
         self.shares[np.arange(side)[inside], self._first[inside] + 1] = (place - self._first)[inside]
 
     def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
-        """Yield parts of the pixels, and the few nodes in which these have a share."""
+        """Yield parts of the pixels, with the few nodes in which these have a share."""
         for start in range(pixels.start, pixels.stop, _TOGETHER):
             stop = min(start + _TOGETHER, pixels.stop)
             yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
@@ -687,24 +702,25 @@ def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> V
 
 
 def per(seen: Values) -> Values:
-    """Return 1 over what is seen, 0 where that is next to nothing."""
+    """Return 1 over `seen`, 0 where next to nothing is seen."""
     with np.errstate(divide="ignore"):
         return np.where(seen > UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
 
 
-_TOGETHER = 64  # pixels that are interpolated in one go, between few of all nodes
+_TOGETHER = 64  # pixels that are interpolated together, between few of all nodes
 
 
 def pitch_of(side: int) -> int:
-    """Return the pitch of the coarse grid beside a window of so many pixels."""
+    """Return the pitch of the coarse grid beside a window of `side` pixels."""
     return 5 if side > 33 else 3
 
 
 def taper(side: int, pitch: int, at: Array | None = None) -> Array:
-    """Return the share of the light that is near, over a window, or at distances from its middle along both axes."""
+    """Return the share of light that counts as near, over a window or at distances from its middle on both axes."""
     along = np.arange(side) - side // 2 if at is None else at
     half = side // 2 + 0.5
     wide = min(2.0 * pitch, 0.7 * half)
     radius = np.hypot(along[:, np.newaxis], along)
     inside = np.clip((half - radius) / wide, 0.0, 1.0)
+    # A raised cosine: its slope is 0 at either end.
     return np.asarray(0.5 - 0.5 * np.cos(math.pi * inside))

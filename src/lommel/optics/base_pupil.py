@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 OfEach = Callable[[Any], Any]
-"""From an array of the shape of a stack, or a stack of wavefronts, to a part of it or to another shape."""
+"""Signature: array of a stack's shape, or stack of wavefronts -> part of it, or the same in another shape."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Geometry:
 
     @cached_property
     def distances(self) -> Array:
-        """`object_distance` as an array: a long stack is indexed often."""
+        """`object_distance` as an array, cached since long stacks are indexed often."""
         return np.array(self.object_distance)
 
     @property
@@ -76,9 +76,9 @@ class Geometry:
 
 
 class BasePupil(display.Shown):
-    """A pupil, or a stack of pupils, of a lens or of a microscope objective."""
+    """Base of a pupil, or a stack of pupils, of a lens or a microscope objective."""
 
-    # No ABC: isinstance would take a tenth of the time of a small PSF. Mypy checks abstract methods all the same.
+    # Not an ABC: isinstance would take a tenth of the time of a small PSF; mypy checks abstract methods anyway.
 
     layered: ClassVar[bool] = False
     """Whether the light comes through plane layers, as in a microscope."""
@@ -170,7 +170,7 @@ class BasePupil(display.Shown):
 
     @abstractmethod
     def _each(self, of: OfEach) -> Self:
-        """Return the stack with `of` applied to every array and stack of wavefronts that varies in it."""
+        """Return the stack with `of` applied to each array and stack of wavefronts that varies in it."""
 
     @abstractmethod
     def in_light(self, wavelength: float) -> Self:
@@ -195,7 +195,7 @@ class BasePupil(display.Shown):
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Bounds on the phase (radians) and on the relative amplitude that the expansions leave out."""
+        """Bounds on the truncation errors of the expansions: phase (radians) and relative amplitude."""
         return 0.0, 0.0
 
     @property

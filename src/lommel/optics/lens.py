@@ -60,7 +60,7 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
-_LONG = 1.0  # metres: longer lenses for photographs have an obscuration
+_LONG = 1.0  # metres; photographic lenses as long as this are mirrors with an obscuration
 _VISIBLE = (380e-9, 780e-9)
 _OF_PUPIL = ("obscuration", "wavelength", "spider", "vignetting", "mask", "stop")
 _Numbers = float | NDArray[np.float64]
@@ -197,7 +197,7 @@ class Lens(display.Shown):
             colour=colour,
         )
         validation.optional("colour", colour, Colour)
-        # Refuse shapes that leave nothing clear now, not at the first pupil.
+        # Shapes that leave nothing clear are refused here, not at the first pupil.
         Pupil(obscuration=self.obscuration, spider=spider, vignetting=vignetting, mask=mask, stop=stop)
         visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
         if f > _LONG and f_number is not None and visible and not self.obscuration:
@@ -207,7 +207,7 @@ class Lens(display.Shown):
                 stacklevel=2,
             )
         if model == "aplanatic":
-            self.phase(0.0)  # refuse an impossible rim now
+            self.phase(0.0)  # refuses a rim that the sine condition excludes
         self.pupil_colour  # noqa: B018 (refuse a wavelength beyond the table now)
 
     def __repr__(self) -> str:
@@ -236,6 +236,7 @@ class Lens(display.Shown):
     @property
     def focus_distance(self) -> float:
         """Object distance in focus, metres; infinite or negative where the sensor is at or inside the focal plane."""
+        # A sensor in the focal plane to rounding: infinity, not 1e16 metres.
         vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
@@ -283,6 +284,7 @@ class Lens(display.Shown):
         if isinstance(light, Apodization):
             light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
         elif isinstance(light, float):
+            # exp(-g rho^2) in metres is the same; over a radius smaller by 1 / ratio, g is smaller by its square.
             light = light / ratio**2
         return replace(
             self,
@@ -305,11 +307,11 @@ class Lens(display.Shown):
         return replace(
             self,
             wavelength=wave,
-            # Phases of segments are path differences.
+            # Phases of segments are path differences, in radians inversely proportional to the wavelength.
             stop=stop.scaled(self.wavelength / wave) if isinstance(stop, Segments) else stop,
             focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
             aberrations=same_path(self.aberrations, self.wavelength, wave),
-            # The cosine depends on the angles only, which all wavelengths share.
+            # The cosine depends on angles only, which are the same at all wavelengths.
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
         )
 
@@ -336,15 +338,15 @@ class Lens(display.Shown):
         """
         return np.asarray(self._defocus(self._object_distance(object_distance)))
 
-    # For one object in Python floats, which take half the time of NumPy scalars.
+    # Python floats for a single object: half the time of NumPy scalars.
     def _defocus(self, s: _Numbers) -> _Numbers:
         vergence, waves, area = self._of_defocus
         return waves * (vergence + 1.0 / s) * area
 
     @cached_property
     def _of_defocus(self) -> tuple[float, float, float]:
-        """The terms of C_d without 1/s."""
-        # The paper, Eq. 3, without the distance of the object.
+        """Terms of C_d without the object distance: vergence, pi / (2 lambda) and the squared radius."""
+        # Eq. 3 of the paper.
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
         return vergence, math.pi / (2.0 * self.wavelength), (0.5 * self.aperture_diameter) ** 2
 
@@ -382,7 +384,7 @@ class Lens(display.Shown):
         """Amplitude across the pupil."""
         if not isinstance(self.apodization, str):
             return illumination(self.apodization)
-        # (cos theta)^(-1/2), with sin theta = rho R_max / d on the reference sphere.
+        # (cos theta)^(-1/2) of the sine condition, sin theta = rho R_max / d on the reference sphere.
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
 
     @cached_property
@@ -413,14 +415,14 @@ class Lens(display.Shown):
                 raise ValueError(
                     f"object_distance must broadcast with the aberrations, got shapes {shapes}"
                 ) from None
-        # A single pupil, which most are, needs no arrays.
+        # A single pupil, the most frequent case, needs no arrays.
         one = isinstance(s, float) and not wavefront.shape
         distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))
 
     @cached_property
     def _in_focus(self) -> Pupil:
-        """The unaberrated pupil, of which all others are copies."""
+        """Unaberrated pupil, copied with another wavefront for each object."""
         shared = {name: getattr(self, name) for name in _OF_PUPIL}
         return Pupil(
             f_number=self.working_f_number,

@@ -90,7 +90,7 @@ class Pupil(BasePupil):
     colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
-    # Fields, not properties: they are read several times for a PSF that takes microseconds.
+    # Fields, not properties: read several times in a PSF that takes microseconds.
     radial: bool = field(init=False, repr=False, compare=False)
     aperture: tuple[object, ...] = field(init=False, repr=False, compare=False)
 
@@ -130,11 +130,11 @@ class Pupil(BasePupil):
         """Shape of the stack; ``()`` for a single pupil."""
         return self.wavefront.shape
 
-    # Cached properties are of the aperture only, since `carrying` copies them to pupils with other wavefronts.
+    # Cached properties may depend on the aperture only: `carrying` copies them to pupils with other wavefronts.
 
     @property
     def within_disc(self) -> bool:
-        """Whether it is no sampled mask, whose transfer function is made of waves."""
+        """Whether there is no sampled mask, whose transfer function is a sum of waves."""
         return self.mask is None
 
     @cached_property
@@ -169,7 +169,7 @@ class Pupil(BasePupil):
 
     @property
     def phase_mask(self) -> bool:
-        """Whether its mask has phases."""
+        """Whether the mask is complex."""
         return self.mask is not None and self.mask.values.dtype.kind == "c"
 
     @property
@@ -188,26 +188,26 @@ class Pupil(BasePupil):
 
     @property
     def samples(self) -> tuple[RowRule, ...]:
-        """The samples of the mask, as the compiled core takes them."""
+        """Samples of the mask in the layout of the compiled core."""
         assert self.mask is not None
         return (_sampled_rows(self.opening, self.mask),)
 
     @property
     def likely_peak(self) -> float:
-        """Estimate of the lowest peak: U falls about as the phase across the pupil rises."""
+        """Estimate of the lowest peak: U falls roughly in proportion to the phase across the pupil."""
         size = float(np.abs(self.radial_terms()).sum(axis=1).max())
         return (self.amplitude / (1.0 + 2.0 * size)) ** 2
 
     @property
     def likely_strehl(self) -> float:
         """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
-        # Terms are orthogonal: variances add. Larger ones would overflow.
+        # Terms are orthogonal on the disc: variances add. The clip prevents overflow.
         edge = np.minimum(np.abs(self.wavefront.edge), 1e6)
         return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Bounds on what the expansions of phase (radians) and amplitude leave out."""
+        """Bounds on the truncation errors of phase (radians) and amplitude."""
         return self.wavefront.left_out, self.illumination.error
 
     def in_light(self, wavelength: float) -> Pupil:
@@ -280,7 +280,7 @@ class Pupil(BasePupil):
         return out
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return the largest distance from the axis of rays on the sensor, ``max |grad Phi|``; only of clear rays."""
+        """Return the largest distance from the axis of clear rays on the sensor, ``max |grad Phi|``."""
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
@@ -296,14 +296,14 @@ class Pupil(BasePupil):
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> NDArray[np.float64]:
-        """Return points that fill the clear aperture, and slopes of the segments there."""
+        """Return points that fill the clear aperture, with the slopes of segments there."""
         found = self.opening.raster()
         if self.mask is None:
             return found
         clear = np.abs(self.mask.at(*found[:2])) > 0.0
         if clear.any():
             return found[:, clear]
-        # Light may pass between all points of the raster.
+        # Narrow openings may lie between all points of the raster: nodes of a rule are inside by construction.
         x, y = self.rule(0)[:2]
         return np.stack([x, y, *self.opening.tilted(x, y)[1:]])
 
@@ -311,7 +311,7 @@ class Pupil(BasePupil):
         self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
     ) -> NDArray[np.float64]:
         """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase, with slopes of segments."""
-        # Central differences: an estimate is enough, for it only says how far rays go.
+        # Central differences: an estimate suffices, since it only says how far rays reach.
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -339,7 +339,7 @@ class Pupil(BasePupil):
         if self.phase_mask:
             mask = self.mask
             assert mask is not None
-            # Moduli of cosine and sine are rounded.
+            # Moduli of rounded cosine and sine may exceed 1.
             found = replace(found, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
         return found
 

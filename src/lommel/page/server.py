@@ -119,7 +119,7 @@ class _Handler(BaseHTTPRequestHandler):
     do_HEAD = do_GET  # noqa: N815 (as http.server calls it)
 
     def end_headers(self) -> None:
-        """Send what every answer has, that of an error too."""
+        """Send the headers of every answer, also of errors."""
         for name, value in _ALWAYS:
             self.send_header(name, value)
         super().end_headers()

@@ -36,9 +36,9 @@ class Row(NamedTuple):
     waves: bool = False
     """Whether the number is shown in the unit of the wavefront instead: waves, radians or nanometres."""
     name: str | None = None
-    """For screen readers, where the label does not say enough."""
+    """Text for screen readers, if the label alone is not enough."""
     when: tuple[tuple[str | int, ...], ...] = ()
-    """Settings (key, value, value ...) with any of which the row is shown; empty where it always is."""
+    """Settings (key, value, value ...) any of which shows the row; empty if it is always shown."""
 
 
 class Real(NamedTuple):
@@ -399,7 +399,7 @@ def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
 
 
 def _require_range(state: Json, lens: str) -> None:
-    """Refuse a lens whose numbers are out of the range of the controls."""
+    """Raise ValueError for a lens whose numbers are out of the range of the controls."""
     for name, value in state.items():
         field = FIELDS[name]
         if isinstance(field, Real) and not field.low <= value <= field.high:
@@ -420,7 +420,7 @@ def _without_slider(waves: dict[tuple[int, int], float]) -> tuple[str, float]:
     return text, math.sqrt(sum(c * c for c in rms.values()))
 
 
-_FAR = 1e12  # metres, which stands for infinity
+_FAR = 1e12  # metres that stand for infinity
 
 
 def edge_factor(n: int, m: int) -> float:
@@ -429,7 +429,7 @@ def edge_factor(n: int, m: int) -> float:
 
 
 def _vanes(spider: Spider | None) -> Json:
-    """Return the part of a state with the vanes of a spider; empty where there are none, or not at equal angles."""
+    """Return the part of a state with the vanes of a spider; empty without vanes at equal angles."""
     if spider is None or len(spider.angles) > MOST_VANES:
         return {}
     count, first = len(spider.angles), min(spider.angles, key=abs)

@@ -1,4 +1,4 @@
-"""What a stack shows of its camera: gain, offset and read noise, hot voxels and cosmic rays."""
+"""Noise of a camera from a stack: gain, offset and read noise, hot voxels and cosmic rays."""
 
 from __future__ import annotations
 
@@ -14,25 +14,26 @@ from lommel.base.units import with_error
 from lommel.recorded.counts import PlanePart, Stack, plane_of
 from lommel.recorded.noise import Noise
 
-_SURE = 10.0  # standard deviations of the noise,
-_SHARPER = 2.0  # and times what the PSF lets a point exceed its neighbours by
+_SURE = 10.0  # standard deviations of the noise that the excess of a hot voxel has at least,
+_SHARPER = 2.0  # and times the largest excess of a point over its neighbours that the PSF allows
 MOST = 1e-3
 """Of all voxels, that single events are: more are points of light, sharper than PSFs that are too wide."""
 
-_PERSISTENT = 8.0  # standard errors, by which the mean over all planes exceeds that of the neighbours
-_MOSTLY = 0.75  # of the planes: at least so many above the median of the neighbours,
-_ABOVE = 0.6  # and more above them all;
-_BUT_ONE = 0.5  # or in the mean by so much of the excess above all but one, which may be hot, too
-_PLANES_COMPARED = 32  # that are looked at
-_FEW = 5  # planes, below which nothing is persistent
-_PASSES = 3  # of which each leaves out what the last one found
+_PERSISTENT = 8.0  # standard errors of the mean excess over all planes above the neighbours
+_MOSTLY = 0.75  # share of the planes in which a hot pixel exceeds the median of its neighbours,
+_ABOVE = 0.6  # and share in which it exceeds them all;
+_BUT_ONE = 0.5  # or mean excess above all but one, which may be hot too, over that above the median
+_PLANES_COMPARED = 32  # planes that are compared, evenly spaced
+_FEW = 5  # planes: with fewer nothing counts as persistent
+_PASSES = 3  # passes, each without the hot pixels of the last
+# The eight neighbours, those of them that share a side, and the ring at twice the distance.
 _NEAR = [(y, x) for y, x in product((-1, 0, 1), (-1, 0, 1)) if y or x]
 _SIDES = [(y, x) for y, x in _NEAR if 0 in (y, x)]
 _NEXT = [(2 * y, 2 * x) for y, x in _NEAR]
 
 
 def sharpness(psf: Array) -> float:
-    """Return how many times brighter the brightest voxel of a PSF is than the next in its plane."""
+    """Return the brightest voxel of a PSF over the next brightest around it in its plane."""
     plane, row, column = np.unravel_index(int(psf.argmax()), psf.shape)
     around = psf[plane, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].copy()
     top = float(around.max())
@@ -65,7 +66,7 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 def _persistent(
     stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], steepest: float
 ) -> NDArray[np.bool_]:
-    """Return hot pixels beside those that are known."""
+    """Return hot pixels besides the known ones."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
     total, steps, slopes, seen, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
     for plane in planes:
@@ -74,6 +75,7 @@ def _persistent(
         light = gain * (given - noise.offset)
         light = np.where(known, light, np.median(light[known]) if known.any() else 0.0)
         height, width = light.shape
+        # Two pixels for the ring at twice the distance.
         padded = np.pad(light, 2, mode="reflect")
         at = {(y, x): padded[2 + y : 2 + y + height, 2 + x : 2 + x + width] for y, x in _NEAR + _NEXT}
         near = np.sort([at[place] for place in _NEAR], axis=0)
@@ -87,6 +89,7 @@ def _persistent(
             (light > middle, positive), (light > near[-1], above), ((light - near[-2]) / noisy, but_one),
         ):  # fmt: skip
             sums += np.where(known, values, 0.0)
+    # A sum of n unit deviates has the standard deviation sqrt(n).
     sure = total > _PERSISTENT * np.sqrt(seen)
     often = (positive >= _MOSTLY * seen) & ((above > _ABOVE * seen) | (but_one > _BUT_ONE * total))
     return np.asarray(sure & often & (steps > steepest * slopes) & (seen >= _FEW))
@@ -102,6 +105,7 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
     noise = noise.poisson
     gain = np.asarray(1.0 if noise.white is None else noise.white)
     found = []
+    # The largest of eight neighbours; beyond the edge there is none.
     for plane in range(len(stack)):
         given = np.asarray(stack[plane], dtype=np.float64)
         known = np.isfinite(given)
@@ -113,6 +117,7 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
             if (y, x) != (1, 1):
                 np.maximum(near, padded[y : y + height, x : x + width], out=near)
         base = float(np.median(given[known])) if known.any() else 0.0
+        # Photon noise of the voxel itself, not below that of the background.
         counted = np.maximum(gain * (np.maximum(values, base) - noise.offset), 0.0)
         sure = _SURE * np.sqrt(counted + np.asarray(noise.read) ** 2) / gain
         hot = (values < limit) & (values - base > _SHARPER * sharpest * np.maximum(near - base, 0.0) + sure)
@@ -121,7 +126,7 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 
 
 class LeftOut:
-    """A stack some of whose voxels are unknown: NaN, or, of integers, not below `limit`.
+    """A stack with unknown voxels: NaN, or, of integers, not below `limit`.
 
     These are `voxels`, an array of their planes, rows and columns, and those of a `mask` of all planes, or of each.
     """
@@ -133,6 +138,7 @@ class LeftOut:
         self._stack, self._voxels = stack, np.zeros((0, 3), int) if voxels is None else voxels
         self._mask = np.broadcast_to(False if mask is None else mask, self.shape)
         whole = self.dtype.kind in "iu"
+        # Integers have no NaN: the largest value marks unknown voxels, as saturation does.
         self.limit = min(limit, float(np.iinfo(self.dtype).max)) if whole else limit
         self._unknown = self.dtype.type(self.limit if whole else math.nan)
 
@@ -152,16 +158,16 @@ class LeftOut:
         return part
 
 
-_PLANES = 24  # that are looked at
-_POINTS = 4_000_000  # of all of them, evenly spaced, which is enough and needs little memory
-_READ = 1.6  # rms electrons, where the offset cannot be told from the read noise
+_PLANES = 24  # planes that are used, evenly spaced
+_POINTS = 4_000_000  # points of these that are used, evenly spaced: enough, and little memory
+_READ = 1.6  # rms electrons: default, as the offset cannot be separated from the read noise
 _KERNEL = np.array([1.0, -2.0, 1.0])
-_WINDOW = 5  # pixels of a side of the local mean, in which planes count as they do in the variance
-_STRUCTURE = 16.0  # times the variance: the square of a detail that is no noise
-_SATURATED = 8  # voxels at the largest value of a plane or more
-_MEDIAN = 0.4549  # of the square of a normal deviate
-_DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may be the reason
-_UNSURE = 0.3  # standard error of the gain over itself, from which on it is of no use
+_WINDOW = 5  # pixels a side of the local mean, whose planes have the weights of the variance
+_STRUCTURE = 16.0  # times the variance: larger squares are details, not noise
+_SATURATED = 8  # voxels at the largest value of a plane from which on it counts as saturation
+_MEDIAN = 0.4549  # median of the square of a normal deviate
+_DIFFERENT = 0.3  # difference of the logarithms of variances that details and rounding may cause
+_UNSURE = 0.3  # relative standard error above which the gain is of no use
 
 
 def estimate_noise(stack: Stack, *, read: float = _READ, excess: float = 1.0) -> Noise:
@@ -195,18 +201,20 @@ def estimate_noise(stack: Stack, *, read: float = _READ, excess: float = 1.0) ->
     """
     factor = validation.real("excess", excess, least=1.0, most=100.0)
     found = measured_noise(stack, validation.real("read", read, least=0.0) / factor)[0]
+    # Electrons after multiplication have `excess` times the variance of Poisson's: gain and read noise by it.
     assert found.white is not None
     return Noise(white=found.white * factor, read=read, offset=found.offset, excess=factor)
 
 
 def measured_noise(stack: Stack, read: float = _READ) -> tuple[Noise, float]:
-    """Return the same, and the standard error of the gain over the gain."""
+    """Return the noise, and the relative standard error of the gain."""
     sigma = validation.real("read", read, least=0.0)
     return _fitted(*_points(stack), sigma)
 
 
 def _fitted(mean: Array, squares: Array, independent: float, sigma: float) -> tuple[Noise, float]:
-    """Return the noise of these points, and the standard error of the gain over the gain."""
+    """Return the noise of points of a photon transfer curve, and the relative standard error of the gain."""
+    # Light from the lowest on: the constant of the line is then a variance within the data.
     lowest = float(np.quantile(mean, 1e-3))
     constant, slope, error = _line(mean - lowest, squares)
     error /= math.sqrt(independent)
@@ -216,6 +224,7 @@ def _fitted(mean: Array, squares: Array, independent: float, sigma: float) -> tu
             "does; give a stack that was not filtered and has brighter and darker places, or noise=, such as "
             "lommel.Noise(white=0.46, read=1.6, offset=100) from the data sheet of the camera"
         )
+    # variance = (mean - offset) / gain + (read / gain)^2, solved for the offset; slope is 1 / gain.
     offset = lowest - constant / slope + sigma**2 * slope
     return Noise(white=1.0 / slope, read=sigma, offset=min(offset, lowest)), error / slope
 
@@ -229,10 +238,12 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
     plain = noise.poisson
     given = plain.white, plain.read, plain.offset
     white, read, offset = (float(np.mean(1.0 if each is None else each)) for each in given)
+    # Variance of rounding to integers: 1 / 12.
     rounded = 1.0 / 12.0 if np.dtype(stack.dtype).kind in "iu" else 0.0
     expected = np.maximum(mean - offset, 0.0) / white + (read / white) ** 2 + rounded
     # The median is not that of details, which are no noise.
     ratio = float(np.median(squares / expected)) / _MEDIAN
+    # The standard error of the median of squared normal deviates, over it, is about 2.3 / sqrt(n).
     error = ratio * 2.3 / math.sqrt(mean.size * independent)
     if abs(math.log(ratio)) < max(_DIFFERENT, 4.0 * error):
         return None
@@ -250,7 +261,7 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
 
 
 def _points(stack: Stack) -> tuple[Array, Array, float]:
-    """Return local means, squares of the noise there, and which share of the squares are independent ones."""
+    """Return local means, squares of the noise there, and the share of independent squares."""
     from scipy.ndimage import convolve1d, uniform_filter
 
     stack = validation.computed(stack)
@@ -269,9 +280,12 @@ def _points(stack: Stack) -> tuple[Array, Array, float]:
             planes[planes == top] = np.nan
         high = planes
         for axis in axes:
+            # Second differences along each axis remove smooth light; divided by the norm, the noise keeps its
+            # variance.
             high = convolve1d(high, _KERNEL, axis=axis) / math.sqrt(float(_KERNEL @ _KERNEL))
         mean = uniform_filter(planes, (1, _WINDOW, _WINDOW))
         if beside:
+            # The variance is that of three planes with the weights 1, 4, 1: the mean as well.
             mean = convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)
         pair = np.stack([mean[beside, 2:-2, 2:-2], high[beside, 2:-2, 2:-2] ** 2])
         known = pair[:, np.isfinite(pair).all(axis=0)]
@@ -280,15 +294,17 @@ def _points(stack: Stack) -> tuple[Array, Array, float]:
     if not mean.size:
         raise ValueError("stack must have 6 rows and columns or more whose values are known")
     shared = np.correlate(_KERNEL, _KERNEL, "full")
+    # Neighbouring second differences are correlated: the squares count as fewer independent ones.
     return mean, squares, float((shared.max() ** 2 / (shared @ shared)) ** len(axes))
 
 
 def _line(light: Array, squares: Array) -> tuple[float, float, float]:
-    """Return constant and slope of the likeliest variance, and the standard error of the slope."""
+    """Return constant and slope of the likeliest variance as a line in light, and the slope's standard error."""
     constant, slope = float(squares.mean()), 0.0
     error = math.inf
     for _ in range(50):
         variance = constant + slope * light
+        # A square has the variance 2 variance^2: weights of maximum likelihood, without details.
         weight = (squares < _STRUCTURE * variance) / variance**2
         normal = np.array([[weight.sum(), weight @ light], [weight @ light, weight @ light**2]])
         try:
@@ -297,6 +313,7 @@ def _line(light: Array, squares: Array) -> tuple[float, float, float]:
             return constant, 0.0, math.inf
         before, error = slope, math.sqrt(covariance[1, 1])
         constant, slope = 0.5 * covariance @ [weight @ squares, weight @ (light * squares)]
+        # Positive, so that the variance of the darkest points stays so.
         constant = max(constant, 1e-3 * float(squares.mean()))
         slope = max(slope, 0.0)
         if abs(slope - before) <= 1e-6 * abs(slope):

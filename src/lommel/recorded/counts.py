@@ -15,14 +15,14 @@ from lommel.base.arrays import Array, Values
 from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
-_BITS = (8, 10, 12, 14, 16)  # of the converters of cameras, whose largest values are full
+_BITS = (8, 10, 12, 14, 16)  # of cameras' converters, whose largest values are saturation
 _LEAST = 3  # pixels of the same largest value
-_COUNTS = 3.0  # standard deviation of the noise, from which on equal values are rare
-_OFTEN = 2.0  # times the pixels that noise puts below it
+_COUNTS = 3.0  # standard deviation of the noise, in counts, above which equal values are rare
+_OFTEN = 2.0  # ratio to the number of pixels that noise puts just below
 
 
 def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "pixels") -> tuple[float, str]:
-    """Return the value from which on pixels are saturated, infinity for none, and what was assumed of it, or "".
+    """Return the value from which on pixels are saturated (infinity for none), and what was assumed, or "".
 
     It is the one that was stated; else the largest of the integer type; or of a camera of 8, 10, 12, 14 or 16 bits,
     where it is the largest value of all `planes` and more pixels have it than noise explains.
@@ -35,10 +35,12 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)
         if top + 1.0 not in [2.0**bits for bits in _BITS] or top >= most:
             return most, ""
+        # Noise of the largest value: at most sqrt(top) counts for an electron a count or more.
         spread = max(math.sqrt(top), _COUNTS)  # at most that of a camera that counts each electron, or several
         least = min(float(np.fmin.reduce(plane, axis=None)) for plane in planes if plane.size)
         count = sum(int((plane == top).sum()) for plane in planes)
         near = sum(int(((plane < top) & (plane >= top - spread)).sum()) for plane in planes)
+    # A uniform image has a single value, not a saturated one.
     if count < _LEAST or count <= _OFTEN * near or top - least <= spread:
         return most, ""
     return top, (
@@ -70,7 +72,7 @@ def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[fl
     return (top, count) if count > _OFTEN * near else (np.nan, 0)
 
 
-_LARGEST = 1e15  # of values: far beyond every camera, and products of a few fit in float32
+_LARGEST = 1e15  # largest value: far above every camera's, and products of a few still fit in float32
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,6 +180,7 @@ class Counts:
         """Return the values as stored if all are known, else as floats, NaN where they are not."""
         if not (self.hidden.any() or self.full.any()):
             return self.values
+        # float32 holds every integer of 16 bits.
         kind = np.float32 if self.values.dtype.itemsize <= 2 or self.values.dtype == np.float32 else np.float64
         return np.where(self.known, self.values, kind(np.nan)).astype(kind, copy=False)
 
@@ -195,7 +198,7 @@ class Counts:
 
 
 def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:
-    """Return how many pixels of images are left out, and which may be saturated."""
+    """Return findings on the pixels that are left out, and on those that may be saturated."""
     every = sum(each.values.size for each in images)
     count = every - sum(int(each.known.sum()) for each in images)
     found = []
@@ -210,7 +213,7 @@ def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> lis
 
 
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
-    """Return what is to be said of the first image with a flat top, which may be saturated; or ""."""
+    """Return a remark on the first image with a flat top, which may be saturation; or ""."""
     for k, each in enumerate(images):
         top, equal = flat_top(each.values, each.known, noise)
         if equal:
@@ -243,7 +246,7 @@ class Stack(Protocol):
 
 
 def plane_of(stack: Stack, number: int) -> Values:
-    """Return a plane of a stack, NaN where it is infinite; ValueError where values are too large to be squared."""
+    """Return a plane of a stack, infinities as NaN; ValueError where values are too large to be squared."""
     values = validation.array("stack", stack[number])
     if values.dtype.kind != "f":
         return values

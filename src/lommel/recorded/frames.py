@@ -53,17 +53,17 @@ _UNITS = _OTHERS | {
 # Cards of FITS headers, each with all names that are common.
 _GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
 _MULTIPLIED = ("EMGAIN", "EMREALGN", "EMREALGAIN")
-EXCESS = 2.0  # variance by that of Poisson's, of an electron-multiplying register
+EXCESS = 2.0  # excess of variance over Poisson's of an electron-multiplying register
 _NAMED = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass those of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
 }
-_UNSURE = "GAIN"  # electrons per count of observatories, a setting of amateurs' cameras
+_UNSURE = "GAIN"  # electrons per count at observatories, but a setting of amateurs' cameras
 
 
 @dataclass(frozen=True)
 class Unusable:
-    """What a file states and what cannot be used, in the words of the file; it is not unknown."""
+    """A statement of a file that cannot be used, in its words; it differs from an unknown one."""
 
     words: str
 
@@ -73,7 +73,7 @@ Found = Json
 
 
 def length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
-    """Return a length in metres, what the file says of it where that is none, or None where it says nothing."""
+    """Return a length in metres, Unusable with the file's words, or None where it states nothing."""
     if value is None or value == "":
         return None
     named = str(unit or default).strip()
@@ -84,6 +84,7 @@ def length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
         return Unusable(words)
     if size == 1.0 and named in ("", "pixel", "pixels"):  # what is written of no scale
         return None
+    # Short names keep their case ("Mm" is not "mm"); long ones are written either way.
     scale = _UNITS.get(named) or (_UNITS.get(named.lower()) if len(named) > 3 else None)
     if not named:
         words += " without a unit"
@@ -91,7 +92,7 @@ def length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
 
 
 def number(value: Any, *, least: float = 0.0) -> float | Unusable | None:
-    """Return a number above `least`, what the file says where it is none, or None where it says nothing."""
+    """Return a number above `least`, Unusable with the file's words, or None where it states nothing."""
     if value is None or value == "":
         return None
     try:
@@ -102,7 +103,7 @@ def number(value: Any, *, least: float = 0.0) -> float | Unusable | None:
 
 
 def of_ome(file: TiffFile, place: int) -> Found:
-    """Return what the OME-XML of a TIFF file says of an image."""
+    """Return the statements of the OME-XML of a TIFF file on an image."""
     try:
         root = reading.xml(file.ome_metadata or "")
     except ValueError:
@@ -141,20 +142,21 @@ def of_ome(file: TiffFile, place: int) -> Found:
 
 
 def of_imagej(file: TiffFile) -> Found:
-    """Return what ImageJ says in a TIFF file."""
+    """Return the statements of ImageJ in a TIFF file."""
     said, page = file.imagej_metadata or {}, file.pages.first
     unit = said.get("unit")  # of the others, too, unless they have their own
     found: Found = {"step": length(said.get("spacing"), said.get("zunit", unit))}
     for key, tag, own in (("pixel", "XResolution", unit), ("down", "YResolution", said.get("yunit", unit))):
         value = page.tags.get(tag)
         if value is not None and own:  # without a unit it is the resolution in print
+            # TIFF states pixels per unit of length as a fraction.
             pixels, units = value.value
             found[key] = length(units / pixels if pixels else 0.0, own)
     return found
 
 
 def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]) -> Found:
-    """Return what the attributes of an OME-Zarr say; sides of voxels and their units are by the letter of an axis."""
+    """Return the statements of an OME-Zarr's attributes; voxel sides and their units are by the letter of an axis."""
     sides = {letter: length(value, units.get(letter)) for letter, value in scale.items()}
     found: Found = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
     listed = said.get("omero") or {}
@@ -166,11 +168,12 @@ def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[
 
 
 def of_fits(header: Mapping[str, object]) -> Found:
-    """Return what the header of a FITS image says of its camera: electrons per count, read noise, full pixels."""
+    """Return the statements of a FITS header on the camera: electrons per count, read noise, saturation."""
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
+    # A read noise of 0 is a statement, too.
     found: Found = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_FULL)}
     if isinstance(times := first(_MULTIPLIED), float) and times > 1.0:
         found |= {"excess": EXCESS, "em_gain": times}
@@ -185,13 +188,13 @@ def of_fits(header: Mapping[str, object]) -> Found:
 
 
 def fits_notes(header: Mapping[str, object]) -> list[str]:
-    """Return what a FITS header states and what is not taken into account, in sentences."""
+    """Return the statements of a FITS header that are not taken into account, in sentences."""
     said = {name: validation.brief(str(header[name]), 60) for name in _NAMED if header.get(name) not in (None, "", 0)}
     return [f"The header of the images states {name} = {value}, {_NAMED[name]}." for name, value in said.items()]
 
 
 def of_all(said: Sequence[Found]) -> Found:
-    """Return what several files say of their camera; where they contradict each other it cannot be used."""
+    """Return the statements of several files on their camera; contradictory ones are unusable."""
     found = dict(said[0])
     for key in ("gain", "read", "saturation", "excess"):
         values = [each.get(key) for each in said]
@@ -206,10 +209,10 @@ def of_all(said: Sequence[Found]) -> Found:
 
 __all__ = ["Frames", "RecordingError", "open_frames"]
 
-_JSON = 2**24  # bytes of a description that are parsed
+_JSON = 2**24  # largest size of a parsed description, bytes
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _NUMPY = b"\x93NUMPY"
-_CHANNELS = 4096  # of an OME-Zarr
+_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 UNKNOWN = "Q"
 """Letter of an axis of which the file does not say what it is."""
@@ -385,7 +388,7 @@ class Frames:
 
 
 class _Held:
-    """Images of an array of any package that NumPy can read parts of."""
+    """Images of an array of any package whose parts NumPy can read."""
 
     stored = 2**62  # it is in memory, or mapped
 
@@ -435,7 +438,7 @@ class _Pages:
 
 
 class _Chunked:
-    """Images in an array of Zarr, whose chunks are read once for an image and its neighbours in them."""
+    """Images in a Zarr array; chunks are read once for an image and its neighbours in them."""
 
     def __init__(self, path: Path, array: Any) -> None:
         self._path, self._array = path, array
@@ -470,6 +473,7 @@ class _Chunked:
                 ends.append(range(first, min(first + self._deep, self._lead[-1])))
             places = [*ends, *map(range, self.sides)]
             memory, held = self.chunks.check(places)
+            # Chunks of many images may not fit into memory: then one image at a time, its chunks read again for each.
             if self._deep > 1 and not reading.affords(memory, held):
                 self._deep = 1
                 return self._read(number)
@@ -540,7 +544,7 @@ def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]
 
 @contextmanager
 def told_of(path: Path, part: str = "") -> Iterator[None]:
-    """Tell the errors of libraries, of any kind, in a sentence that names the file."""
+    """Turn errors of libraries, of any kind, into a sentence that names the file."""
     try:
         with reading.quietly():
             yield
@@ -570,7 +574,7 @@ def require_numbers(name: str, dtype: DTypeLike) -> None:
 
 
 def _whole(path: Path, part: str | None) -> Frames:
-    """Return the images of a file that is read at once."""
+    """Return the images of a file that is read as a whole."""
     data = reading.contents(path)
     try:
         form = registry.identify("images", data)
@@ -641,7 +645,7 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
 
 
 def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
-    """Return the series of a file that is read, the largest by default, and its number."""
+    """Return the series of a file to read, by default the largest, and its number."""
     every: Sequence[Any] = file.series
     if image is None and len(every) > 1 and _are_pages(file, every):
         every = [_joined(every)]
@@ -659,13 +663,13 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
 
 
 def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:
-    """Return whether a file holds grey images of one size and type that were written one after the other."""
+    """Return whether a file holds grey images of one size and type, written one after the other."""
     kinds = {(one.axes, one.shape, one.dtype) for one in every}
     return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
 
 
 def _joined(every: Sequence[Any]) -> SimpleNamespace:
-    """Return series of one image each as one series."""
+    """Return series of one image each as a single series."""
     first = every[0]
     return SimpleNamespace(
         axes=f"{UNKNOWN}{first.axes}", shape=(len(every), *first.shape), dtype=first.dtype, kind=first.kind,
@@ -723,8 +727,9 @@ def _zarr(path: Path) -> Frames:
 
 
 def _look(folder: Path, below: str) -> None:
-    """Parse the descriptions in a folder of Zarr, as zarr will; ValueError or OSError if it would cost too much."""
+    """Parse the descriptions in a Zarr folder as zarr will; ValueError or OSError if they are too large."""
     for name in _DESCRIPTIONS:
+        # Zarr parses them without a limit of size or depth.
         if zarr_folders.regular(folder, below + name) is not None:
             try:
                 reading.json(reading.contents(folder / below / name, _JSON))
@@ -733,7 +738,7 @@ def _look(folder: Path, below: str) -> None:
 
 
 def _grey(values: Values) -> Values:
-    """Return the values of a file; ValueError if they are no grey image, nor a stack of them."""
+    """Return the values of a file; ValueError unless they are a grey image or a stack of them."""
     if values.ndim > 3:
         values = values.reshape([side for side in values.shape[:-2] if side != 1] + list(values.shape[-2:]))
     if values.ndim > 3 or values.dtype.kind not in "iufb":
@@ -797,6 +802,7 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
             with told_of(stack.path or Path()):
+                # Twice: the array of values and one of the copies that reading makes.
                 reading.afford(2.0 * math.prod(stack.shape) * stack.dtype.itemsize, stack.planes.stored)
             values = stack[...]
         if values.dtype == bool:  # a mask

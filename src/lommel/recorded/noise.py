@@ -13,7 +13,7 @@ from lommel.base.cached import EqualByContent
 
 
 def random_numbers(seed: int | np.random.Generator) -> np.random.Generator:
-    """Return the generator of a seed; TypeError for what is none."""
+    """Return the random generator of a seed; TypeError if it is not one."""
     try:
         return np.random.default_rng(seed)
     except (TypeError, ValueError):  # NumPy's message repeats the whole argument
@@ -106,6 +106,8 @@ class Noise(EqualByContent):
         """The noise without excess of the same images, whose electrons are those of the light over `excess`."""
         if self.excess == 1.0:
             return self
+        # Signal and read noise over the excess F: electrons / F of a Poisson variable have the variance of F
+        # electrons.
         white = 1.0 if self.white is None else self.white
         return Noise(white=white / self.excess, read=self.read / self.excess, offset=self.offset)
 
@@ -122,6 +124,7 @@ class Noise(EqualByContent):
         made = np.asarray(draw.standard_normal(mean.shape))
         if self.excess > 1.0:
             # A sum of n gamma variates of shape k and scale 1/k; by Wald's identity the variance is mean (1 + 1/k).
+            # Excess 1 + 1 / k.
             shape = 1.0 / (self.excess - 1.0)
             photons = np.asarray(draw.gamma(shape * photons)) / shape
         made *= self._for("read", mean.shape)
@@ -167,7 +170,7 @@ class Noise(EqualByContent):
         return self
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
-        """Return a number, or the values for each pixel if images have this shape."""
+        """Return a number, or the value of each pixel if images have this shape."""
         value: float | Array | None = getattr(self, name)
         if value is None:
             return 1.0

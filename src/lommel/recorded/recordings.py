@@ -19,12 +19,12 @@ from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Unusable, open_frames
 
-_JSON = 2**24  # bytes of a description that are parsed
-_CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
-_SHARE = 1e-4  # of lengths that count as equal
+_JSON = 2**24  # largest size of a parsed description, bytes
+_CHUNK = (32, 256, 256)  # chunks of written OME-Zarr: planes, rows, columns
+_SHARE = 1e-4  # relative difference of lengths that count as equal
 _LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
-_SIDES = 1e-12, 1e-4  # metres, of voxels in the sample
-_WAVES = 1e-7, 1e-4  # metres, of light in microscopes: 0.52 nm is a wavelength in micrometres whose unit is wrong
+_SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
+_WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -183,7 +183,7 @@ def open_recording(
 
 
 def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
-    """Return images along C and Z, at one time point."""
+    """Return images along C and Z, at a single time."""
     name, lead = frames.name, frames.numbers.shape
     if axes is None and frames.path is None and not frames.by:
         if len(lead) not in (1, 2):
@@ -222,7 +222,7 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
 
 
 def _recording(frames: Frames) -> Recording:
-    """Return a recording with what its file says, checked."""
+    """Return a recording with the checked statements of its file."""
     count, said, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
     unusable: dict[str, str] = {}
 
@@ -296,7 +296,7 @@ def kind_of(path: Path, recording: str | Path | None = None) -> str:
 
 
 def require_own(path: Path) -> None:
-    """Raise FileExistsError if a path holds anything but a stack that was written here, which may be replaced."""
+    """Raise FileExistsError unless a path is free or holds a stack written here, which may be replaced."""
     own = not (path.exists() or path.is_symlink())
     if not own:
         with suppress(OSError, ValueError):
@@ -312,6 +312,7 @@ def _fill_tiff(target: Path, values: Values, recording: Recording, description: 
     for key, letters in (("pixel", "XY"), ("step", "Z")):
         if (value := getattr(recording, key)) is not None:
             for letter in letters:
+                # Twelve digits: 6.5e-08 m in micrometres is 0.065, without digits of rounding.
                 fields[f"PhysicalSize{letter}"] = float(f"{1e6 * value:.12g}")
                 fields[f"PhysicalSize{letter}Unit"] = "µm"
     channel: Json = {"Name": list(recording.names)}
@@ -320,6 +321,7 @@ def _fill_tiff(target: Path, values: Values, recording: Recording, description: 
         if waves and all(wave is not None for wave in waves):
             channel |= {name: [float(f"{1e9 * wave:.12g}") for wave in waves], f"{name}Unit": ["nm"] * len(waves)}
     fields["Channel"] = channel
+    # TIFF's offsets have 32 bits; some room is left for the metadata.
     big = values.nbytes > 2**32 - 2**25
     tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=big)
 

@@ -31,8 +31,8 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_MARGIN = 8.0  # radians of defocus beyond all foci
-_NEAREST = 0.05  # of the distance of the sensor: no nearer to the lens
+_MARGIN = 8.0  # radians of defocus drawn beyond all foci
+_NEAREST = 0.05  # of the sensor's distance: least distance of a drawn sensor from the lens
 
 
 class Moved(NamedTuple):
@@ -120,6 +120,7 @@ def section(through: Moved, x: Array) -> Array:
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
     rows = []
     for pupil in through.pupils:
+        # Intensity per area falls with the square of the scale.
         spread = (middle.scale / pupil.scale) ** 2  # the same light on more of the sensor
         if pupil.radial:
             method: Method = of_profiles()
@@ -138,8 +139,9 @@ def section(through: Moved, x: Array) -> Array:
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
-    """Return the range of defocus, radians, that brings each zone to focus, and holds 0, with a margin."""
+    """Return the range of defocus, radians, that brings each zone to focus, including 0 and a margin."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
+    # The defocus that brings a zone to focus cancels the slope of the phase in t = rho^2; defocus is C_d (2 t - 1).
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
     room = _MARGIN + 0.25 * (high - low)
@@ -147,7 +149,7 @@ def _foci(pupil: Pupil) -> tuple[float, float]:
 
 
 def _places(lens: Lens, low: float, high: float) -> Array:
-    """Return the ends of where the sensor adds so much defocus, as ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2``."""
+    """Return the sensor shifts that add so much defocus, ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2``."""
     d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
     vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
     # Where a focus is beyond all distances, as far as it is light.
@@ -298,7 +300,7 @@ def focus_curves(
 
 
 def _shift(through: Moved) -> tuple[Array, str]:
-    """Return the places of the sensor as axes have them, and the label."""
+    """Return the sensor positions as axes show them, and their label."""
     if not through.metric:
         return through.at, "added defocus C_d (rad)"
     millimetres = float(np.abs(through.at).max()) >= 1e-3
@@ -318,7 +320,7 @@ def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: flo
 
 
 _POINTS = 129
-_MOST = 8  # pupils of a stack
+_MOST = 8  # largest number of pupils of a stack
 
 
 @display.register("mtf")
@@ -393,7 +395,7 @@ def _of_pixel(f: Array, side: float) -> Array:
 
 
 def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
-    """Return whether the curves along x and y are one."""
+    """Return whether the curves along x and y coincide."""
     if not is_psf(thing):
         return bool(thing.radial)
     turned = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
@@ -478,7 +480,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
 
 def _fitting(psf: PSFLike) -> float:
-    """Return the radius of the largest circle about the axis in all windows; of others half their longer side."""
+    """Return the radius of the largest circle about the axis in all windows; for others half their longer side."""
     ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
     inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
     sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))

@@ -31,7 +31,7 @@ _Item = TypeVar("_Item")
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
-    """Return a word for each of the flattened stack: the distance of the object, of an objective depth and stage."""
+    """Return a label for each of the flattened stack: the object's distance, or an objective's depth and stage."""
     if isinstance(pupil, ObjectivePupil):
         places = {"depth": pupil.depth, "z": pupil.z}
         told = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
@@ -46,7 +46,7 @@ def of_pupils(pupil: BasePupil) -> list[str]:
 
 
 def of_wavefronts(wavefront: Wavefront) -> list[str]:
-    """Return a word for each of the flattened stack: the coefficient where one alone differs."""
+    """Return a label for each of the flattened stack: the coefficient, if only one differs."""
     flat = wavefront.flattened()
     powers = flat.coefficients
     others = flat.edge[:, flat.symmetric :]
@@ -76,7 +76,7 @@ def _lengths(what: str, at: Array) -> list[str]:
 
 
 def length_in_words(metres: float, like: float | None = None) -> str:
-    """Return a length as pictures have it, with the unit that suits it or another."""
+    """Return a length as pictures show it, in a suitable unit or the given one."""
     return true_minus(format_length(metres, like=like).replace(" um", " µm").replace("infinity", "∞"))
 
 
@@ -99,7 +99,7 @@ def true_minus(text: str) -> str:
 
 
 def name_in_words(name: str) -> str:
-    """Return the name of a lens as pictures have it: with µm in place of the um of its file."""
+    """Return the name of a lens as pictures show it: with µm in place of the um of its file."""
     return re.sub(r"(?<=\d )um\b", "µm", name)
 
 
@@ -108,7 +108,7 @@ def _indices(shape: tuple[int, ...]) -> list[str]:
 
 
 def evenly_spaced(items: Sequence[_Item], most: int) -> list[_Item]:
-    """Return at most so many of some items, evenly spread, the first and the last among them."""
+    """Return at most `most` of some items, evenly spread, the first and the last among them."""
     if len(items) <= most:
         return list(items)
     return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]
@@ -126,23 +126,23 @@ MEANING = {
     "strehl": "1 = unaberrated peak",
     "peak": "1 = largest value",
 }
-"""What a value is, by the normalisation."""
+"""Name of a value, by the normalisation."""
 
 HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
-"""How values see their pixels, by :attr:`lommel.PSF.sampling`."""
+"""Relation of values to their pixels, by :attr:`lommel.PSF.sampling`."""
 
 USER = ("plots need", "plot")
-"""What needs a library, and the extra that brings it."""
+"""Features that need a library, and the extra that installs it."""
 
 STRETCHES = {
     "sqrt": "the square root of the value",
     "linear": "the value",
     "log": "the logarithm of the value,\ndown to 1e-5 of the largest",
 }
-"""The scales of brightness: what is linear on each."""
+"""Scales of brightness, and the quantity that is linear on each."""
 
 COLOURS = "inferno"
-"""The colour map of light, as of the live page."""
+"""Colour map of light, as on the live page."""
 
 MOST = 64
 """Pictures in one figure."""
@@ -150,11 +150,11 @@ MOST = 64
 Drawn: TypeAlias = "Axes | NDArray[np.object_]"
 """Axes of one picture, or of each of a stack."""
 
-_FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
+_FLOOR = 1e-5  # of the peak: lower end of logarithmic scales
 
 
 def norm_of(stretch: str, values: Values) -> Normalize:
-    """Return the scale of brightness of values up to the largest of these, or up to 1."""
+    """Return the brightness scale of values, up to the largest of them or to 1."""
     library("matplotlib", *USER)
     from matplotlib import colors
 
@@ -165,7 +165,7 @@ def norm_of(stretch: str, values: Values) -> Normalize:
 
 
 def even_norm(largest: float) -> Normalize:
-    """Return the scale of what is positive or negative, the same both ways; of nothing but 0 from -1 to 1."""
+    """Return a scale symmetric about 0 for signed values; from -1 to 1 if all are 0."""
     library("matplotlib", *USER)
     from matplotlib.colors import Normalize
 
@@ -185,42 +185,42 @@ def pyplot() -> Any:
 
 
 def new_axes(ax: Axes | None, **options: object) -> Axes:
-    """Return the axes that were given, or those of a new figure with these options."""
+    """Return the given axes, or those of a new figure with these options."""
     if ax is None:
         ax = pyplot().subplots(layout="constrained", **options)[1]
     return ax
 
 
 def lengths(unit: str) -> tuple[float, str]:
-    """Return what lengths in the `unit` of a pupil are multiplied by on axes, and the unit there."""
+    """Return the factor from lengths in the `unit` of a pupil to those on axes, and the unit there."""
     return (1e6, "µm") if unit == "m" else (1.0, "λN")
 
 
 def frequencies(unit: str) -> tuple[float, str]:
-    """Return the same of spatial frequencies, cycles per `unit`."""
+    """Return the same for spatial frequencies, cycles per `unit`."""
     return (1e-3, "cycles/mm") if unit == "m" else (1.0, "cycles/λN")
 
 
 def only_single(ax: Axes | None, shape: tuple[int, ...]) -> None:
-    """Refuse one pair of axes for a stack, which takes many; ValueError."""
+    """Raise ValueError for a single pair of axes and a stack, which needs several."""
     if ax is not None and shape != ():
         raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
 
 
 def at_most(shape: tuple[int, ...]) -> None:
-    """Refuse a stack that is too large for one figure; ValueError."""
+    """Raise ValueError for a stack that is too large for one figure."""
     if int(np.prod(shape)) > MOST:
         raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
 
 
 def round_length(most: float) -> float:
-    """Return the largest of 1, 2 and 5 times a power of ten that is no more than `most`."""
+    """Return the largest of 1, 2 and 5 times a power of ten up to `most`."""
     decade = 10.0 ** np.floor(np.log10(most))
     return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
 
 
 def columns_of(count: int) -> int:
-    """Return the columns that so many pictures side by side take: one row of up to eight, else few empty places."""
+    """Return the number of columns of pictures side by side: one row up to eight, then few empty places."""
     if count <= 8:
         return count
     return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
@@ -261,7 +261,7 @@ def circle(axes: Axes, radius: float, **how: Any) -> None:
 
 
 def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
-    """Leave labels to the first of each row, and to the last of each column, of pictures side by side."""
+    """Keep labels only at the first picture of each row and the last of each column."""
     if k % columns:
         axes.set(ylabel="", yticklabels=[])
     if k + columns < count:

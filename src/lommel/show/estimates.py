@@ -24,7 +24,7 @@ Colours = NDArray[np.uint8]
 
 _GREY, _BACK, _INK = 128, 24, 235  # grey levels
 _BAR, _TEXT = 24, 12  # pixels: height of the bar, and of its letters
-_LEAST_GRADIENT = 100  # pixels of a gradient beside which the bar has room for the word on grey
+_LEAST_GRADIENT = 100  # pixels: least length of a gradient beside which grey is explained as well
 
 
 class DepthColours:
@@ -55,7 +55,7 @@ class DepthColours:
         self._picture[height:] = self._bar(between, width)
 
     def _bar(self, between: tuple[float, float], width: int) -> Colours:
-        """Return the gradient between its ends in words, and the grey of what is not known where there is room."""
+        """Return the gradient with its ends in words, and the grey of unknown depth where there is room."""
         image, drawing = (
             library(f"PIL.{name}", "the bar of colours needs", "images") for name in ("Image", "ImageDraw")
         )
@@ -99,7 +99,7 @@ class DepthColours:
 
 
 _ACROSS = 5
-_SIGMAS = 4.0  # of residuals
+_SIGMAS = 4.0  # range of residuals
 
 
 def field(
@@ -188,16 +188,16 @@ def _residual_rows(part: Any, columns: Sequence[tuple[str, Array, Array, Array]]
 
 
 _COLOURS = "turbo"
-_MOST_PIXELS, _USUAL = 4096, 800  # pixels of a side
+_MOST_PIXELS, _USUAL = 4096, 800  # largest and usual side, pixels
 _LEAST_WIDTH = 5e-9
-_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels, of the Gaussians that are drawn together, and at least
+_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels: widths of the Gaussians that are drawn together
 _AXES = {"z": "stage position z (um)", "depth": "depth (um)"}
 
 
 def picture(
     rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
 ) -> Axes:
-    """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
+    """Draw molecules in a field of a height and width (metres in the sample), with about this pixel pitch."""
     axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
     side = max(_LEAST_WIDTH, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST_PIXELS)
     flat = along == "none"
@@ -237,10 +237,10 @@ def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, col
     return np.ascontiguousarray(np.moveaxis(np.clip(colour * brightness, 0.0, 1.0), 0, -1))
 
 
-_UNKNOWN = "0.55"  # the colour of what is not known
+_UNKNOWN = "0.55"  # colour of unknown values
 _SIDE = 3.3  # inches of the longest side
-_STACK_SIGMAS = 5.0  # of the residual
-_LEAST_SHARE = 0.18  # of the height of xy, that of xz is drawn at least
+_STACK_SIGMAS = 5.0  # range of the residual
+_LEAST_SHARE = 0.18  # least height of xz over that of xy
 
 
 def projections(
@@ -358,7 +358,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
     return axes
 
 
-_MOST = 8  # images in one figure
+_MOST = 8  # largest number of images in one figure
 
 
 def fit(
@@ -401,7 +401,7 @@ _REASONS = {
 }
 
 
-_LEFT_OUT = "#f7cdbb"  # of pixels that are NaN or masked
+_LEFT_OUT = "#f7cdbb"  # colour of NaN and masked pixels
 
 
 def spots(

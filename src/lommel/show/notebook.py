@@ -30,21 +30,21 @@ from lommel.show import drawing
 from lommel.show.pupils import across
 from lommel.special import zernike
 
-_TILES = 4  # of a stack that are shown
-_WINDOW = 1024  # pixels a side that are looked at
-_MANY = 2**21  # values that are looked at
+_TILES = 4  # largest number of images of a stack that are shown
+_WINDOW = 1024  # largest side, pixels, that is used
+_MANY = 2**21  # largest number of values that are used
 _TERMS = 8
-_SIDE = 160  # pixels of a picture
+_SIDE = 160  # side of a picture, pixels
 _RASTER = 80
 _ROOT = "the square root of the values"
-_SUMS = 100 * _RASTER**2  # values of terms that are added up
+_SUMS = 100 * _RASTER**2  # largest number of values of terms that are added up
 
 Row = tuple[str, str | Callable[[], str] | None]
 
 
 @display.html.register(PSFLike)
 def psf(psf: PSFLike) -> str:
-    """Return the values of a PSF, or of some of a stack, and how they were made."""
+    """Return the values of a PSF, or of some of a stack, and how they were computed."""
     stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
     seen = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
     whole = psf.values.size <= _MANY
@@ -72,7 +72,7 @@ def psf(psf: PSFLike) -> str:
         most = 160 if len(seen) == 1 else 110
         parts = [_smaller(part, most) for part in seen]
         pitch = _pitch(psf, seen[0], parts[0])
-        return _beside([_lit(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
+        return _joined_pictures([_brightness(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
 
     caption = "square root" + (", each over its largest" if len(seen) > 1 else "")
     return _html(_count("PSF", stack), rows, picture, caption)
@@ -83,7 +83,9 @@ def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str
 
     def picture() -> str:
         made = image()
-        return _beside([_lit(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit)
+        return _joined_pictures(
+            [_brightness(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit
+        )
 
     return _html(title, rows, picture, "its PSF, square root")
 
@@ -100,7 +102,7 @@ def grid(thing: PSFGridLike) -> str:
             drawing.evenly_spaced(list(range(columns)), 7),
         )
         seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
-        parts = [[_lit(_smaller(part, 48)) for part in line] for line in seen]
+        parts = [[_brightness(_smaller(part, 48)) for part in line] for line in seen]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
         pitch = _pitch(one, seen[0][0], parts[0][0])
         words = "square roots of the values over the largest of each"
@@ -131,7 +133,7 @@ def wavefront(thing: Wavefront) -> str:
 
 @display.html.register(BasePupil)
 def pupil(thing: Pupil | ObjectivePupil) -> str:
-    """Return the phase across a pupil, and what there is to say about its light."""
+    """Return the phase across a pupil, and a description of its light."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
         rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
@@ -159,12 +161,12 @@ def lens(thing: Lens) -> str:
 
 
 def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
-    """Return the first of the images, shape (n, height, width), its model, and what was found."""
+    """Return the first of the images, shape (n, height, width), its model, and rows of results."""
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
         both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
-        return _beside(
+        return _joined_pictures(
             [_smaller(part) for part in both], drawing.COLOURS, "the first image as measured, and its model"
         )
 
@@ -181,7 +183,7 @@ def _phase(pupil: BasePupil) -> str:
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
     seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
     top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
-    return _beside([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
+    return _joined_pictures([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
 
 
 def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
@@ -210,7 +212,7 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
 
 
 def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
-    """Return the values of one of a stack, of large windows those about the axis."""
+    """Return the values of one of a stack; for large windows those about the axis."""
     values = psf.values[index]
     center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
@@ -220,7 +222,7 @@ def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
     return np.asarray(values[tuple(parts)], dtype=np.float64)
 
 
-def _lit(values: Array) -> Array:
+def _brightness(values: Array) -> Array:
     """Return the square root of values over the largest."""
     return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
 
@@ -231,12 +233,12 @@ def emitter(thing: Emitter) -> str:
 
 
 def _sample(psf: PSFLike) -> float:
-    """Return what lengths on the sensor are multiplied by: a microscope's are those in the sample."""
+    """Return the factor of lengths on the sensor: for a microscope, to those in the sample."""
     return 1.0 / psf.pupil.magnification if isinstance(psf.pupil, ObjectivePupil) else 1.0
 
 
 def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
-    """Return the pitch of columns once values have been averaged to fewer."""
+    """Return the pitch of columns after values were averaged to fewer."""
     return float(psf.grid.pitch[1] * _sample(psf)) * int(values.shape[1] // smaller.shape[1])
 
 
@@ -247,7 +249,7 @@ def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
 
 
-def _beside(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
+def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
     """Return pictures side by side, in two rows from four on, with clear pixels between them.
 
     With the `pitch` of their columns they have a scale bar.
@@ -291,7 +293,7 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
 
 
 def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
-    """Return the largest Zernike terms, waves rms; of a stack the largest of each, and no more than eight."""
+    """Return the largest Zernike terms, waves rms, at most eight; for a stack the largest of each term."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
     largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
@@ -305,7 +307,7 @@ def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
 
 
 def _rms(thing: Pupil) -> list[Row]:
-    """Return the rms where it takes no time: over full discs, whose terms are orthogonal, else of few terms."""
+    """Return the rms where it is fast: over full discs, whose terms are orthogonal, or of few terms."""
     wave = thing.wavefront
     if thing.circular and not thing.obscuration and thing.illumination.uniform:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])

@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 __all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
 
-_LONGEST = 3.0  # how much longer one axis may be than another, at the same scale
+_LONGEST = 3.0  # largest ratio of two axes at the same scale
 _SIDE = 3.4  # inches of the longest axis
 
 
 class Voxels(NamedTuple):
-    """Where the values of a stack are, micrometres: x and y in the sample, z of the stage, which rises."""
+    """Positions of the values of a stack, micrometres: x and y in the sample, z of the stage, increasing."""
 
     x: Array
     y: Array
@@ -44,7 +44,7 @@ class Voxels(NamedTuple):
 
 
 def is_z_stack(psf: PSFLike) -> bool:
-    """Return whether a PSF is one stack of a microscope through planes along z, all around one axis."""
+    """Return whether a PSF is a microscope's stack of planes along z, all around one axis."""
     pupil = psf.pupil
     if not isinstance(pupil, ObjectivePupil) or len(pupil.shape) != 1 or pupil.z.size < 2 or psf.grid.stack:
         return False
@@ -53,7 +53,7 @@ def is_z_stack(psf: PSFLike) -> bool:
 
 
 def voxels(psf: PSFLike) -> Voxels:
-    """Return the values of a stack with their places, from the lowest plane to the highest."""
+    """Return the values of a stack with their positions, from the lowest plane to the highest."""
     pupil: Any = psf.pupil
     order = slice(None, None, 1 if pupil.z[-1] > pupil.z[0] else -1)
     size = 1e6 / pupil.magnification
@@ -125,7 +125,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
 
 
 def _title_lines(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
-    """Return what there is to say of the voxels and of the scales, line by line."""
+    """Return a description of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
     size = 1e6 * psf.grid.side / psf.pupil.magnification  # type: ignore[attr-defined]
@@ -352,8 +352,8 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     return figure
 
 
-_LETTERS = 27  # of a title above one of the pictures of a comparison
-_ERRORS = (1e-12, 1.0)  # that colours tell apart
+_LETTERS = 27  # largest number of letters of a title above a picture of a comparison
+_ERRORS = (1e-12, 1.0)  # range of the colours of errors
 
 
 def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
@@ -447,7 +447,7 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
 
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
-    """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
+    """Draw a scale bar above the right end of the axes, its length a fraction of their width, with a label."""
     shifted = library("matplotlib.transforms", *drawing.USER).offset_copy
     place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
     color = axes.xaxis.label.get_color()  # which is white in dark styles
@@ -456,7 +456,7 @@ def _scale_bar(axes: Axes, length: float, label: str) -> None:
 
 
 def _field_axes(grid: PSFGridLike) -> Axes:
-    """Return axes of a new figure of the shape of the sensor."""
+    """Return axes of a new figure with the sensor's aspect ratio."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
     return drawing.new_axes(None, figsize=(width + 1.1, width * ratio + 0.7))

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 UNITS = ("waves", "radians", "nm")
 _SIDE = 256
-_BLOCKED = "0.55"  # the colour of where no light passes
+_BLOCKED = "0.55"  # colour of where no light passes
 
 
 class Across(NamedTuple):
@@ -105,7 +105,7 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
 
 
 def across(pupil: BasePupil, side: int = _SIDE) -> Across:
-    """Return what lets light pass and with which phase, on a raster, for the flattened stack."""
+    """Return transmission and phase on a raster, for the flattened stack."""
     at = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
     x, y = np.meshgrid(at, at)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
@@ -145,7 +145,7 @@ def _through_layers(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Ar
 
 
 def _few(pupil: BasePupil, ax: Axes | None) -> Across:
-    """Return :func:`across` of what can be drawn; ValueError for too many, or for axes and a stack."""
+    """Return :func:`across` of a stack that can be drawn; ValueError for too many, or for axes and a stack."""
     validation.axes("ax", ax)
     drawing.only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)

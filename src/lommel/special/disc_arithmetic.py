@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 
-_ROUNDING = 1e-13
+_ROUNDING = 1e-13  # relative widening of radii, some hundred units of double precision
 
 
 @dataclass(frozen=True, eq=False)
 class Disc:
-    """Discs of the complex plane: centres and radii >= 0, infinite or NaN where nothing is known."""
+    """Discs of the complex plane: centres and radii >= 0, infinite or NaN where there is no bound."""
 
     centre: NDArray[np.complex128]
     radius: Array
@@ -33,18 +33,18 @@ class Disc:
 
     @cached_property
     def size(self) -> Array:
-        """The modulus of each centre, but for rounding; five times as fast as one safe from overflow."""
+        """Modulus of each centre, without protection from overflow: five times as fast as numpy.abs."""
         with np.errstate(over="ignore", invalid="ignore"):
             return np.asarray(np.sqrt(self.centre.real**2 + self.centre.imag**2))
 
     @property
     def largest(self) -> Array:
-        """The largest modulus on each disc."""
+        """Largest modulus on each disc."""
         return np.asarray((self.size + self.radius) * (1.0 + _ROUNDING))
 
     @property
     def least(self) -> Array:
-        """The least modulus on each disc, 0 where it holds 0."""
+        """Least modulus on each disc, 0 where it contains 0."""
         return np.maximum(self.size * (1.0 - _ROUNDING) - self.radius, 0.0)
 
     def __add__(self, other: Disc | complex) -> Disc:
@@ -55,7 +55,8 @@ class Disc:
     def __mul__(self, other: Disc | complex) -> Disc:
         other = disc(other)
         mine, others = self.size, other.size
-        with np.errstate(invalid="ignore", over="ignore"):  # 0 times what is not known is not known
+        with np.errstate(invalid="ignore", over="ignore"):  # 0 times infinity is NaN: no bound
+            # Exact factors, such as 0.5 and 1j, are frequent and need no second radius.
             if others.ndim == 0 and not other.radius:
                 return Disc(self.centre * other.centre, others * (self.radius + _ROUNDING * mine))
             # abs(z w - c d) <= abs(c) r_w + (abs(d) + r_w) r_z.
@@ -100,7 +101,7 @@ class Disc:
 
 
 def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
-    """Return a disc as it is, and numbers as discs of no radius."""
+    """Return a disc unchanged, and numbers as discs of radius 0."""
     if isinstance(value, Disc):
         return value
     centre = np.asarray(value, dtype=np.complex128)
@@ -112,6 +113,7 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
     # The derivatives by z^2 are -sinc(z) / 2 and -int_0^1 s^2 sinc(s z) ds / 2, and
     # abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z)).
     z = np.sqrt(square.centre)
+    # Near 0 sin(z) / z is 0 over 0 in the limit; two terms of its series are exact to 1e-17 there.
     small = np.abs(z) < 1e-4
     safe = np.where(small, 1.0, z)
     sinc = np.where(small, 1.0 - square.centre / 6.0, np.sin(safe) / safe)
@@ -132,7 +134,7 @@ def windings(values: Disc) -> NDArray[np.int_]:
     with np.errstate(invalid="ignore", over="ignore"):
         after, up = np.roll(x, -1, axis=-1), np.roll(y, -1, axis=-1)
         onwards = x * up - y * after  # its sign is that of the change of the argument
-        # How often the negative real axis is crossed, one way and the other.
+        # Crossings of the negative real axis, counted in either direction.
         down = (y >= 0.0) & (up < 0.0) & (onwards > 0.0)
         back = (y < 0.0) & (up >= 0.0) & (onwards < 0.0)
     return np.where(clear, down.sum(axis=-1) - back.sum(axis=-1), -1)

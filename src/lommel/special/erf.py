@@ -44,11 +44,12 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
 
 
 _RAY = np.exp(-0.25j * math.pi)
+# The compiled core takes an empty table for evaluations that have none.
 _NOTHING = np.empty(0, dtype=np.complex128)
 
 
 class Erf(ABC):
-    """An evaluation of ``erf(e^{-i pi/4} s)`` for real s."""
+    """Evaluation of ``erf(e^{-i pi/4} s)`` for real s."""
 
     @abstractmethod
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
@@ -56,19 +57,20 @@ class Erf(ABC):
 
     @property
     def compiled(self) -> tuple[int, NDArray[np.complex128]]:
-        """What the compiled core takes for it: the number of terms of Eq. (14), and a table; here none of them."""
+        """Arguments of the compiled core: the number of terms of Eq. (14), and a table; here none of them."""
         return 0, _NOTHING
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
         at = _arguments(s)
-        # erf is odd; G is needed for s >= 0 only.
+        # erf is odd, and G is defined for s >= 0.
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
 
 
 def _arguments(s: ArrayLike) -> Array:
     at = validation.real_array("s", s)
+    # s^2 must not overflow.
     if at.size and np.abs(at).max() > 1e150:
         raise ValueError(f"s must be at most 1e150, got {np.abs(at).max():g}")
     return at
@@ -113,6 +115,7 @@ class TableErf(Erf):
 
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` from the table."""
+        # Times s + 2 the function is smooth and bounded, from 2 G(0) to i / 2, so that linear interpolation suffices.
         grid, table = _table(self.samples)
         values = np.interp(s / (s + 2.0), grid, table)
         return np.asarray(values / (s + 2.0))
@@ -173,6 +176,7 @@ class AbramowitzErf(Erf):
         # erf is odd; the formula is used for x >= 0
         side = np.where(at.real < 0, -1.0, 1.0)
         x, y = side * at.real, side * at.imag
+        # Intermediate products may overflow though the sum does not; the sum itself is tested at the end.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             two = 2.0 * x * y
             fall = np.exp(-x * x)

@@ -21,15 +21,16 @@ NEIGHBOURS_MOST = 30
 _DEGREE = 16
 _TURN = 2.0 * math.pi
 _ROOT = math.sqrt(2.0)
-_PLACES = 80  # between two taps, where errors and gains are judged
-_BETWEEN = 1.0 / math.cos(0.5 * math.pi * _DEGREE / _PLACES)  # a polynomial of that degree over the largest there
+_PLACES = 80  # Chebyshev points between two taps, at which errors and gains are evaluated
+_BETWEEN = 1.0 / math.cos(0.5 * math.pi * _DEGREE / _PLACES)  # largest value of such a polynomial over that there
+# Ehlich and Zeller, Math. Z. 86, 41 (1964): degree d at n Chebyshev points, 1 / cos(pi d / 2n).
 
 
 class Taps(NamedTuple):
-    """A kernel: polynomials of ``2 t - 1`` (highest power first), an even number of taps, bounds on sums of moduli.
+    """Interpolation kernel: an even number of taps, polynomials of ``2 t - 1`` (highest power first).
 
-    Of the taps and of their slopes; t from 0 to 1 is the position between the two middle taps; columns beyond `size`
-    are zero.
+    t from 0 to 1 is the position between the two middle taps; columns beyond `size` are zero. `gain` and `slope_gain`
+    bound the sums of moduli of the taps and of their slopes.
     """
 
     polynomials: Array
@@ -38,7 +39,7 @@ class Taps(NamedTuple):
     slope_gain: float
 
     def at(self, t: Array) -> Array:
-        """Return the weights at places t, shape ``(len(t), count)``."""
+        """Return the weights at positions t, shape ``(len(t), size)``."""
         return _values(self.polynomials[::-1, : self.size], t)
 
     def slopes(self, t: Array) -> Array:
@@ -46,19 +47,19 @@ class Taps(NamedTuple):
         return _values(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
 
     def weighted(self, times: Array) -> float:
-        """Bound the sum of the moduli of taps, each so many times."""
+        """Bound the sum of the moduli of the taps, each multiplied by its entry of `times`."""
         return _BETWEEN * float((np.abs(self.at(_places())) * times).sum(axis=1).max())
 
     @property
     def places(self) -> Array:
-        """Where the taps are."""
+        """Positions of the taps, in steps."""
         return np.arange(1.0 - self.size // 2, self.size // 2 + 1)
 
 
 class Steps(NamedTuple):
-    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of the moduli.
+    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of moduli.
 
-    And the same of their derivatives by t.
+    `slope_error` and `slope_gain` are those of the derivatives by t.
     """
 
     taps: Taps
@@ -81,11 +82,13 @@ class Orders(NamedTuple):
 def steps(band: float, error: float, width: int = 0) -> Steps:
     """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
 
-    Of averages over `width` steps instead of values, of which the filter takes care.
+    With `width` they interpolate averages over that many steps, whose response the filter includes.
     """
     # The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in
     # t and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are,
     # for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
+    # Taps cost time at every interpolated value, the filter only once: the most neighbours are tried for each number
+    # of taps, then the fewest that suffice.
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
             for neighbours in range(2, NEIGHBOURS_MOST + 1, 4):
@@ -109,7 +112,7 @@ def orders(most: int, steps: int, error: float) -> Orders:
 
 @lru_cache(maxsize=256)
 def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps:
-    """Return the least-squares filter of a kernel, at Chebyshev points of the band."""
+    """Return the least-squares filter of a kernel, fitted at Chebyshev points of the band."""
     taps, each = _kernel(count, band), np.arange(neighbours + 1)
     twice, reach = np.where(each > 0, 2.0, 1.0), count + 2 * neighbours + width
 
@@ -120,7 +123,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
     # Even filters have real responses: cosines of the distance of neighbours.
     factors = np.cos(np.outer(fit, each)) * twice
     weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], response(fit), rcond=1e-15)
-    # Where the error is judged.
+    # Points at which the error is evaluated, independent of those of the fit.
     w = _chebyshev(2 * math.ceil(1.18 * reach * band + 48), band)
     gains = np.cos(np.outer(w, each)) @ (weights * twice)
     whole, places = np.concatenate([weights[:0:-1], weights]), _places()
@@ -136,13 +139,14 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
 
 
 def _kernel(count: int, band: float) -> Taps:
-    """Return the Kaiser-Bessel kernel for a band."""
+    """Return the Kaiser-Bessel kernel for a band, as polynomials."""
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
+    # The main lobe of the window's transform ends near the copy of the band, at 2 pi - band.
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
     # The Kaiser-Bessel window.
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
-    # Between two taps each weight is a polynomial: a product with a few powers, without Bessel functions.
+    # Between two taps each weight is close to a polynomial: products of a few powers, without Bessel functions.
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
     powers[:, :count] = (chebyshev_powers(_DEGREE + 1) @ series)[::-1]
@@ -153,13 +157,13 @@ def _kernel(count: int, band: float) -> Taps:
 
 @lru_cache(maxsize=4)
 def chebyshev_powers(count: int) -> Array:
-    """Return the powers of so many Chebyshev polynomials, shape ``(powers, polynomials)``."""
+    """Return the power coefficients of the first `count` Chebyshev polynomials, shape ``(powers, polynomials)``."""
     each = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(count))]
     return np.stack([np.pad(row, (0, count - 1 - k)) for k, row in enumerate(each)], axis=1)
 
 
 def _transform(taps: Taps, w: Array) -> Array:
-    """Return the response of a kernel to frequencies, the mean over all positions."""
+    """Return the response of a kernel to frequencies `w`, averaged over all positions."""
     t = 0.5 * (1.0 + _chebyshev(9))
     turned = np.exp(1j * w[:, None, None] * (taps.places - t[:, None]))
     return np.asarray(np.einsum("wtk,tk->w", turned.real, taps.at(t)) / t.size)
@@ -169,7 +173,7 @@ def _off(taps: Taps, w: Array, gains: Array, weights: Array, wanted: Array | NDA
     """Return the error bound of each frequency, shape ``(len(w), positions)``, for a `wanted` response."""
     turned = np.exp(1j * np.outer(w, _places()))
     off = np.abs(wanted[:, None] * turned - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
-    # Weights are polynomials of degree 16, whose sums round once a term.
+    # Weights are sums of 16 powers, with one rounding each.
     rounding = 2.0**-53 * (taps.size + _DEGREE) * _ROOT * np.abs(weights).sum(axis=1).max() * np.abs(gains)
     return np.asarray(_ROOT * (off + rounding[:, None]))
 

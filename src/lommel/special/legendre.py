@@ -10,7 +10,8 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 
-_MAX_NODES = 20_000  # they take time in proportion to the square, then half a second
+_MAX_NODES = 20_000  # Newton's method takes time in proportion to n^2, half a second for these
+# A panel of 256 nodes replaces 200: shorter intervals need more nodes in all for the same degree.
 _PANEL, _PANEL_NODES = 200, 256
 
 

@@ -17,8 +17,8 @@ from lommel.base.arrays import Array
 SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
-_SAMPLES = 96  # of each segment, where an error is averaged over it
-_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and of starts
+_SAMPLES = 96  # samples of each segment for the mean error
+_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and maxima refined
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,7 @@ def fit_quadratics(
 def fitted(
     c: Array, segments: int, split: str, fit: str, piston: bool, sweep: tuple[float, float] | None = None
 ) -> tuple[Array, Array]:
-    """Return the edges and, of each of a stack of phases, alpha, beta and gamma, shape ``(n, segments, 3)``."""
+    """Return the edges, and alpha, beta and gamma of each phase of a stack, shape ``(n, segments, 3)``."""
     edges, each = _through_points(c.shape[-1], segments, split)
     rows = (c @ each).reshape(len(c), segments, 3) if piston else _osculating(c, edges)
     if fit != "interpolation":
@@ -156,7 +156,7 @@ def fitted(
 
 
 def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
-    """Return a derivative of each of a stack of phases, shape ``(..., terms)``, at all of `rho`."""
+    """Return a derivative of each phase of a stack, coefficients ``(..., terms)``, at all of `rho`."""
     c, at = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
     powers = [2 * k for k in range(1, c.shape[-1] + 1)]
     # (d/drho)^k of rho^p has the factor p! / (p - k)!.
@@ -167,7 +167,9 @@ def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
 def _interpolation_error(c: Array, edges: Array) -> Array:
     """Bound the error on each segment: h^3 / 32 times the third divided difference of the phase."""
     low, high = edges[:-1], edges[1:]
+    # Third divided differences of rho^p are at most C(p, 3) high^(p - 3); of rho^4 the sum is exact.
     difference = np.zeros(low.size)
+    # c_1 rho^2 is itself a quadratic, and has no error.
     for k, size in enumerate(c[1:], 2):
         difference += size * (1.5 * (low + high) + high if k == 2 else math.comb(2 * k, 3) * high ** (2 * k - 3))
     return np.asarray((high - low) ** 3 / 32.0 * difference)
@@ -175,12 +177,13 @@ def _interpolation_error(c: Array, edges: Array) -> Array:
 
 @lru_cache(maxsize=8)
 def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array]:
-    """Return the edges, and alpha, beta and gamma of each segment through each term at its Chebyshev points."""
+    """Return the edges, and the coefficients of each segment that interpolate each term at its Chebyshev points."""
     edges = split_edges(segments, split)
     # Chebyshev points of each segment: the smallest error of a parabola through three points.
     middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
     x = middle + half * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
     value = np.moveaxis(_derivative(np.eye(terms), x, 0), -2, 0)
+    # Newton's divided differences.
     first = [(value[k + 1] - value[k]) / (x[k + 1] - x[k]) for k in (0, 1)]
     alpha = (first[1] - first[0]) / (x[2] - x[0])
     beta = first[0] - alpha * (x[0] + x[1])
@@ -190,10 +193,10 @@ def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array
 
 
 def _osculating(c: Array, edges: Array) -> Array:
-    """Return alpha and beta of the same value (up to whole turns) and slope as the phase in the middle of each."""
+    """Return alpha and beta with the value (modulo 2 pi) and slope of the phase in the middle of each segment."""
     middle = 0.5 * (edges[:-1] + edges[1:])
     value, slope, bend = (_derivative(c, middle, k) for k in range(3))
-    # Whole turns that bring the curvature as near to the true one as they can.
+    # The number of whole turns that brings the curvature closest to that of the phase.
     turns = np.round((slope * middle - value - 0.5 * bend * middle**2) / (2.0 * math.pi))
     alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
     return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)
@@ -204,12 +207,12 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     phase = _derivative(c, rho, 0)
-    # In powers of the distance from the middle of the segment the three coefficients hardly depend on each other.
+    # Powers of the distance from the middle of a segment are nearly orthogonal, so that the search converges.
     free, m = (3, 0.5 * (low + high)) if piston else (2, 0.0)
     powers = np.vander(rho - m, 3)[:, :free]
 
     def residual(p: Array) -> Array:
-        # abs(exp(i fit) - exp(i phase))^2, of which whole turns are no part.
+        # abs(exp(i fit) - exp(i phase))^2, which whole turns do not change.
         off = powers @ p - phase
         return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
 
@@ -232,14 +235,15 @@ def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float,
         beta = 1.5 * float(_derivative(np.abs(c), high, 1)) + 2.0 * alpha * high
     else:
         alpha, beta = (validation.real("sweep", r, above=0.0) for r in ranges)
-    # A first step changes the phase by no more than half a radian: over the segment, or, where no piston can make up
-    # for what is common to all of it, altogether.
+    # The first step changes the phase by at most half a radian: over the segment or, without a piston to make up for
+    # a constant, from the axis on.
     reach = high - low if piston else high
     counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * reach**2, beta * reach)]
     a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
 
     def scores(a: Array, b: Array) -> tuple[Array, Array]:
         overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
+        # With a piston the best constant is the angle of the overlap, and the score its modulus.
         return (np.abs(overlap) if piston else overlap.real), np.angle(overlap)
 
     score, _ = scores(a, b)
@@ -249,7 +253,7 @@ def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float,
             f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
             f"|beta| <= {beta:.3g} lies on its border"
         )
-    # The best of a coarse sweep need not lie nearest to the best there is: its highest tops are all climbed.
+    # The best of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
     tops = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
     tops = tops[np.argsort(-score[tuple(tops.T)])][:_TOPS]
     best, highest = np.zeros(3), -math.inf

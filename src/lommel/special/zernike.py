@@ -25,6 +25,7 @@ def check_term(n: object, m: object) -> tuple[int, int]:
         degree = validation.integer("n", n, least=0, most=MAX_DEGREE)
         order = validation.integer("m", m, least=-MAX_DEGREE, most=MAX_DEGREE)
     except ValueError as error:
+        # The message of an index alone would not say which term was meant.
         raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): {error}") from None
     if abs(order) > degree or (degree - order) % 2:
         raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): abs(m) must be at most n, and n - m even")
@@ -48,10 +49,12 @@ def term(index: object, order: str) -> tuple[int, int]:
         raise TypeError(f'a term in the order "{order}" must be an integer, got {validation.shown(index)}')
     j = validation.integer(f"a Zernike index in the order {order!r}", index, least=first, most=most)
     if order == "ansi":
+        # Degree n begins at n (n + 1) / 2; the inverse of that triangular number in exact integers.
         n = (math.isqrt(8 * j + 1) - 1) // 2
         return n, 2 * j - n * (n + 2)
     if order == "noll":
         n = (math.isqrt(8 * j - 7) - 1) // 2
+        # Noll orders by abs(m) within a degree; the parity of j, not the sign, says cosine or sine.
         place = j - n * (n + 1) // 2  # 1 .. n + 1 within the degree, abs(m) rising
         m = 2 * (place // 2) if n % 2 == 0 else 2 * ((place - 1) // 2) + 1
         return n, m if j % 2 == 0 else -m
@@ -75,7 +78,7 @@ def index_of(n: int, m: int, order: str) -> Any:
     return _FRINGE_INDEX[n, m]
 
 
-# Group g = (n + abs(m)) / 2 has falling abs(m), cosine before sine; spherical aberration of n = 12 ends the order.
+# Fringe: group g = (n + abs(m)) / 2, in it falling abs(m), cosine before sine; n = 12 is the last term.
 _GROUPS = ((2 * g - m, m) for g in range(6) for m in range(g, -1, -1))
 _FRINGE = dict(enumerate([*((n, s) for n, m in _GROUPS for s in ((m, -m) if m else (0,))), (12, 0)], 1))
 _FRINGE_INDEX = {known: j for j, known in _FRINGE.items()}
@@ -115,6 +118,7 @@ def name(n: int, m: int) -> str:
     n, m = check_term(n, m)
     if n <= 2 and m in (0, 1, -1):
         return {(0, 0): "piston", (1, 1): "tilt x", (1, -1): "tilt y", (2, 0): "defocus"}[n, m]
+    # Named by the lowest degree of its kind: spherical from n = 4, coma from n = 3, others from n = abs(m).
     order = abs(m)
     rank = (n - max(order, {0: 4, 1: 3}.get(order, 0))) // 2
     kind = ("spherical", "coma", "astigmatism", "trefoil", "tetrafoil", "pentafoil", "hexafoil")
@@ -130,6 +134,7 @@ def name(n: int, m: int) -> str:
 
 def radial(n: int, m: int, rho: Array) -> Array:
     """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
+    # Only the last polynomial of the recurrence is needed.
     (highest,) = deque(_jacobi(abs(m), n, rho), maxlen=1)
     return np.asarray(rho ** abs(m) * highest)
 
@@ -178,7 +183,7 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients over a concentric disk of another `radius`, constant included."""
+    """Return the coefficients over a concentric disk of `radius` (over that of the pupil), constant included."""
     # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
     # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     at = np.asarray(radius, dtype=np.float64)
@@ -197,6 +202,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
     turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
         # a cos m(theta - angle) + b sin m(theta - angle), expanded.
+        # A missing partner counts as zero: rotation mixes cosine and sine of one order.
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
         turned[n, m] = np.asarray(a * cosine - b * sine)
@@ -208,6 +214,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
 def legendre_sum(coefficients: Array, x: Array) -> Array:
     """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., of shape ``a.shape[:-1] + x.shape``."""
     series = _series(coefficients)
+    # Without the value at the centre, P_j(-1): the phase is then 0 on the axis.
     legval = np.polynomial.legendre.legval  # imported lazily by NumPy
     return np.asarray(legval(x, series) - legval(np.full((1,) * x.ndim, -1.0), series))
 
@@ -219,7 +226,7 @@ def legendre_slope(coefficients: Array, x: Array) -> Array:
 
 
 def _series(coefficients: Array) -> Array:
-    """Return the coefficients of P_0, P_1, ... along the first axis, where NumPy has them."""
+    """Return the coefficients of P_0, P_1, ... along the first axis, the order of numpy.polynomial."""
     return np.insert(np.moveaxis(coefficients, -1, 0), 0, 0.0, axis=0)
 
 
@@ -236,7 +243,8 @@ def edge_of_powers(powers: Array) -> Array:
 
 def conversion_error(powers: Array) -> Array:
     """Bound the sum of the errors of :func:`edge_of_powers`, but for the last rounding of each coefficient."""
-    # Each power is at most 1, and so is the sum of its coefficients, none of which is negative.
+    # On [0, 1] each power is at most 1, and its Legendre coefficients are positive with the sum 1.
+    # (K + 3) u' sum abs(c_k): certificate, "Model error of a wavefront".
     unit = float(np.finfo(np.longdouble).eps)
     return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
 
@@ -270,6 +278,7 @@ def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
 
 def _matrix(share: Callable[[int, int], tuple[int, int]], rows: range, terms: int) -> NDArray[np.longdouble]:
     pairs = [[share(row, k) for k in range(1, terms + 1)] for row in rows]
+    # Quotients of exact integers, rounded once to extended precision.
     made = np.array([[np.longdouble(over) / np.longdouble(under) for over, under in row] for row in pairs])
     made.flags.writeable = False
     return made
@@ -292,17 +301,19 @@ def annular(m: int, highest: int, obscuration: float) -> Array:
     low = obscuration * obscuration
     x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
     rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
-    # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
+    # The mean of cos^2 over the azimuth is 1/2; the factors rms_factor are normalised for the disc and include it.
     weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
     basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)
     # R of the QR factors is Gram and Schmidt's triangular matrix.
     factor = np.linalg.qr(basis, mode="r")
+    # Signs of QR are arbitrary: positive diagonal elements make annular terms equal to Zernike's for no obscuration.
     factor *= np.sign(np.diag(factor))[:, None]
     if not float(np.linalg.cond(factor)) < 1e7:
         raise ValueError(
             f"annular Zernike terms of order m = {m} up to n = {orders[-1]} over an obscuration of {obscuration:g} "
             "are nearly alike over the disc; take a lower degree"
         )
+    # Columns of the inverse express orthonormal annular terms in terms of the disc: basis = Q R, so Q = basis R^-1.
     made: Array = np.linalg.inv(factor)
     made.flags.writeable = False
     return made

@@ -25,12 +25,12 @@ from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
 
-_MOST = 60.0  # of a logarithm that is exponentiated: more counts as infinite
-_ROOM = 1.001  # for what is computed in float32
+_MOST = 60.0  # largest logarithm that is exponentiated; larger ones count as infinite
+_ROOM = 1.001  # room for rounding in float32
 
 
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
-    """Return e to a logarithm and a little more; inf out of range."""
+    """Return e to a logarithm, rounded up; inf out of range."""
     xp = ns.xp
     big = logarithm > _MOST
     least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
@@ -40,6 +40,7 @@ def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
     """Return a bound on the error of the squared modulus of a field, shape (n,)."""
     largest = ns.xp.max(intensity, axis=-1)
+    # (M + e)^2 - M^2 = 2 M e + e^2, and 4 u M^2 for rounding of the squares and their sum.
     return (2.0 * ns.xp.sqrt(largest) + error) * error + 4.0 * unit * largest
 
 
@@ -51,6 +52,7 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
     ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
     ratio = xp.where(room > 0.0, ratio, infinite(ns, ratio))
     if divided:
+        # Values divided by their own computed peak: 2 r / (1 - r) (docs/certificate.md, section 6).
         small = ratio < 0.5
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
         ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
@@ -60,7 +62,7 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
 
 
 def infinite(ns: Namespace, like: Tensor) -> Tensor:
-    """Return infinities of the shape and type of an array: no bound is known."""
+    """Return infinities of an array's shape and type, where no bound is known."""
     return ns.xp.full_like(like, float("inf"))
 
 
@@ -68,9 +70,9 @@ def infinite(ns: Namespace, like: Tensor) -> Tensor:
 _STEPS = 5  # of half a turn, for each degree
 _WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
-_MOST_OF_MEAN = 40.0  # of logarithms of means on usable curves
-_ROUNDED = 0.05  # for the rounding of exponentials and logarithms
-_LEAST, _FAR = 0.5, 60.0  # the least H - m that is used, and where its exponential would overflow
+_MOST_OF_MEAN = 40.0  # largest logarithm of the means on usable curves
+_ROUNDED = 0.05  # added to logarithms for the rounding of exponentials
+_LEAST, _FAR = 0.5, 60.0  # least H - m that is used, and largest before its exponential overflows
 _NUMPY = Namespace.of(None)
 
 
@@ -131,6 +133,7 @@ def fewest(
             mean = mean._replace(disks=len(disks), unit=unit)
             with np.errstate(over="ignore", invalid="ignore"):
                 size = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
+            # The error goes with exp(-2 count b): solved for the count.
             count = even((size - math.log(error)) / (2.0 * b)) if size < _MOST_OF_MEAN else 0
             if count and (found is None or count < found[0]):
                 for k in range(len(disks)):
@@ -144,7 +147,8 @@ def fewest(
 
 
 def even(needed: float) -> int:
-    """Return the next even number of chords or nodes, at least four."""
+    """Return the next even number of chords or nodes, four or more."""
+    # Even: images of nodes at (+-x, +-y) are folded (lommel.traced.chordal).
     return max(4, 2 * math.ceil(0.5 * needed))
 
 
@@ -157,9 +161,9 @@ def mean_on_curve(
     chords: int,
     disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, Tables]:
-    """Return the bound of the sum over "chords", or over "nodes" of so many chords, on a curve b, and its tables.
+    """Return the bound of one sum on a curve b, over "chords" or over the "nodes" of each chord, and its tables.
 
-    `window` are rows and columns in v, `disk` is the number and the radius of the disk; without constants.
+    `window` is (rows, columns) in v, `disk` the number and the radius of the disk. Constants are left out.
     """
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
@@ -206,7 +210,7 @@ def mean_on_curve(
 
 
 def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
-    """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
+    """Return flattened x and y on a curve: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
     else:

@@ -41,7 +41,7 @@ from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 # Rounding n to whole numbers has the derivative 0, and that of r by c is 1: derivatives are those of the phase.
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
-_ADDED = 4  # terms up to which products of columns and rows are added, which compilers make one pass of
+_ADDED = 4  # largest number of terms whose products are added one by one, which compilers fuse into one pass
 
 
 class PhaseRule(NamedTuple):
@@ -101,7 +101,7 @@ def phase_tables(
 
 
 def phase_turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tuple[Tensor, ...]:
-    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact one and a small rest."""
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact one and a small remainder."""
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return (_phase_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
@@ -141,6 +141,7 @@ def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
         return ns.apart(_waves_of_jax(), *turns)
     total = turns[0]
     if len(turns) > 1:
+        # Whole turns are removed before the small part is added: both are then below one turn.
         total = (total - ns.xp.round(total)) + turns[1]
     angle = total * math.tau
     return ns.xp.cos(angle), ns.xp.sin(angle)
@@ -188,7 +189,7 @@ def _waves_of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
 
 
 class FieldError(NamedTuple):
-    """Errors of a field but for quadrature.
+    """Errors of a field besides quadrature.
 
     Attributes
     ----------
@@ -213,14 +214,16 @@ class FieldError(NamedTuple):
         """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
         xp = ns.xp
         coarse = ns.coarseness(self.unit)
+        # Rounding of the sum itself.
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
+        # TF32 rounds both operands of a product: 2^-11 each.
         each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
         return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
 
 
-_ETA = np.geomspace(2e-3, 4.0, 80)
-_CHOSEN = 4  # ellipses on the device, around the best one for the stack
+_ETA = np.geomspace(2e-3, 4.0, 80)  # tried ellipses: semi-axes cosh and sinh of these
+_CHOSEN = 4  # ellipses kept on the device, around the best one for the stack
 _MOST_NODES = 4096
 
 
@@ -231,7 +234,7 @@ _MOST_NODES = 4096
 
 
 class Radial(NamedTuple):
-    """The field of a radially symmetric pupil at one wavelength, without its tables.
+    """Field of a radially symmetric pupil at one wavelength, without its tables.
 
     Its error of quadrature follows from samples of the phase at `points` on each of some ellipses (`curves`):
     `widening` multiplies the largest one; where `curved` is not 0, neighbours are joined, and it is added times the
@@ -254,7 +257,7 @@ class Radial(NamedTuple):
         return real * real + imaginary * imaginary, error
 
     def _quadrature_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
-        """Return a bound on the error of quadrature on the radius, shape (n,)."""
+        """Return a bound on the error of quadrature along the radius, shape (n,)."""
         xp, unit = ns.xp, self.error.unit
         phase = xp.abs(ns.matmul(c, tables["imaginary"]))
         phase = xp.reshape(phase, (phase.shape[0], self.curves, self.points))
@@ -269,10 +272,11 @@ class Radial(NamedTuple):
 
 
 def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
-    """Return the names of the coefficients, powers or terms (n, m), and those of the flattened stack."""
+    """Return the names of the coefficients, powers or terms (n, m), and their values for the flattened stack."""
     wavefront = pupil.wavefront
     if wavefront._powers is None or not pupil.radial:
         return wavefront.terms, wavefront.edge.reshape(-1, len(wavefront.terms))
+    # Defocus is c (2 t - 1): c is half of the coefficient of t. Constant phases change no image.
     powers = pupil.coefficients() * np.where(np.arange(wavefront.symmetric) == 0, 0.5, 1.0)
     return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
 
@@ -283,6 +287,7 @@ def _basis(powers: bool, count: int, t: Values) -> Values:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])
     found, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
     for j in range(1, count + 1):
+        # The three-term recurrence of Legendre's polynomials.
         before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
         found.append(here)
     return np.stack(found)
@@ -305,6 +310,7 @@ def make_radial(
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
     imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
     kernel = far * hankel.rise(_ETA, low, steps)
+    # Phases are linear in the coefficients: their largest size in the box of the stack.
     size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
     needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
@@ -347,7 +353,7 @@ IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: sign
 
 
 class Axis(NamedTuple):
-    """The places of a window along one axis by those on one side of its middle.
+    """Positions of a window along one axis, by those on one side of its middle.
 
     Attributes
     ----------
@@ -362,7 +368,7 @@ class Axis(NamedTuple):
     positive: int
 
     def whole(self, ns: Namespace, below: Tensor, above: Tensor, axis: int) -> Tensor:
-        """Return values at all places along an axis, from those at images and at kept places."""
+        """Return values at all positions along an axis, from those at images and at kept positions."""
         here = [slice(None)] * 3
         here[axis] = slice(0, self.positive)
         above = above[tuple(here)]
@@ -373,7 +379,7 @@ class Axis(NamedTuple):
 
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
-    """Return the axis of increasing places, and the places that are kept."""
+    """Return the axis of increasing positions, and the positions that are kept."""
     # Windows that are symmetric about the axis need one half of their places.
     half = np.unique(np.abs(v))
     first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
@@ -415,7 +421,7 @@ def folded_intensity(
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
-    """Return the function that sums the part of values at four images that is even or odd in y and x."""
+    """Return the function that sums the part, even or odd in y and x, of values at four images."""
 
     def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
@@ -431,7 +437,7 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
 
 @cache
 def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
-    """Return the function from real and imaginary parts of a sum to intensities at images of the kept places."""
+    """Return the function from real and imaginary parts of a sum to intensities at images of the kept positions."""
 
     def made(*parts: Tensor) -> tuple[Tensor, ...]:
         real, imaginary = parts[:4], parts[4:]
@@ -464,7 +470,7 @@ def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
 # So for values and a first gradient the core sums over the same chords and nodes, in float32 only: its rounding is
 # less than what the bound counts for the framework (docs/certificate.md).
 
-_DEGREE = 30  # rounding to parts of a turn grows with the number of terms
+_DEGREE = 30  # largest degree: rounding to parts of a turn grows with the number of terms
 
 
 class Sums(NamedTuple):
@@ -525,6 +531,7 @@ def _of_torch() -> Any:
         @staticmethod
         def backward(ctx: Any, weights: Operand) -> tuple[Tensor, None, None]:
             (c,) = ctx.saved_tensors
+            # Under create_graph the gradient is differentiated again, which the compiled core cannot do.
             given = None if torch.is_grad_enabled() else ns.values_now(weights)
             if given is not None:
                 found = ctx.sums.gradient(c.detach().numpy(), given, torch.get_num_threads())
@@ -536,13 +543,13 @@ def _of_torch() -> Any:
     return Compiled
 
 
-_B = np.geomspace(4e-3, 4.0, 64)
+_B = np.geomspace(4e-3, 4.0, 64)  # tried curves
 _MOST = 512
-_SAMPLED, _MEMBERS = 12, 64  # degrees and pupils that means are sampled for
+_SAMPLED, _MEMBERS = 12, 64  # largest degree, and number of pupils, that means are sampled for
 
 
 class Chordal(NamedTuple):
-    """The field of any pupil at one wavelength, without its tables."""
+    """Field of any pupil at one wavelength, without its tables."""
 
     phase: PhaseRule
     error: FieldError
@@ -580,7 +587,7 @@ class Chordal(NamedTuple):
 
 
 def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
-    """Return the constants of the logarithms of both sums on curves, without ``-2 N b``."""
+    """Return the constants of the logarithms of both sums on the curves, without ``-2 N b``."""
     grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
     # With four chords or more, 1 - exp(-2 (N + 1) b) is more than 1 - exp(-10 b).
     chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
@@ -603,9 +610,11 @@ def make_chordal(
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
     degrees, by_means = [n for n, _ in terms], None
     if max(degrees) <= _SAMPLED:
+        # Pupils with the largest phases, weighted by degree: a term of degree n grows with exp(n b) on a curve.
         members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
         # The inner disk has the weight of its area.
         of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+        # Half of the error for each of the two sums.
         by_means = fewest((terms, stretch, window), members, of_disks, 0.5 * error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
@@ -618,6 +627,7 @@ def make_chordal(
     phase, arrays = phase_tables(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
     # (K + N + 32) u, K / 2 and N / 2 being the sizes of the tables.
+    # Four images of each node.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
@@ -638,10 +648,11 @@ def counts_by_largest(
     reach: tuple[float, float],
     error: float,
 ) -> tuple[int, int, Mean | None, Tables]:
-    """Return chords, nodes and their bounds by the largest values of the integrand."""
+    """Return chords, nodes and their bounds by the largest value of the integrand."""
     # Terms that share a degree and abs(m) have one amplitude.
     kinds = sorted({(n, abs(m)) for n, m in terms})
     matrix = np.array([[float(kind == (n, abs(m))) for kind in kinds] for n, m in terms])
+    # sinh of more than 300 would overflow in products.
     growth = stretch * np.sinh(np.minimum(np.outer([n for n, _ in kinds], _B), 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
     # The integrand of the inner disk is no larger, but for its amplitude, and has the weight of its area.
@@ -650,6 +661,7 @@ def counts_by_largest(
     parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
     chords, nodes = (even(float(each.min())) for each in needed)
+    # Some curves on either side of the best: pupils of the valid range have theirs there.
     chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
     bounds: Tables = {
         "pairs": matrix,
@@ -662,6 +674,7 @@ def counts_by_largest(
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
     """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
+    # Chebyshev's rule of the second kind across the chords; nodes of one sign, as the others are images of these.
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
@@ -669,4 +682,5 @@ def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light
     # U = U_1 - eps^2 U_2: certificate, section 5.
     signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
     w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
+    # Rounding may place nodes beyond the edge.
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

@@ -72,7 +72,7 @@ class Namespace:
 
     @classmethod
     def of(cls, given: object) -> Namespace:
-        """Return the namespace of a module or of its name, NumPy for None; TypeError if it has not the functions."""
+        """Return the namespace of a module or of its name, NumPy for None; TypeError if it lacks the functions."""
         module = "numpy" if given is None else given
         name = module if isinstance(module, str) else str(getattr(module, "__name__", ""))
         name = name.removeprefix("array_api_compat.")
@@ -96,7 +96,7 @@ class Namespace:
         return Namespace.of, (self.name,)
 
     def put(self, values: Values, device: object, dtype: object = None) -> Tensor:
-        """Return a NumPy array as one of the namespace, on a device, and at once even while JAX traces."""
+        """Return a NumPy array in the namespace, on a device; a constant even while JAX traces."""
         if self.name == "torch":
             values = np.array(values)  # PyTorch warns of arrays that are read-only
         if self.name != "jax":
@@ -115,26 +115,27 @@ class Namespace:
             return False
 
     def matmul(self, a: Tensor, b: Tensor) -> Tensor:
-        """Return a matrix product in the full precision of its type."""
+        """Return a matrix product in full precision of its type."""
         if self.name == "jax":
             # By default JAX multiplies matrices in bfloat16 or TF32 on accelerators.
             return self.xp.matmul(a, b, precision="highest")
         return self.xp.matmul(a, b)
 
     def coarseness(self, unit: float) -> float:
-        """Return the unit roundoff of operands where a user allows less than float32; `unit` is that of the type."""
+        """Return the unit roundoff of operands where a user allows less than float32; `unit` is the type's."""
         if unit < 1e-10:
             return 0.0
         if self.name == "torch":
             import torch
 
+            # TF32 keeps 11 bits, bfloat16 8.
             return {"highest": 0.0, "high": 2.0**-11}.get(torch.get_float32_matmul_precision(), 2.0**-8)
         if self.name == "cupy":
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
     def apart(self, function: Callable[..., _Result], *given: Tensor) -> _Result:
-        """Call a function, in JAX without fusing it with what is around it."""
+        """Call a function; in JAX without fusing it with its surroundings."""
         # XLA for processors would compute values that are used in several places in each, and turn axes one by one.
         if self.name != "jax":
             return function(*given)
@@ -156,11 +157,11 @@ class Namespace:
         return self.xp.flip(x, axis=axis)
 
     def turned(self, x: Tensor) -> Tensor:
-        """Return an array of three axes with these in the opposite order."""
+        """Return an array of three axes with these in reverse order."""
         return self.apart(partial(self.xp.permute_dims, axes=(2, 1, 0)), x)
 
     def stop(self, x: Operand) -> Tensor:
-        """Return `x` as a constant, through which no gradient passes."""
+        """Return `x` as a constant without gradient."""
         if self.name == "jax":
             import jax
 
@@ -168,7 +169,7 @@ class Namespace:
         return x.detach() if self.name == "torch" else x  # type: ignore[no-any-return]
 
     def concrete(self, x: Tensor) -> bool:
-        """Return whether `x` has values now, rather than when a traced program runs."""
+        """Return whether `x` has values now, and not only when a traced program runs."""
         if self.name == "jax":
             import jax
 
@@ -203,11 +204,11 @@ class Namespace:
             return None
 
     def in_place(self, x: Operand) -> bool:
-        """Return whether a temporary `x` may be overwritten, which saves PyTorch a pass over the memory."""
+        """Return whether a temporary `x` may be overwritten, which saves PyTorch a pass over memory."""
         return self.name == "torch" and not x.requires_grad and self.values_now(x) is not None
 
     def to_numpy(self, x: Operand) -> Values:
-        """Return an array as one of NumPy."""
+        """Return an array as a NumPy array."""
         if self.name == "cupy":
             x = x.get()
         if self.name == "torch":

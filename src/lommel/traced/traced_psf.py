@@ -28,17 +28,17 @@ from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _OF_NUMPY = (np.ndarray, np.generic)
 _FINER = 0.1  # factor of the error of quadrature from one trial to the next
-_LEAST = 2.0**-52
+_LEAST = 2.0**-52  # least error of quadrature that is tried: below it rounding is all
 # Bounds are checked again for every pupil that is evaluated: trials only find numbers of nodes that are enough.
-_MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between these, that a tolerance is tried with
-_BLOCK = 2**21  # values that trials hold at once
+_MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between them, that a tolerance is tried with
+_BLOCK = 2**21  # values held at once in trials
 _RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
-_MOST_SAMPLES = 24  # a side of each pixel
+_MOST_SAMPLES = 24  # largest number of samples along a side of a pixel
 _X64 = '; call jax.config.update("jax_enable_x64", True) first, or give the plan a tolerance that float32 can prove'
 
 
 class Pixels(NamedTuple):
-    """Pixel averages and mirrored quadrants: how intensities become images.
+    """Pixel averages and mirrored quadrants: the way from intensities to images.
 
     Attributes
     ----------
@@ -63,23 +63,25 @@ class Pixels(NamedTuple):
     def means(
         self, ns: Namespace, tables: Tables, values: Tensor, error: Tensor, unit: float
     ) -> tuple[Tensor, Tensor]:
-        """Return the averages of intensities over pixels, and bounds on their errors."""
+        """Return averages of intensities over pixels, and bounds on their errors."""
         xp = ns.xp
         if self.samples > 1:
             if "index" in tables:
                 values = xp.take(values, tables["index"], axis=-1)
             shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
             values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
+            # A sum of samples^2 products, each of which rounds twice.
             error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
             return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
             most = xp.max(ns.stop(values), axis=-1)
             lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
+            # Averages are sums of errors times the weights: at most `growth` times the largest.
             return ns.matmul(values, tables["matrix"]), self.growth * (error + lost * most) + self.added * most
         return values, error
 
     def unfold(self, ns: Namespace, tables: Tables, values: Tensor) -> Tensor:
-        """Return images ``(n, height, width)`` from values at distinct radii, of cells, or of pixels by columns."""
+        """Return images ``(n, height, width)`` from values at distinct radii, of cells, or of pixels by column."""
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
@@ -89,6 +91,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
+        # The middle row and column belong to one side only.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -96,14 +99,14 @@ class Pixels(NamedTuple):
 
 
 class Distances(NamedTuple):
-    """Numbers of ``C_d = waves (vergence + 1 / distance)``; metres."""
+    """Coefficients of ``C_d = waves (vergence + 1 / distance)``; metres."""
 
     vergence: float
     waves: float
 
 
 class Static(NamedTuple):
-    """The part of a traced plan that holds no arrays: hashable, so that compiled programs can depend on it.
+    """The part of a traced plan without arrays: hashable, so that compiled programs can depend on it.
 
     Attributes
     ----------
@@ -276,7 +279,7 @@ class TracedPSF:
                         self.register_buffer(f"{name}_{k}", table, persistent=False)
 
             def traced(self) -> TracedPSF:
-                """Return the function with the tables where they are now."""
+                """Return the function with the tables in their present place."""
                 return TracedPSF(
                     traced._static,
                     tuple(
@@ -293,7 +296,7 @@ class TracedPSF:
         return Module()
 
     def _array(self, values: Operand) -> Tensor:
-        """Return values as a floating array of the framework, on the device that they are on."""
+        """Return values as a floating array of the framework, on their own device."""
         ns, like = self._static.namespace, cast("Operand", self.tables[0]["size"])
         xp = ns.xp
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
@@ -307,12 +310,12 @@ class TracedPSF:
         return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
 
     def _answer(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return images and bounds; in JAX always compiled, since operation by operation takes seconds."""
+        """Return images and bounds; in JAX always compiled, as operation by operation takes seconds."""
         if self._static.namespace.name == "jax":
             return _of_jax()(self, self._array(c))
-        return self._made(c)
+        return self._images_and_bounds(c)
 
-    def _made(self, c: Operand) -> tuple[Tensor, Tensor]:
+    def _images_and_bounds(self, c: Operand) -> tuple[Tensor, Tensor]:
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
         kind = str(self.tables[0]["size"].dtype).rpartition(".")[2]
@@ -343,7 +346,7 @@ class TracedPSF:
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
     def evaluated(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return values of pixels and bounds for checked coefficients `c` of the kept terms."""
+        """Return pixel values and bounds for checked coefficients `c` of the kept terms."""
         static = self._static
         ns = static.namespace
         unit, parts = UNIT[static.precision], []
@@ -397,7 +400,7 @@ class TracedPSF:
 
 
 def placed(static: Static, tables: tuple[Tables, ...], device: object = None) -> TracedPSF:
-    """Return a traced plan with its tables, given in NumPy, on a device, in its precision."""
+    """Return a traced plan with its NumPy tables on a device, in its precision."""
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
 
@@ -419,7 +422,7 @@ def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
         lambda traced: ((traced.tables,), traced._static),
         lambda static, parts: TracedPSF(static, *parts),
     )
-    return jax.jit(TracedPSF._made)
+    return jax.jit(TracedPSF._images_and_bounds)
 
 
 def traced(
@@ -468,7 +471,7 @@ def traced(
 
 
 def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str:
-    """Return the type of the computation on a device, "float64" or "float32"; ValueError where there is none."""
+    """Return the type of the computation on a device, "float64" or "float32"; ValueError if it has none."""
     double = ns.has_double(device)
     if precision == "float64" and not double:
         raise ValueError(
@@ -486,10 +489,11 @@ def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str
 
 
 def _distances(pupil: Pupil) -> Distances | None:
-    """Return the numbers of the defocus of objects of a paraxial lens, the paper's Eq. 3; None for other pupils."""
+    """Return the coefficients of the defocus of objects of a paraxial lens, the paper's Eq. 3; None for others."""
     lens = pupil.geometry
     if lens is None or lens.model != "paraxial" or pupil.wavelength is None:
         return None
+    # C_d = pi a^2 / (2 lambda) times the error of vergence.
     return Distances(-lens.in_focus, math.pi / (2.0 * pupil.wavelength) * lens.aperture_radius**2)
 
 
@@ -514,6 +518,7 @@ def _fields(
     step, stretch = grid.step(pupil), max(part.stretch for part in lights)
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
+    # Radial pupils need radii alone: fewer samples than a lattice.
     if pupil.radial:
         image, v, shared = of_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
@@ -532,7 +537,7 @@ def _fields(
 
 
 def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound of the stack, and of it and further pupils in the valid range."""
+    """Return the largest bound of the stack, and of it together with other pupils in the valid range."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
@@ -552,7 +557,7 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
 
 
 def _between(c: Array, *, boxed: bool) -> Array:
-    """Return coefficients within the box of a stack, some of its corners among them, or between two members."""
+    """Return coefficients within the box of a stack, with some of its corners, or between two members."""
     # The same pupils each time, so that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
@@ -561,6 +566,7 @@ def _between(c: Array, *, boxed: bool) -> Array:
         return np.asarray(part * one + (1.0 - part) * other)
     low, high = c.min(axis=0), c.max(axis=0)
     inside = draw.random((_BETWEEN, c.shape[1]))
+    # Corners: bounds are largest there.
     inside[: _BETWEEN // 2] = np.round(inside[: _BETWEEN // 2])
     return np.asarray(low + inside * (high - low))
 
@@ -589,7 +595,9 @@ def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     middle = grid.axis
     down, across = np.arange(height) - middle[0], np.arange(width) - middle[1]
     if grid.centered:
+        # A centred window is symmetric: one quadrant holds all distinct radii.
         down, across = down[height // 2 :: -1], across[width // 2 :: -1]
+    # Squares of whole numbers are exact: equal radii are found as equal.
     squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
     return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _places(index)}
 

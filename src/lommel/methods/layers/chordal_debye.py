@@ -1,6 +1,6 @@
 """Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes.
 
-With proven numbers of chords and nodes for images, and with stated ones, without a bound, for searches.
+For images the numbers of chords and nodes are proven; searches use stated ones, without a bound.
 """
 
 from __future__ import annotations
@@ -41,27 +41,27 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, each of which proves a bound
+_B = np.geomspace(0.03, 2.7, 64)  # displacements of the paths from the real angles; each proves a bound
 _SINH = np.sinh(_B)
-# Both numbers are solved for halves: the bounds fall like exp(-2 n b), and the core returns n / 2.
+# Solved for half of each number: bounds fall like exp(-2 n b), and the core returns n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
 # cosh^2 b over half of cosh 2b: certificate, section 16, "Chords and nodes".
-_TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # the weight of chords on curves over its mean
+_TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # weight of chords on the paths over its mean
 _ETA = np.linspace(0.0, 1.0, 17)
 # 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0  # exp(-s) I_0(s) is at most the root of this over s
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
-_MOST_NODES, _MOST_DEGREE = 256, 250  # of which sums of exp(n b) are finite
+_MOST_NODES, _MOST_DEGREE = 256, 250  # up to which sums of exp(n b) are finite
 _ROUNDING = 2.0**-53
-# Of the error of a field, what the projection, the sum over chords and that over nodes may have.
+# Shares of the error of a field: projection, sum over chords, sum over nodes.
 _SHARES = (0.25, 0.3, 0.3)
 _QUADRATURE = 0.05
 
 
 class By(NamedTuple):
-    """Derivatives by depth (0) and focus (1), over the steepest phase, or by ln k, and by Zernike terms."""
+    """Derivatives by depth (0) and focus (1) over the steepest phase, by ln k, and by Zernike terms."""
 
     rates: tuple[int, ...] = ()
     terms: tuple[tuple[int, int], ...] = ()
@@ -108,7 +108,7 @@ class ChordalDebye(AberratedMethod):
     tol: float = 1e-6
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return None: all are supported."""
+        """Return None: all pupils are supported."""
         return None
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -117,10 +117,10 @@ class ChordalDebye(AberratedMethod):
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
     ) -> tuple[Images, Array, Array, Array]:
-        """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and derivatives `by` parameters.
+        """Return I of a `pupil` at the pixel centres of `grid`, and derivatives `by` parameters.
 
-        These are those of I, (k, n, height, width), and not held to `tol`; then bounds on their errors, and on the
-        largest of each in modulus, (k, n). Raises ToleranceError and ValueError as ``images``.
+        Derivatives are of I, (k, n, height, width), without a tolerance; with bounds on their errors and largest
+        moduli, (k, n). Raises ToleranceError and ValueError as ``images``.
         """
         n = pupil.depth.size
         if not grid.stack:
@@ -142,7 +142,7 @@ class ChordalDebye(AberratedMethod):
     def _refined(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array, Array]:
-        """Return the same around one axis, I being within `tol` of its largest value."""
+        """Return the same around one axis, with I within `tol` of its largest value."""
 
         def made(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
             found = intensities(pupil, grid, field, wanted.threads, by)
@@ -159,13 +159,14 @@ class ChordalDebye(AberratedMethod):
     def _proven(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
     ) -> tuple[_Made, Array, Array]:
-        """Return what is `made` of fields that are off by little enough, the largest I, and the error over it.
+        """Return a result of fields that are exact enough, the largest I, and its relative error.
 
-        The largest I and its error are made beside it; ToleranceError where that is above `tol` as it is `wanted`.
+        `made` returns the result, the largest I and its error for a given error of fields. ToleranceError if `tol`
+        cannot be met.
         """
-        # What is divided by its own largest value is off by twice as much, and stored twice.
+        # Values divided by their own largest one have twice the error, and are rounded twice.
         twice = 2.0 if wanted.scale is None else 1.0
-        # Errors of fields begin at what serves a peak of a quarter of the likely one, and follow the peak that was
+        # The first error of fields assumes a quarter of the likely peak; the next ones follow the peak that was
         # found.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
@@ -180,7 +181,7 @@ class ChordalDebye(AberratedMethod):
                 return found, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
-            # The peak was lower than expected, or the bound looser: ask for fields that are more exact.
+            # The peak was lower than expected, or the bound less tight: fields must be more exact.
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
 
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
@@ -219,15 +220,15 @@ class ChordalDebye(AberratedMethod):
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
 
-_TOGETHER, _APART = 0.2, 0.15  # of a window, how far axes may be from each other
+_TOGETHER, _APART = 0.2, 0.15  # distances of axes, over the side of a window, up to which they share one
 
 
 def gathered(
     pupil: ObjectivePupil, grid: Grid, *, apart: bool
 ) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
-    """Return planes with axes of their own as planes around one axis, with tilts, and their places in the stack.
+    """Yield groups of planes around one axis, with tilts for small shifts: their indices, planes and grid.
 
-    Those whose axes are near each other together; with `apart` each by itself, without tilts.
+    Planes with neighbouring axes share a group; with `apart` each is alone, without tilts.
     """
     if apart or pupil.depth.size == 1:
         for i, k in enumerate(np.ndindex(pupil.shape)):
@@ -243,21 +244,20 @@ def gathered(
         here, planes = axes[these], flat[these]
         middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
         if len(these) > 1:
-            # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
-            # exp(-i (v - d).r) = exp(-i v.r) exp(i d.r), d the shift of the axis in v.
+            # A shift d of the axis in v is a tilt: exp(-i (v - d).r) = exp(-i v.r) exp(i d.r).
             row, column = (here - middle).T * grid.step(pupil)
             tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
             planes = replace(planes, aberrations=tilts + planes.aberrations if planes.aberrations else tilts)
         yield these, planes, Grid(grid.shape, grid.side, center=(float(middle[0]), float(middle[1])))
 
 
-_MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
-_MOST_PLACES = 10000  # of a plane with an axis of its own, which shares none
-_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # the same without aberrations, whose circles are shared by all azimuths
+_MOST_SAMPLES = 50000  # of all planes; beyond, tables over circles are shared by more samples
+_MOST_PLACES = 10000  # of a plane with its own axis, which shares none
+_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # without aberrations, where circles are shared by all azimuths
 
 
 class ChordalDebyeIfCheaper(ChordalDebye):
-    """The same where it is likely to take less time than methods by circles; Declined elsewhere, at once."""
+    """ChordalDebye where it is estimated to be faster than methods over circles; elsewhere Declined, at once."""
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
@@ -272,12 +272,12 @@ class ChordalDebyeIfCheaper(ChordalDebye):
 
     @property
     def reported(self) -> ChordalDebye:
-        """The method that images are said to be by."""
+        """Method named in results."""
         return ChordalDebye(self.tol)
 
 
 class Rule(NamedTuple):
-    """Even numbers of chords and of nodes on each, and the degree of the amplitudes."""
+    """Even numbers of chords and of nodes on each, and the degree of the radial series."""
 
     chords: int
     nodes: int
@@ -285,18 +285,18 @@ class Rule(NamedTuple):
 
 
 class Fields(NamedTuple):
-    """What the core makes the fields of some planes of, and what these are off by."""
+    """Arguments of the core for the fields of some planes, and bounds on the errors of fields."""
 
     given: tuple[NodeTables, Complex, NodeWaves, Window]
-    sets: NDArray[np.int32]  # those of :func:`all_sets`
+    sets: NDArray[np.int32]  # see :func:`all_sets`
     terms: NodeTerms
-    wrong: Array  # (sets, planes, fields)
-    turns: tuple[float, float]  # what the two sets of derivatives by ln k are divided by, the second that of W
+    wrong: Array  # bounds on errors, (sets, planes, fields)
+    turns: tuple[float, float]  # divisors of the two sets of derivatives by ln k, the second that of W
 
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """What fields have in common that differ in depth and focus only: a wavefront, or a stack, in a window."""
+    """Quantities shared by fields that differ in depth and focus only: a wavefront or a stack, in a window."""
 
     wavefront: Wavefront
     window: Window
@@ -306,19 +306,19 @@ class _Case:
     sets: NDArray[np.int32]
     degree: int
     norm: float
-    largest: float  # W, where it is a factor
-    own: NDArray[np.int32] | None  # the wave of each plane, where these differ
-    sizes: Growth  # of each set, (sets, b)
-    chosen: Array  # what numbers of chords and nodes are chosen by, (2, b)
-    powers: Array  # of each term on the curves, (terms, b)
-    ends: NDArray[np.int32]  # of the terms of each part
-    series: NDArray[np.int32]  # of each set
-    left: Array  # what terms of higher degree add to each set of fields, (sets,)
-    lost: Array  # by rounding, but for what the counts of the rule add, (sets,)
+    largest: float  # bound on W, where W is a factor
+    own: NDArray[np.int32] | None  # index of the wave of each plane, if these differ
+    sizes: Growth  # for each set, (sets, b)
+    chosen: Array  # bounds by which numbers of chords and nodes are chosen, (2, b)
+    powers: Array  # bound on each term on the paths, (terms, b)
+    ends: NDArray[np.int32]  # end of the terms of each part
+    series: NDArray[np.int32]  # series of each set
+    left: Array  # truncation error of each set of fields, (sets,)
+    lost: Array  # rounding errors without those that grow with the rule, (sets,)
     rules: dict[Rule, _Ruled]
 
     def ruled(self, rule: Rule) -> _Ruled:
-        """Return what depends on the numbers of chords and nodes."""
+        """Return the quantities that depend on the numbers of chords and nodes."""
         found = self.rules.get(rule)
         if found is None:
             of_phases = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
@@ -334,20 +334,20 @@ class _Case:
 
 
 class _Ruled(NamedTuple):
-    """What fields are made of by one rule."""
+    """Tables for the fields of one rule."""
 
     tables: NodeTables
     waves: NDArray[np.complex128]
     terms: NodeTerms
     curves: tuple[Array, Array]
-    rounding: Array  # of the moduli of amplitudes, (sets,)
+    rounding: Array  # rounding error over the moduli of amplitudes, (sets,)
 
 
-_MOST_RULES, _MOST_BYTES = 8, 2**20  # that are kept, and of their waves
+_MOST_RULES, _MOST_BYTES = 8, 2**20  # rules that are kept, and the size of their waves
 
 
 def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
-    """Return the sets of fields of derivatives `by` parameters: a series, a term or -1, and a kind of waves each."""
+    """Return the sets of fields for derivatives: (series, term or -1, kind of waves); `turned` adds waves times W."""
     sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
     return [*sets, (0, -1, 1)] if turned else sets
 
@@ -362,7 +362,7 @@ def _case(
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
     plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
     highest = max((n for n, _ in phases), default=0)
-    # The degree is chosen with the factor of the highest term that is differentiated by.
+    # The degree allows for the factor of the highest Zernike term of the derivatives.
     size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(layers, model)
     degree = degree_for(size.across, norm, _SHARES[0] * field)
@@ -370,14 +370,14 @@ def _case(
     sets = all_sets(by, turned=largest > 0.0)
     factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
     sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
-    # Films change s and p waves, which add up to a part, by factors of their own.
+    # Films change s and p waves by different factors, and a part is their sum: sqrt 2 of the norm.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
     left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     # Section 16, "Rounding": 2 N + 2 K are added where the rule is known.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
-    # What a factor of degree n loses besides: section 8, "Derivatives".
+    # Further rounding of a factor of degree n: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
@@ -395,11 +395,11 @@ def _case(
 
 
 def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
-    """Return fields around one axis that are off by about `field`, and those of derivatives `by` parameters."""
+    """Return fields around one axis with errors of about `field`, and those of derivatives `by` parameters."""
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
     found = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
-    # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
+    # Weights of the rule sum to 1: an amplitude is at most the sum of the moduli of its terms.
     sizes, chords, nodes = chordal_series_sizes(found.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
     ruled = case.ruled(Rule(_even(chords), _even(nodes), case.degree))
     shares = _shares(pupil.emitter)
@@ -412,9 +412,9 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
 def intensities(
     pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE
 ) -> tuple[Array, Array, Array]:
-    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width).
+    """Return I at pixel centres around one axis and its derivatives, (1 + k, n, height, width).
 
-    By fields that are off by about `field`. Then bounds on errors, and on the largest in modulus, (1 + k, n).
+    Fields have errors of about `field`. With bounds on errors, and on the largest moduli, (1 + k, n).
     """
     made = fields(pupil, grid, field, by)
     of_layers, measured = made.turns
@@ -433,7 +433,7 @@ def intensities(
 def sums(
     pupil: ObjectivePupil, grid: Grid, field: float, weights: Array, threads: int, by: By
 ) -> tuple[Array, Array, Array]:
-    """Return weighted sums of I around one axis and their derivatives, (n, 1 + k); the largest I, and its error."""
+    """Return weighted sums of I around one axis and their derivatives, (n, 1 + k); the largest I and its error."""
     made = fields(pupil, grid, field, by)
     asked = np.array(_series(by), dtype=np.int32)
     found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
@@ -442,46 +442,43 @@ def sums(
 
 
 def _series(by: By) -> list[tuple[int, int, int]]:
-    """Return the sets of fields that have series of their own."""
+    """Return the sets of fields with a series of their own."""
     return [(k, -1, 0) for k in range(1 + len(by.rates))]
 
 
 def error_of_light(off: Array, largest: Array) -> Array:
-    """Bound the error of a sum of squares of fields, at most so large, that are `off` by little: (n,)."""
+    """Bound the error of a sum of squares of fields with errors `off` and moduli up to `largest`; (n,)."""
     return np.asarray((off * (2.0 * largest + off) + 32.0 * _ROUNDING * largest**2).sum(axis=-1))
 
 
 @lru_cache(maxsize=64)
 def _rows(emitter: Emitter) -> Complex:
-    """Return the fields of an emitter, as sums of its waves, whose squares add up to its light."""
+    """Return the fields of an emitter as sums of its waves; their squares add up to its intensity."""
     return squares(emitter.light.waves.form)
 
 
 @lru_cache(maxsize=64)
 def _shares(emitter: Emitter) -> Array:
-    """Return what parts of the amplitudes add to the fields of an emitter, in modulus, shape (fields, parts)."""
+    """Return the moduli of the shares that parts of the amplitudes have in the fields of an emitter."""
     parts, count = np.array(emitter.light.waves.parts), len(emitter.light.model.orders)
     return np.asarray(np.abs(_rows(emitter)) @ (parts[:, None] == np.arange(count)).astype(np.float64))
 
 
 @lru_cache(maxsize=64)
 def _powers(order: int, degree: int) -> Array:
-    """Return what bounds each term of an amplitude on the curves, shape (terms, b)."""
+    """Return bounds on each term of an amplitude on the paths, shape (terms, b)."""
     return np.asarray(np.exp(np.outer(projection.degrees(order, degree), _B)))
 
 
 class Growth(NamedTuple):
-    """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on curves.
-
-    On those of the projection, of chords and of nodes.
-    """
+    """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on paths: projection, chords, nodes."""
 
     across: Array
     around: Array
     along: Array
 
     def times(self, n: int) -> Growth:
-        """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` there."""
+        """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` on the paths."""
         return Growth(*(each + _factor(n) for each in self)) if n else self
 
 
@@ -500,10 +497,11 @@ def growth(
 ) -> Growth:
     """Return bounds for a stack of wavefronts in a window from v = `low` to `high`, (y, x).
 
-    `phases` are the amplitudes of its terms, if these are known.
+    `phases` are the amplitudes of its terms, computed if not given.
     """
     terms, reach = wavefront.edge_terms(), []
     for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
+        # A tilt shifts the window: only v less the tilt counts.
         tilt = terms.get(term, 0.0)
         reach.append(max(float(np.abs(edge - tilt).max()) for edge in edges))
     total = np.zeros(_B.shape)
@@ -514,11 +512,11 @@ def growth(
 
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
-    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three curves, for v up to `y` and `x`."""
+    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three paths, abs(v) up to `y` and `x`."""
     # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
-    # The mean over a chord of a convex function, by trapezoids above it.
+    # The mean over a chord of a convex function lies below that of its trapezoids.
     each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
     held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
     around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
@@ -528,7 +526,7 @@ def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
 
 
 def left_out(size: Array, degree: int) -> Array:
-    """Bound what terms of higher degree add to a field, over their norm, for `size` of shape (..., b)."""
+    """Bound the terms of higher degree in a field, over their norm, for `size` of shape (..., b)."""
     return np.asarray(np.exp(np.minimum(700.0, (size + _beyond(degree)).min(axis=-1))))
 
 
@@ -538,7 +536,7 @@ def _beyond(degree: int) -> Array:
 
 
 def _tail(first: Array | float) -> Array:
-    """Return the logarithm of what terms from a degree on add, but for the exponential of that degree."""
+    """Return the logarithm of the tail from a degree on, without the exponential of that degree."""
     # The sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b), less its first exponential.
     terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
@@ -548,7 +546,7 @@ _FIRST_TAIL = _tail(40.0)
 
 
 def degree_for(size: Array, norm: float, error: float) -> int:
-    """Return a degree of amplitudes of such a norm beyond which terms add at most about `error`."""
+    """Return a degree beyond which the terms of amplitudes of this norm add at most about `error`."""
     needed = size + math.log(norm / error)
     # The tail depends on the degree weakly: two steps of a fixed-point iteration are enough.
     first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
@@ -560,7 +558,7 @@ def degree_for(size: Array, norm: float, error: float) -> int:
 
 
 def _even(halved: float) -> int:
-    """Return the least even number of chords or nodes that is proven to be enough."""
+    """Return the least even number of chords or nodes that is proven to suffice."""
     needed = 2 * max(2, math.ceil(halved))
     if needed > _MOST_NODES:
         raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
@@ -568,14 +566,14 @@ def _even(halved: float) -> int:
 
 
 def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
-    """Return what bounds on amplitudes on the curves are multiplied by, those of chords and of nodes."""
+    """Return the factors of bounds on amplitudes on the paths: of chords and of nodes."""
     of_chords, of_nodes = _falling(rule.chords, rule.nodes)
     return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
 
 
 @lru_cache(maxsize=64)
 def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
-    """Return the logarithms of what so many chords, and nodes, make of what an integrand is at most."""
+    """Return the logarithms of the errors of sums over chords and over nodes, over the bound on the integrand."""
     # Certificate, section 8: e_N and e_K over the means.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
@@ -601,7 +599,7 @@ def quadrant(chords: int, nodes: int) -> Quadrant:
 
 @lru_cache(maxsize=16)
 def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
-    """Return what fields of an emitter are made of at the nodes."""
+    """Return the tables of an emitter's fields at the nodes."""
     at, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
     radial = [zernike.radials(q, max(rule.degree, q), at.rho) for q in orders]
     shares, factors = [], []
@@ -619,8 +617,8 @@ def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTa
     )
 
 
-# Numbers of parities: 2 for odd in x plus 1 for odd in y.
-_PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
+# Parities are numbered 2 (odd in x) + 1 (odd in y).
+_PARITIES = ((0, 3), (2, 1))  # of cosine and sine of q theta, for even and odd q
 
 
 @lru_cache(maxsize=16)
@@ -639,7 +637,7 @@ _MOST_DISC_CHORDS = 200
 
 
 def chords_for(radius: float, error: float) -> int:
-    """Return an even number of chords of a disc that sums over these need to err by `error` at most."""
+    """Return an even number of chords of a disc for which the error of their sum is at most `error`."""
     for chords in range(2, _MOST_DISC_CHORDS + 1, 2):
         if chord_error(radius, chords) <= error:
             return chords
@@ -655,30 +653,31 @@ def chord_error(radius: float, chords: int) -> float:
     return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
 
-# Searches evaluate many images within a small part of the noise, and compare their answer with a certified image. So
-# they take rules of stated size instead: half as many chords and nodes as the proof asks for are enough. Pixels, a
-# bead and a blur are filters of such samples: with ``OTF(w)`` zero beyond ``|w| = 2``, weights are fitted to the
-# response at spatial frequencies w by least squares, weighed by the transfer function of a circular aperture.
+# Searches evaluate many images to a small part of the noise, and check their result with a certified image. So they
+# use rules of stated size: half as many chords and nodes as the proof requires are enough. Pixels, a bead and a blur
+# are filters of such samples: as ``OTF(w)`` vanishes beyond ``|w| = 2``, weights are fitted to the response at
+# frequencies w by least squares, weighted by the transfer function of a circular aperture.
 
 Term = tuple[int, int]
-HALF = 7  # samples on either side that a filter takes at the least
-_FARTHEST = 1.535  # v between samples, of pi/2
+HALF = 7  # least number of samples on either side of a filter
+_FARTHEST = 1.535  # v between samples; pi/2 is the Nyquist limit
 _BAND = 2.0 * np.cos((np.arange(160) + 0.5) * (0.5 * math.pi / 160))  # Chebyshev points of [0, 2]
 _CUT = 0.5 * _BAND
 _WEIGHT = 2.0 / math.pi * (np.arccos(_CUT) - _CUT * np.sqrt(1.0 - _CUT * _CUT)) + 1e-3
 _DISC = 1e-4  # error of the response of a disc
+# OTF of a circular aperture; a thousandth more keeps the fit determined at the end of the band.
 
 
 class Planes(NamedTuple):
-    """Depths and stage positions of some planes, metres, and the phase of each, radians at the edge."""
+    """Depths and stage positions of planes (metres), and their phases (radians at the edge)."""
 
     depth: Array  # (n,)
     focus: Array  # (n,)
-    edge: Array  # (n, terms), or (1, terms) where all share one
+    edge: Array  # (n, terms), or (1, terms) if all share one
 
 
 class SampleLattice(NamedTuple):
-    """SampleLattice of pixels around an axis, with a margin of `half` samples for filters."""
+    """Lattice of samples for pixels around an axis, with a margin of `half` samples for filters."""
 
     shape: tuple[int, int]
     center: tuple[float, float]  # of the axis, pixels
@@ -687,12 +686,12 @@ class SampleLattice(NamedTuple):
 
     @property
     def stride(self) -> int:
-        """SampleLattice a pixel."""
+        """Number of samples a pixel."""
         return max(1, math.ceil(self.step / _FARTHEST))
 
     @property
     def window(self) -> Window:
-        """The samples, with those beyond the edges that filters take."""
+        """Window of all samples, with the margin."""
         s, half = self.stride, self.half
         height, width = (s * (side - 1) + 2 * half + 1 for side in self.shape)
         row, column = (s * at + half for at in self.center)
@@ -700,7 +699,7 @@ class SampleLattice(NamedTuple):
 
 
 def enough(reach: float, waves: float) -> Rule:
-    """Return a rule for samples up to `reach` in v along an axis, of phases up to so many `waves` (radians)."""
+    """Return a rule for samples up to `reach` in v along an axis, and phases up to `waves` (radians)."""
     # Fitted to images of stacks over 2 um at NA 1.2 to 1.49: errors of 1e-4 of the peak.
     count = 2 * math.ceil(0.5 * (0.54 * reach + 17.0 + 0.9 * waves))
     return Rule(count + 2, count, count - 4)
@@ -719,11 +718,11 @@ def light(
     by_amplitude: tuple[int, ...] = (),
     threads: int = 0,
 ) -> Array:
-    """Return I, not yet over the light collected, and its derivatives, (1 + k, n, height, width).
+    """Return I, before division by the light collected, and its derivatives, (1 + k, n, height, width).
 
-    `terms` are those of the phases of planes. Derivatives are by the focus, 1/metres, if wanted, then by radial terms
-    of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), then by the terms `by`, radians at the
-    edge.
+    `terms` are those of the phases of the planes. Derivatives are by the focus (1/metres, `by_focus`), by radial
+    terms of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), and by the terms `by` (radians at
+    the edge).
     """
     model = emitter.light.model
     coefficients = _amplitudes(layers, model, planes, rule.degree, by_amplitude, by_focus=by_focus)
@@ -736,6 +735,7 @@ def light(
     which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     own = node_terms(rule.chords, rule.nodes, by)
     sets = [*((k, -1, 0) for k in range(len(coefficients))), *((0, k, 0) for k in range(len(by)))]
+    # The stated rule has no bound: errors of fields are 0 here.
     no_error = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
     given = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
     return chordal_series_light(*given, own, no_error, np.ones(count), threads)[0]
@@ -744,7 +744,7 @@ def light(
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
     """Return the light collected at each depth, as :attr:`lommel.ObjectivePupil.power`."""
     each, place = np.unique(depth, return_inverse=True)
-    # Each depth once.
+    # Each distinct depth is integrated once.
     near, _ = debye.power(layers, each, emitter.light.model)
     return np.asarray((near @ emitter.light.shares)[place.ravel()])
 
@@ -764,9 +764,9 @@ def _amplitudes(
 
 
 def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
-    """Return how many angles of each section suffice: those that the degree and the swing of phases need."""
+    """Return the number of angles of each section for the degree of the series and the change of the phases."""
     of = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
-    # What the phase changes by from the axis to the rim, or to the critical angle.
+    # Change of the phase from the axis to the rim, or to the critical angle.
     swing = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in of]
     turns = swing[0] + swing[1] * float(planes.depth.max()) + swing[2] * float(np.abs(planes.focus).max())
     return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * turns) / 8.0)
@@ -776,7 +776,7 @@ def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
 def _integrals(
     layers: Layers, model: Model, degree: int, nodes: int
 ) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
-    """Return rates of the phase at the angles of a rule, weights of these in the terms of all parts, and rho."""
+    """Return rates of the phase at the angles of a rule, weights of the angles in the terms of all parts, and rho."""
     cut = debye.pieces(layers, model)
     rho, parts, rates = debye.tabulated(cut, model, (nodes,) * len(cut))
     columns: list[Complex] = []
@@ -788,13 +788,13 @@ def _integrals(
 
 
 class Filter(NamedTuple):
-    """Products of a filter of rows and one of columns, which add up: matrices from samples to pixels."""
+    """Sum of products of a filter of rows and one of columns: pairs of matrices from samples to pixels."""
 
     parts: tuple[tuple[Array, Array], ...]
 
     def of(self, samples: Array) -> Array:
-        """Return pixels (..., height, width) of samples."""
-        # One small product for each image: a threaded BLAS spends more time on waking up than on large ones.
+        """Return pixels (..., height, width) from samples."""
+        # One small product for each image: a threaded BLAS would take longer to start than to compute.
         total: Array = np.zeros(())
         for rows, columns in self.parts:
             down, across = (each.astype(samples.dtype, copy=False) for each in (rows, columns))
@@ -805,10 +805,11 @@ class Filter(NamedTuple):
 def pixel_filter(
     samples: SampleLattice, disc: float = 0.0, variance: float = 0.0, *, integrate: bool = True
 ) -> Filter:
-    """Return the filter of pixels, means over discs of a radius in v, and a Gaussian blur of a variance in v^2."""
+    """Return the filter of pixels, of means over discs (radius in v) and of a Gaussian blur (variance in v^2)."""
     s, half, side = samples.stride, samples.half, samples.step if integrate else 0.0
     h = samples.step / s
 
+    # Pixel, Gaussian and one chord of the disc: a sinc along the chord, a cosine of its distance across.
     def along(w: Array, mean: float, cosine: float) -> Array:
         plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
         return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
@@ -826,13 +827,13 @@ def pixel_filter(
 
 
 def _fitted(response: Array, h: float, half: int) -> Array:
-    """Return weights of samples h apart whose response is nearly the wanted one."""
+    """Return the weights of samples `h` apart that fit a response."""
     return np.asarray(_inverse(h, half) @ (_WEIGHT * response))
 
 
 @lru_cache(maxsize=64)
 def _inverse(h: float, half: int) -> Array:
-    """Return the matrix from responses to weights, both halves of these."""
+    """Return the matrix from responses to weights on both sides."""
     x = h * np.arange(half + 1)
     basis = np.where(x > 0.0, 2.0, 1.0) * np.cos(np.outer(_BAND, x))
     found = np.linalg.pinv(_WEIGHT[:, None] * basis, rcond=1e-10)
@@ -840,7 +841,7 @@ def _inverse(h: float, half: int) -> Array:
 
 
 def _banded(weights: Array, stride: int, side: int) -> Array:
-    """Return the matrix of a filter: pixels (side) from samples."""
+    """Return the matrix of a filter, from samples to `side` pixels."""
     made = np.zeros((side, stride * (side - 1) + weights.size))
     for i in range(side):
         made[i, stride * i : stride * i + weights.size] = weights

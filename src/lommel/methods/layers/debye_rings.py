@@ -27,7 +27,7 @@ from lommel.special.bessel import bessel_sequence
 
 
 class _Band(NamedTuple):
-    """An angular frequency of circles, radians a step, and the least error of the interpolation between them."""
+    """Bandwidth of circles in radians a step, and the least error of the interpolation between them."""
 
     band: float
     least: float
@@ -35,13 +35,13 @@ class _Band(NamedTuple):
 
 # Circles are 0.8 apart in v or, where little may be lost, 0.55: certificate, section 16, "Between circles".
 _BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
-_AROUND = 1e-12  # the least that interpolation around circles is asked for
-_PARTS = 2**22  # of pupils with a wavefront each, at once
+_AROUND = 1e-12  # least error of the interpolation around circles
+_PARTS = 2**22  # values of pupils with a wavefront each, at once
 _ROUNDING = 2.0**-53
 
 
 class Accuracy(NamedTuple):
-    """What fields may err by, what interpolation between circles may add to I, and around them relative to it."""
+    """Errors of fields, of interpolation between circles (in I) and around them (relative to I)."""
 
     field: float
     between: float
@@ -89,16 +89,16 @@ class DebyeRings(AberratedMethod):
         return self.refined(pupil, grid, tol, wanted)[0]
 
     def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
-        """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and what that took.
+        """Return I of a `pupil` at the pixel centres of `grid`, and the accuracy that it took.
 
-        ToleranceError where rounding keeps `tol` from being met.
+        ToleranceError if rounding prevents `tol`.
         """
         peak = likely_peak(pupil) / 4.0
-        # What is divided by its own largest value is off by twice as much, and stored twice.
+        # Values divided by their own largest one have twice the error, and are rounded twice.
         twice = 2.0 if wanted.scale is None else 1.0
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         while True:
-            # Powers of two, so that taps and angles serve others too.
+            # Powers of two, so that taps and angles are shared by similar tolerances.
             exact = (2.0 ** math.floor(math.log2(x)) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0))
             accuracy = Accuracy(*exact)
             made = ringed(pupil, grid, accuracy, wanted)
@@ -107,12 +107,12 @@ class DebyeRings(AberratedMethod):
                 return made, accuracy
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
-            # The peak was lower than expected, or the bound looser.
+            # The peak was lower than expected, or the bound less tight.
             peak, aim = peak * 0.25, aim * max(1e-6, min(0.5, 0.5 * tol / worst))
 
 
 class Turn(NamedTuple):
-    """A factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho."""
+    """Factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho."""
 
     which: int  # 1 for the rate of the phase by depth, 2 for that by focus
     amount: complex
@@ -123,19 +123,19 @@ class Turn(NamedTuple):
         return np.asarray(0.5 * (1.0 + self.amount * (rates[self.which] - self.middle)))
 
     def growth(self, piece: Piece) -> Array:
-        """Return the logarithm of a bound on it, on each disc around a piece."""
+        """Return the logarithm of a bound on the factor, on each disc around a piece."""
         away = (piece.covered.rates[self.which] - self.middle).largest
         return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * away)))
 
 
 def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
-    """Return images of such an accuracy, whose bounds are to be compared with a tolerance: certificate, section 16.
+    """Return images of an accuracy, with bounds to be compared with a tolerance: certificate, section 16.
 
-    Waves have a further factor where there is a `turn`.
+    With a `turn` the waves have a further factor.
     """
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, along = _along(accuracy.between)
-    # To the farthest pixel, and as many more as taps and filter take beyond it.
+    # Circles to the farthest pixel, and the further ones that taps and filter need.
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
     rows = squares(light.waves.form)
@@ -144,16 +144,16 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     centers = np.stack(np.broadcast_arrays(*grid.center), axis=-1).reshape(-1, 2)
     errors, peaks, tops = np.empty((3, n))
     many = wavefront.shape[0] > 1
-    # Stacks with a wavefront each are computed in parts, whose pupil functions fit into memory.
+    # Stacks with a wavefront each are computed in parts, so that their pupil functions fit into memory.
     each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
     for part in (slice(k, min(k + each, n)) for k in range(0, n, each)):
         across, left = projection.components(
             wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
         )
-        # Orders of a field are those of the wavefront and of the wave of the emitter together.
+        # Orders of a field are sums of those of the wavefront and of the emitter's wave.
         shift = max(map(abs, light.waves.orders))
         most = across.shape[1] // 2 + shift
-        # The orders of the intensity are twice those of a field, and so many angles tell each from all others.
+        # The intensity has twice the orders of a field; this number of angles separates them.
         angles = fft_length(4 * most + 1)
         around = interpolation.orders(2 * most, 2 * angles, max(accuracy.around, _AROUND))
         waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
@@ -172,7 +172,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         window = Window(grid.shape, centers[part] if len(centers) > 1 else centers, step / (0.5 * band))
         found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
-        # Quadrature, orders that are left out, and roundings of the transform over angles (section 16, "Rounding").
+        # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").
         off = rule.error + left + 64.0 * math.sqrt(angles) * _ROUNDING * size
         wrong = _circle_error(found, off * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), most, angles)
         errors[part] = _pixel_error(found, wrong, along, around, angles)
@@ -206,7 +206,7 @@ def _nodes(
 
 def _circle_error(found: Ringed, field_errors: Array, most: int, angles: int) -> Array:
     """Bound the error of the intensity at any angle of a circle, from those of fields, shape (fields, n)."""
-    # Between so many angles a field is at most that much larger (Ehlich and Zeller).
+    # Between this many angles a field is at most 1 / cos(pi most / angles) times larger (Ehlich and Zeller).
     largest = np.sqrt(found.squares) / math.cos(math.pi * most / angles)
     return np.asarray((field_errors * (2.0 * largest + field_errors)).sum(axis=0))
 
@@ -214,7 +214,7 @@ def _circle_error(found: Ringed, field_errors: Array, most: int, angles: int) ->
 def _pixel_error(
     found: Ringed, wrong: Array, along: interpolation.Steps, around: interpolation.Orders, angles: int
 ) -> Array:
-    """Bound the error of pixels: of interpolation between circles and around them, of intensities, of roundings."""
+    """Bound the error of pixels: interpolation between and around circles, intensities, roundings."""
     sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
     # Section 16, "Rounding".
     units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
@@ -233,7 +233,7 @@ def squares(form: Complex) -> Complex:
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
     else:
-        # A Hermitian form is the sum of its eigenvectors' squares; eigenvalues below 0 are roundings.
+        # A Hermitian form is a sum of squares of its eigenvectors; eigenvalues below 0 are roundings.
         shares, vectors = np.linalg.eigh(form)
         rows = np.sqrt(np.maximum(shares, 0.0))[:, None] * vectors.T
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
@@ -242,7 +242,7 @@ def squares(form: Complex) -> Complex:
 def _fields(
     waves: Waves, rows: Complex, parts: Sequence[Complex], across: Complex, shift: int
 ) -> NDArray[np.complex128]:
-    """Return what orders of fields are integrals of, shape (wavefronts, orders, fields, nodes)."""
+    """Return the integrands of the orders of fields, shape (wavefronts, orders, fields, nodes)."""
     made = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
     for c, row in enumerate(rows):
         for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
@@ -256,7 +256,7 @@ def _fields(
 
 @lru_cache(maxsize=2)
 def _bessel(rho: bytes, apart: float, count: int, orders: int) -> Array:
-    """Return J_n at the product of the radii of circles and of rho, shape (orders, circles, nodes)."""
+    """Return J_n at the products of the radii of circles and rho, shape (orders, circles, nodes)."""
     arguments = np.multiply.outer(apart * np.arange(count), np.frombuffer(rho))
     found = bessel_sequence(arguments.ravel(), orders).reshape(*arguments.shape, orders)
     return np.ascontiguousarray(np.moveaxis(found, -1, 0))

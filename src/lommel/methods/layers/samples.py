@@ -158,7 +158,7 @@ class SampledLight(NamedTuple):
 
     @property
     def most(self) -> Array:
-        """The largest value of each plane."""
+        """Largest value of each plane."""
         return np.asarray(np.abs(self.values).max(axis=(1, 2)))
 
     def times(self, other: SampledLight | Array) -> SampledLight:
@@ -171,37 +171,37 @@ class SampledLight(NamedTuple):
 
 
 def light_samples(pupil: ObjectivePupil, grid: Grid, asked: float, threads: int = 0) -> SampledLight:
-    """Return the intensity of a pupil, relative to the light collected in each plane; off by `asked` of its peak."""
+    """Return the intensity of a pupil over the light collected in each plane, off by `asked` of its peak."""
     tol = max(asked, _LEAST)
 
     def ask(way: Method) -> Images:
         return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
     made = first_within_tolerance(candidates(pupil, grid, tol), ask)[1]
-    # An error of the phase changes a field by as much, and I as in section 6.
+    # A phase error changes a field by as much; the intensity follows as in section 6.
     left = pupil.left_out[0]
     off = made.bound * made.brightest + left * (2.0 * np.sqrt(made.brightest) + left)
     return SampledLight(made.values.reshape(-1, *grid.shape), np.broadcast_to(off, (math.prod(pupil.shape),)))
 
 
 class DiscFilter(NamedTuple):
-    """Filters of rows and of columns whose results sum to means over discs, of as many weights each."""
+    """Pairs of filters of rows and columns, of equal length, whose results sum to means over discs."""
 
     parts: tuple[tuple[Taps, Taps], ...]
     error: float  # of the response
-    gain: float  # what it multiplies errors of samples by
+    gain: float  # factor of the errors of samples
 
     @property
     def taps(self) -> Taps:
-        """One that has the samples of all."""
+        """A filter that needs the samples of all."""
         return self.parts[0][0]
 
     def samples(self, grid: Grid) -> Grid:
-        """Return the samples that means around the centres of pixels take."""
+        """Return the grid of samples for means around pixel centres."""
         return finer(grid, self.taps)
 
     def of(self, given: SampledLight, threads: int = 0) -> SampledLight:
-        """Return means of samples of light, whose transfer function has a modulus of integral 1 at most."""
+        """Return means of samples of light whose transfer function has a modulus of integral at most 1."""
         total = sum((weighed(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
         rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * given.most
         return SampledLight(np.asarray(total), self.error + self.gain * (given.error + rounded))
@@ -209,12 +209,12 @@ class DiscFilter(NamedTuple):
 
 @lru_cache(maxsize=64)
 def disc_filter(step: float, radius: float, error: float, least: int = 0) -> DiscFilter:
-    """Return the filter for means over discs of a `radius` around pixels of pitch `step`, in v, off by `error`.
+    """Return the filter for means over discs of `radius` around pixels of pitch `step` (v), with error `error`.
 
-    With `least` weights on either side at the least. Declined where it would take too many chords.
+    It has at least `least` weights on either side. Declined if it would take too many chords.
     """
     chords = chords_for(radius, 0.5 * error)
-    # As dense as averages over pixels take them: section 10.
+    # Samples as dense as for averages over pixels: section 10.
     stride = samples_across(step)
     h, each = step / stride, error / 8.0
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)
@@ -239,7 +239,7 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
 
 
 def _response(half: int, h: float, error: float, length: float, *, mean: bool) -> tuple[Array, float, float]:
-    """Return weights from the middle on whose response is ``cos(length w)``, or its mean over smaller lengths."""
+    """Return weights from the middle on with the response ``cos(length w)``, or its mean over smaller lengths."""
     most = half + 60
     while True:
         weights, off, gain = fitted(

@@ -40,28 +40,28 @@ from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _LEAST = 1e-13
-_BRIGHT = np.array([0.0, BRIGHT_RING])  # where something is bright in most planes
+_BRIGHT = np.array([0.0, BRIGHT_RING])  # radii at which most planes are bright
 _FINEST = 0.05
 _ROUNDING = 2.0**-50
 _AROUND = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
-_SOME = 512  # radii
-_PIXELS = 2**21  # of all planes and orders, at once
+_SOME = 512  # radii at which the largest value is searched
+_PIXELS = 2**21  # values of all planes and orders, at once
 
 
 class Orders(NamedTuple):
-    """Light at radii as orders of the azimuth."""
+    """Light at radii, as orders of the azimuth."""
 
     values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
     error: Array  # (n,), bound on the sum at these radii and any azimuth
 
     @property
     def most(self) -> Array:
-        """What the sum is at most, of each plane."""
+        """Bound on the sum of the orders, for each plane."""
         return np.asarray(np.abs(self.values).sum(axis=1).max(axis=1))
 
     @property
     def mean(self) -> Array:
-        """The mean over all azimuths, shape (n, radii); nowhere negative."""
+        """Mean over all azimuths, shape (n, radii), not negative."""
         return np.asarray(np.maximum(self._upper[:, 0].real, 0.0))
 
     @property
@@ -72,15 +72,15 @@ class Orders(NamedTuple):
 
     @property
     def _upper(self) -> Values:
-        """The orders 0 to M, which tell all."""
+        """The orders 0 to M, of which the others are conjugates."""
         return self.values[:, self.values.shape[1] // 2 :]
 
     def at(self, which: NDArray[np.int64]) -> Orders:
-        """Return it at some of the radii."""
+        """Return the light at some of the radii."""
         return Orders(self.values[:, :, which], self.error)
 
     def times(self, factor: Array) -> Orders:
-        """Return it times what is at least 0, of each plane."""
+        """Return the light times a factor of at least 0 for each plane."""
         return Orders(self.values * factor[:, None, None], self.error * factor)
 
 
@@ -92,8 +92,8 @@ def highest(pupil: ObjectivePupil) -> int:
 def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
     """Return the light of a pupil at rising v.
 
-    Its error is `asked` of its own peak, or 0.05 `tol`, which does where errors relate to that peak as those that are
-    asked about do, and which double precision can hold.
+    Its error is `asked` of its own peak, but at least 0.05 `tol`: errors relate to the same peak, and double
+    precision can hold that.
     """
     made = profiles(pupil, v, max(asked, _FINEST * tol, Stratified.least_tol))
     if made is None:
@@ -136,32 +136,34 @@ def _summed(values: Values, turn: NDArray[np.complex128]) -> Array:
 
 
 class Table(NamedTuple):
-    """Even radii, from which light at pixels is interpolated by polynomials between twelve of them."""
+    """Equally spaced radii, between twelve of which light at pixels is interpolated."""
 
-    places: NDArray[np.int64]  # in units of step; negative ones are beyond the axis
+    places: NDArray[np.int64]  # in units of `step`; negative ones lie beyond the axis
     step: float  # in v
 
     @classmethod
     def around(cls, radius: Array, error: float, faster: float) -> Table:
-        """Return what pixels at a `radius` each need, of light of the type ``2 faster``, to err by `error`."""
+        """Return the table for pixels at `radius`, light of the exponential type ``2 faster`` and an error."""
         step = table_step(error) / faster
         first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
 
     @property
     def radii(self) -> Array:
-        """Where light is to be known: rising."""
+        """Radii at which light must be known, rising."""
         return self.step * np.unique(np.abs(self.places))
 
     def error(self, found: Orders) -> Array:
-        """Return what pixels are off by at most, ``(n,)``, beside the error of :meth:`around`."""
+        """Bound the error of pixels, ``(n,)``, without that of :meth:`around`."""
         return growth() * (found.error + 8.0 * _ROUNDING * found.most)
 
     def painted(self, found: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
-        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``; `turn` is ``exp(i phi)`` of these."""
+        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``; `turn` is ``exp(i phi)`` of the pixels."""
         from scipy.sparse import csr_array
 
         values = found._upper
+        # Beyond the axis the azimuth changes by pi: F_m(-r) = (-1)^m F_m(r), certificate, "Scanning microscopes and
+        # beads".
         beyond = np.where(self.places < 0, -1.0, 1.0)
         row = np.searchsorted(np.unique(np.abs(self.places)), np.abs(self.places))
         known = np.stack([values[:, m][:, row] * beyond**m for m in range(values.shape[1])], axis=1)
@@ -179,26 +181,26 @@ class Table(NamedTuple):
 
 
 class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
-    """A method for the pupils of objectives that knows orders of the azimuth; dataclasses of it have a `tol`."""
+    """Base of methods for objectives that compute orders of the azimuth; subclasses are dataclasses with a `tol`."""
 
     @abstractmethod
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the light at rising v, to about an accuracy."""
+        """Return the light at rising v, to about the accuracy `asked`."""
 
     @abstractmethod
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the light of pupils with aberrations at the centres of pixels, to about an accuracy."""
+        """Return the light of pupils with aberrations at pixel centres, to about the accuracy `asked`."""
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
         """Return whether any of the light has aberrations."""
         return pupil.aberrated
 
     def _ceiling(self, pupil: ObjectivePupil) -> float:
-        """Return what the light is at most, and the integral of the modulus of its transfer function."""
+        """Return an upper bound on the light and on the integral of the modulus of its transfer function."""
         return 1.0
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
-        """Return the mean over all azimuths at rising v; where the light is radial, all that there is of it."""
+        """Return the mean over all azimuths at rising v, which is the light itself if it is radial."""
         if self._aberrated(pupil):
             raise ValueError(
                 f"{type(self).__name__} has no profiles of light with aberrations; compute an image, and measure that"
@@ -228,16 +230,18 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted, band)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return I at the centres of pixels."""
+        """Return I at pixel centres."""
         grid.require_one_axis()
         if self._aberrated(pupil):
             return self._by_pixels(pupil, grid, tol, wanted)
         x, y = pupil.v(grid.x), pupil.v(grid.y)[:, None]
         radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
         faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
-        # What is divided by its own largest value is off by twice as much, and by nothing over the peak elsewhere.
+        # Values divided by their own largest one have twice the error; 0.48 leaves a reserve.
         alone = wanted.scale is None
         aim = (0.48 if alone else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+        # The peak of a plane may lie beside the window; then values at the axis and on a bright ring bound it from
+        # below.
         bright = _BRIGHT[:0] if alone else _BRIGHT
         latest: list[tuple[Table, Orders]] = []
 
@@ -257,7 +261,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         return to_images(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
 
     def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return the same where light has aberrations, relative to the largest value in the window."""
+        """Return the same for light with aberrations, relative to the largest value in the window."""
         aim = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
 
         def made_of(asked: float) -> tuple[Array, Array]:
@@ -307,7 +311,7 @@ class Bead(ProvenMethod):
         super().__post_init__()
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where the bead would be in the glass."""
+        """Return the reason if the bead would reach into the glass."""
         radius = 0.5 * self.diameter
         near = float(pupil.depth.min())
         if near < radius * (1.0 - 1e-9):
@@ -322,7 +326,7 @@ class Bead(ProvenMethod):
         depths = stack.depth
         half = heights.size // 2
         discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
-        discs = discs[: -half - 1 : -1] + discs  # the same below the middle
+        discs = discs[: -half - 1 : -1] + discs  # discs below the middle have the radii of those above
         places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
         found = light(stack, places, asked, self.tol)
         values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
@@ -341,7 +345,7 @@ class Bead(ProvenMethod):
         heights, stack, share, off = self._planes(pupil, asked)
         count = math.prod(pupil.shape)
         values, error = np.zeros((count, *grid.shape)), np.full(count, off)
-        # The discs below the middle are those above.
+        # Discs below the middle have the radii, and hence the filters, of those above.
         for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
             means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), asked)
             for j in {k, other}:
@@ -352,7 +356,7 @@ class Bead(ProvenMethod):
         return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
-        """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
+        """Return heights, planes at these without aberrations (heights, n), their shares of light, and an error."""
         # Gauss's rule for the weight 1 - u^2 over heights in units of the radius.
         heights, weights, off = _rule(self._growth(pupil), asked)
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
@@ -362,7 +366,7 @@ class Bead(ProvenMethod):
         return heights, stack, share / share.sum(axis=0), off
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
-        """Return the logarithm of how much intensities grow on ellipses of complex heights."""
+        """Return the logarithm of the growth of the intensity on ellipses of complex heights."""
         layers, radius = pupil.layers, 0.5 * self.diameter
         eta, ratio = ETA, layers.NA / layers.sample
         within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
@@ -374,13 +378,14 @@ class Bead(ProvenMethod):
 
 
 def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
-    """Return heights, weights that sum to 1, and what sums over them err by: `error`, or more at the most nodes."""
+    """Return heights, weights of sum 1, and the error of sums over them: `error`, or more at the most nodes."""
     from scipy.special import roots_jacobi
 
     nodes = 2
-    # Twice: what intensities are divided by is such a sum too.
+    # Twice: intensities are divided by such a sum too.
     while (off := 2.0 * gauss_error(growth, nodes)) > error and nodes < _NODES_MOST:
         nodes += 1
+    # Gauss-Jacobi with the weight (1 - u)(1 + u): areas of the discs of a ball.
     u, w = roots_jacobi(nodes, 1.0, 1.0)
     return u, w / w.sum(), off
 
@@ -388,8 +393,8 @@ def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
 AIRY = 2.0 * math.pi * 0.61  # ``0.61 lambda / NA``, half an Airy unit, in v
 _PINHOLE_MOST = 100.0
 _SATURATION_MOST = 1e4
-_SHARE = 0.02  # of the tolerance: what a polynomial may differ from the exponential by
-_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, where the crest is looked for
+_SHARE = 0.02  # of the tolerance: difference between the polynomial and the exponential
+_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, search for the crest
 
 
 @dataclass(frozen=True)
@@ -459,20 +464,20 @@ class Confocal(ProvenMethod):
         return None
 
     def along_radius(self, pupil: ObjectivePupil) -> RadialMethod | None:
-        """Return the method itself where neither light depends on the direction, else None."""
+        """Return the method itself if neither light depends on the azimuth, else None."""
         return self if pupil.radial and self._lit(pupil).radial and not self._aberrated(pupil) else None
 
     def _ceiling(self, pupil: ObjectivePupil) -> float:
-        """Return what the product is at most, and the integral of the modulus of its transfer function."""
+        """Return an upper bound on the product and on the integral of the modulus of its transfer function."""
         return max(1.0, self._share) * float(self._absorbed(pupil).max())
 
     @property
     def _share(self) -> float:
-        """The light through the pinhole over the mean of the intensity across it."""
+        """Area of the pinhole: light through it over the mean intensity across it."""
         return 0.25 * (AIRY * self.pinhole) ** 2
 
     def _lit(self, pupil: ObjectivePupil) -> ObjectivePupil:
-        """Return what excites in the planes of the emission, as its emitter absorbs it."""
+        """Return the excitation in the planes of the emission, as the emitter absorbs it."""
         beam = self.excitation.emitter
         if isinstance(beam, Beam) and (dipole := _fixed(pupil)):
             beam = Absorbed(beam.polarization, dipole)
@@ -483,17 +488,17 @@ class Confocal(ProvenMethod):
         return pupil.aberrated or self.excitation.aberrated
 
     def _absorbed(self, pupil: ObjectivePupil) -> Array:
-        """Return the light that is absorbed in each plane, wherever, over that of the beam."""
+        """Return the largest light absorbed in each plane, over that of the beam."""
         lit = self._lit(pupil)
         return lit.power / replace(lit, emitter=self.excitation.emitter).power
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type of a field whose square is the product."""
+        """Return the exponential type of a field whose square is the product: the sum of both types."""
         return 1.0 + pupil.scale / self.excitation.scale
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the product at rising v, of the emission."""
-        # At the same radius in metres.
+        # The same radius in metres is another v at the wavelength of the excitation.
         excited = light(self._lit(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
         means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._share), highest(pupil))
         seen = light(pupil, means.places, asked, self.tol)
@@ -510,20 +515,20 @@ class Confocal(ProvenMethod):
 
 
 def _one_plane(name: str, pupil: ObjectivePupil) -> ObjectivePupil:
-    """Return the pupil in one of its planes, which share their aberrations."""
+    """Return the pupil in one of its planes, which must share their aberrations."""
     if pupil.aberrations is not None and pupil.aberrations.shape:
         raise ValueError(f"{name} must have one set of aberrations for all planes, got a stack")
     return pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
 
 
 def _given(name: str, given: object) -> ObjectivePupil:
-    """Return a pupil that was given, or rebuild it from its description."""
+    """Return the given pupil, or rebuild it from its description."""
     pupil = ObjectivePupil.from_dict(given) if isinstance(given, dict) else given
     return cast("ObjectivePupil", validation.instance(name, pupil, ObjectivePupil))
 
 
 def _fixed(pupil: ObjectivePupil) -> Dipole | None:
-    """Return the dipole of a pupil, unless it turns freely."""
+    """Return the dipole of a pupil, None if it rotates freely."""
     emitter = pupil.emitter
     return emitter if isinstance(emitter, Dipole) and emitter.wobble < 1.0 else None
 
@@ -618,13 +623,13 @@ class Sted(Confocal):
         object.__setattr__(self, "saturation", saturation)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where emitters do not turn freely, or a confocal microscope has one."""
+        """Return the reason if emitters do not rotate freely, or that of a confocal microscope."""
         if _fixed(pupil):
             return f"supports emitters that turn freely only, got {pupil.emitter!r}"
         return super().unsupported(pupil)
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type of a field whose square is as close to the product as it is to be."""
+        """Return the exponential type of a field whose square is the product within the tolerance."""
         return super().stretch(pupil) + self._degree * pupil.scale / self.depletion.scale
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
@@ -638,12 +643,12 @@ class Sted(Confocal):
         return super()._aberrated(pupil) or self.depletion.aberrated
 
     def _depleting(self, pupil: ObjectivePupil) -> ObjectivePupil:
-        """Return what depletes in the planes of the emission."""
+        """Return the depletion beam in the planes of the emission."""
         beam = self.depletion
         return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return what is left of the product at the centres of pixels."""
+        """Return the product after depletion at pixel centres."""
         rate = math.log(2.0) * self.saturation
         excited = super()._pixels(pupil, grid, asked, threads)
         depleting = light_samples(self._depleting(pupil), grid, asked / max(1.0, rate), threads)
@@ -651,12 +656,12 @@ class Sted(Confocal):
         return excited.times(SampledLight(left, rate * depleting.error))
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return what is left of the product at rising v, of the emission."""
+        """Return the product after depletion at rising v of the emission."""
         beam, slower = self.depletion, super().stretch(pupil)
         planes = self._depleting(pupil)
         rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
-        # Both are band-limited, and what is left of them is wanted at many more radii.
+        # Both factors are band-limited: they are computed at few radii and interpolated at many.
         # Discs of radius 0 interpolate, from a table as fine as the band of the product needs.
         means = disc_means(slower * v, 0.0, 0.1 * asked / ceiling, highest(self._lit(pupil)))
         known = super()._orders(pupil, means.places / slower, asked)
@@ -665,13 +670,13 @@ class Sted(Confocal):
         known = light(planes, means.places, asked / finer, self.tol / finer)
         depleting = Orders(means.of(known.values), known.error * means.gain + means.error)
         left = np.exp(-rate * depleting.mean)
-        # Twice the last: what is known is that far from the polynomial, and what is wanted as far.
+        # Twice the share: values known and values interpolated each differ by it from the polynomial.
         off = rate * depleting.error + 2.0 * _SHARE * self.tol
         return Orders(excited.values * left[:, None], excited.error + excited.most * off)
 
     @property
     def _degree(self) -> int:
-        """That of the polynomial."""
+        """Degree of the polynomial."""
         from scipy.special import ive
 
         # exp(-2 a D), D from 0 to 1, has the coefficients 2 exp(-a) I_k(a) in Chebyshev polynomials of 2 D - 1.
@@ -683,9 +688,9 @@ class Sted(Confocal):
 
 
 def crest(pupil: ObjectivePupil) -> float:
-    """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers."""
-    # Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase
-    # psi of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
+    """Return the largest intensity of a radial beam over its planes, without the phase of the layers."""
+    # Each plane wave keeps its transmission by interfaces and films and its decay with depth, but loses the phase psi
+    # of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()

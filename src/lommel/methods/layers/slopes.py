@@ -35,13 +35,12 @@ if TYPE_CHECKING:
     from lommel.methods.derivative_names import Name
 
 
-# Fixed dipoles and beams have the engine of :mod:`lommel.methods.layers.stratified`. With a measured wavefront fields
-# E are sums over circles (:mod:`lommel.methods.layers.debye_rings`); with waves times ``(1 +- i s dpsi/dx) / 2``
-# these are ``(E +- s G) / 2``, G being the derivative of E, and the difference of their intensities is ``s Re(E conj
-# G)``, half
-# of s times the derivative of ``abs(E)^2``: no difference quotient, whatever s is.
+# Fixed dipoles and beams use the engine of :mod:`lommel.methods.layers.stratified`. With a measured wavefront the
+# fields E are sums over circles (:mod:`lommel.methods.layers.debye_rings`); with waves times
+# ``(1 +- i s dpsi/dx) / 2`` they are ``(E +- s G) / 2``, G being the derivative of E, and the difference of their
+# intensities is ``s Re(E conj G)``, half of s times the derivative of ``abs(E)^2``: exactly, for every s.
 
-Rates = Callable[[ObjectivePupil], Sequence[By]]  # from planes to the derivatives that are wanted of these
+Rates = Callable[[ObjectivePupil], Sequence[By]]  # signature: planes -> derivatives of these
 
 
 def sampled_slopes(
@@ -54,7 +53,7 @@ def sampled_slopes(
     *,
     moved: bool = False,
 ) -> Images:
-    """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, follow the others.
+    """Return images and their derivatives; those by Zernike `terms`, from ChordalDebye, come after the others.
 
     With `moved`, for averages, the last two are those by the row and the column of the axis.
     """
@@ -63,14 +62,14 @@ def sampled_slopes(
     if isinstance(method, Stratified):
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     else:
-        # Derivatives over their largest factor have transfer functions at most twice that of I: section 15, last
-        # paragraph.
+        # Derivatives over their largest factor have transfer functions of at most twice that of I: certificate,
+        # section 15, "Light that depends on the azimuth".
         most = (*projection.steepest(layers, model), 0.0)
         if any(one.which == engine.BY_WAVENUMBER for one in by):
             most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
             if pupil.aberrations is not None:
                 most = (*most[:2], most[2] + sum(pupil.aberrations.flattened().amplitudes().values()))
-    # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
+    # Divisors for which transfer functions are at most twice that of the aperture, as the averages assume.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
     sizes += [1.0] * len(terms)
 
@@ -82,7 +81,7 @@ def sampled_slopes(
             return _by_circles(method, pupil, grid, each, most, tol, plain)
         return _by_engine(pupil, grid, each, tol, plain)
 
-    question = wanted._replace(terms=((0, 0),) * len(sizes))  # as many
+    question = wanted._replace(terms=((0, 0),) * len(sizes))  # placeholders, of which only the number counts
     if moved:
         made = finished(averaged(sample, pupil, grid, method.tol, question, gradients=True), question)
         sizes += [-grid.step(pupil)] * 2
@@ -109,9 +108,9 @@ def engine_slopes(
     wanted: Wanted,
     otherwise: Callable[[], Images] | None,
 ) -> Images | None:
-    """Return images and derivatives by the engine, or None where it has no such windows."""
-    # Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come
-    # with a looser one, and images are those that `otherwise` returns, or of a looser one too.
+    """Return images and derivatives by the engine, or None if it does not support such windows."""
+    # Derivatives have bounds but no tolerance: if rounding keeps the engine from that of the images, they are
+    # computed with a looser one, and the images come from `otherwise` (or have the looser one, too).
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)
@@ -121,7 +120,7 @@ def engine_slopes(
 def _by_engine(
     pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    """Return samples by Stratified, with derivatives over a size each."""
+    """Return samples by Stratified, and derivatives divided by a size each."""
     by = [one._replace(factor=one.factor / size, own=np.asarray(one.own) / size) for one, size in each]
     way = Stratified(max(tol, Stratified.least_tol))
     found = engine_slopes(pupil, grid, by, way.tol, wanted, lambda: way._samples(pupil, grid, tol, wanted))
@@ -142,7 +141,7 @@ def _by_circles(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by DebyeRings, with derivatives over a size each; `most` is what factors are at most."""
+    """Return samples by DebyeRings, and derivatives divided by a size each; `most` bounds the factors."""
     made, accuracy = method.refined(pupil, grid, tol, wanted)
     values = np.empty((len(each), *made.values.shape), wanted.dtype)
     error = np.empty((len(each), len(made.values)))
@@ -172,7 +171,7 @@ def _by_chords(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by ChordalDebye, with derivatives over a size each, those by Zernike terms last."""
+    """Return samples by ChordalDebye, and derivatives divided by a size each, those by Zernike terms last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
     made, raw, wrong, largest = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
@@ -186,7 +185,7 @@ def _by_chords(
             raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
             error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
             largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
-    # Storing, and products with the factors above.
+    # Roundings of storing and of the products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= made.brightest
     return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
@@ -196,7 +195,7 @@ TERMS_BY_CHORDS = (
     "derivatives by Zernike terms are those of ChordalDebye, which takes small windows and aberrations; ask for a "
     "smaller shape"
 )
-LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods that have derivatives
+LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
 _AXIS = ("row", "column")
 _OWN = ("z", "depth", "wavelength")
 
@@ -218,7 +217,7 @@ def layered_slopes(
     if by_engine:
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        # Growth by the wavelength takes tilts of finer samples anyway, which move the axis too.
+        # The derivative by the wavelength has tilts from finer samples already, which give those by the axis too.
         moved = axis and grid.integrate and "wavelength" not in kinds
         made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:
@@ -235,7 +234,7 @@ def layered_slopes(
 def _require_available(
     method: Method, pupil: ObjectivePupil, names: Sequence[Name], named: Mapping[Name, Term]
 ) -> None:
-    """Raise ValueError, or Declined where another method may have them, for derivatives that a method lacks."""
+    """Raise ValueError for derivatives that a method lacks, Declined if another method may have them."""
     if not isinstance(method, LAYERED):
         raise ValueError(
             f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, "
@@ -265,7 +264,7 @@ def _moved(
 ) -> dict[Name, Slope]:
     """Return the derivatives by the axis and, from that `at_fixed_v`, by the wavelength: certificate, section 12."""
     step = grid.step(pupil)
-    # What is left out of the phase moves fields and their gradients by as much.
+    # The part of the phase that the terms leave out changes fields and their gradients by as much.
     left = 4.0 * pupil.left_out[0]
     tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
     found: dict[Name, Slope] = {
@@ -274,7 +273,7 @@ def _moved(
     }
     if at_fixed_v is not None:
         values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
-        # So does the phase that is left out, as the wavelength falls.
+        # The left-out phase also grows as the wavelength falls.
         off = off + 2.0 * pupil.left_out[0]
         of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
         found["wavelength"] = _sum(at_fixed_v, of_place, made, wanted)
@@ -284,7 +283,7 @@ def _moved(
 def _radial(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
 ) -> Images:
-    """Return images and the derivatives that the engine has in such windows."""
+    """Return images and the derivatives that the engine supports in such windows."""
     for asked in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
         if asked:
             found = engine_slopes(pupil, grid, asked, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
@@ -299,7 +298,7 @@ def _radial(
 
 
 def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    """Return samples with bounds, which need not be the tolerance that only the reference reaches."""
+    """Return samples with bounds, without insisting on a tolerance that only the reference reaches."""
     if isinstance(method, Stratified):
         found = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
         if found is not None:
@@ -308,15 +307,15 @@ def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
 
 
 def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
-    """Return a derivative of the values, over their scale, from those of I at fixed power and a fixed pixel in v.
+    """Return the derivative of values over their scale, from those of I at fixed power and a fixed pixel in v.
 
-    What is over the light `far` from the glass does not change with the light that is collected near it.
+    Values over the light of an emitter `far` from the glass do not depend on the light collected near it.
     """
     if name == "z":
         return By(engine.BY_FOCUS)
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
-    # The light that values are divided by depends on depth and wavenumber too.
+    # The light by which values are divided depends on depth and wavenumber too.
     near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
         _, whole = debye.power(pupil.layers, np.zeros(0), model)
@@ -325,16 +324,16 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         rate = near @ shares / pupil.power
     if name == "depth":
         return By(engine.BY_DEPTH, 1.0, -rate)
-    # By ln k. The pixel is a larger part of the plane as v grows.
+    # By ln k: v grows with k, and the pixel becomes a larger part of the plane, hence -2.
     return By(
         engine.BY_WAVENUMBER, -1.0 / pupil.wavelength, ((-2.0 if energy or far else 0.0) + rate) / pupil.wavelength
     )
 
 
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
-    """Return a derivative of images from that of I, as they are stored."""
+    """Return a derivative of the stored images from that of I."""
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
-    # Times the scale of the images.
+    # Multiplied by the scale of the images.
     kept = np.empty(values.shape, wanted.dtype)
     np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
@@ -342,13 +341,13 @@ def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
 
 
 def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
-    """Return the sum of two derivatives, as it is stored."""
+    """Return the stored sum of two derivatives."""
     values = one.values.astype(np.float64) + other.values
     largest = np.abs(values).reshape(len(values), -1).max(axis=1) / made.scale / made.brightest
     return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)
 
 
-_BY_SERIES = ("z", "depth")  # what the transpose of ChordalDebye has beside terms and shifts
+_BY_SERIES = ("z", "depth")  # derivatives that the transpose of ChordalDebye has besides terms and shifts
 
 
 def layered_gradient(
@@ -391,7 +390,7 @@ def _gradient_by_chords(
     energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
-    """Return those that the transpose of ChordalDebye has; none where it declines and circles have them all."""
+    """Return the derivatives that the transpose of ChordalDebye has; {} if it declines and circles have them all."""
     terms = _terms_of(tuple(names))
     kinds: dict[Name, By] = {
         name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
@@ -419,6 +418,6 @@ def _gradient_by_chords(
 
 @lru_cache(maxsize=64)
 def _terms_of(names: tuple[Name, ...]) -> Mapping[Name, Term]:
-    """Return the terms that some names are of, tilts for shifts."""
+    """Return the Zernike terms of names, tilts for shifts."""
     each = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
     return MappingProxyType({name: term for name, term in each.items() if term})

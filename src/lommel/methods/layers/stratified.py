@@ -25,10 +25,10 @@ from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
 
-# Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
+# Shares of the tolerance: fields over the root of the peak, and interpolation between radii over the peak.
 _FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52
-_TURNS = 2  # the highest order of the azimuth that the core makes images of
+_TURNS = 2  # highest order of the azimuth that the core supports
 
 T = TypeVar("T")
 _Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
@@ -86,32 +86,32 @@ class Stratified(DebyeWolf):
 
 
 class By(NamedTuple):
-    """A derivative that the engine makes; see :class:`lommel.core.engine.LayeredSlopes`."""
+    """Derivative computed by the engine; see :class:`lommel.core.engine.LayeredSlopes`."""
 
     which: int
     factor: float = 1.0
-    own: Array | float = 0.0  # factor of I itself in it, of each plane
+    own: Array | float = 0.0  # factor of I itself in the derivative, for each plane
 
 
 class _Accuracy(NamedTuple):
-    """What fields may err by, and what interpolation may add to I."""
+    """Errors of fields and of interpolation (in I)."""
 
     field: float
     between: float
 
 
 def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
-    """Return what the first attempt made whose bound is at most `tol`; None where there is none, or it made none."""
+    """Return the first result with a bound of at most `tol`; None if there is none or an attempt returns none."""
     peak = likely_peak(pupil)
     while True:
-        # Powers of two, so that angles and tables serve others too.
+        # Powers of two, so that angles and tables are shared by similar tolerances.
         field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
         made, worst = attempt(_Accuracy(field, max(_LEAST, 2.0 ** math.floor(math.log2(_BETWEEN * tol * peak)))))
         if made is None or worst <= tol:
             return made
         if field <= _LEAST:
             return None
-        # The next guess at the peak, at most a quarter of that before.
+        # The next estimate of the peak, at most a quarter of the previous one.
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
 
 
@@ -128,10 +128,9 @@ def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]
 
 
 def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:
-    """Return images exact to `tol`, and their derivatives.
+    """Return images accurate to `tol`, and their derivatives.
 
-    None where the engine has no such windows, or none that is exact enough; see
-    :func:`lommel.core.engine.layered_images`.
+    None if the engine does not support such windows or this accuracy; see :func:`lommel.core.engine.layered_images`.
     """
     if not known(pupil.light):
         return None
@@ -139,7 +138,7 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
     def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
-        # Averages are more sums of fields than samples are.
+        # Averages sum over more values of fields than samples do.
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
@@ -155,12 +154,12 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
 
 
 def known(light: Light) -> bool:
-    """Return whether the core makes images of such light: vortices and high orders of the azimuth it has none of."""
+    """Return whether the core supports such light: no vortices, and orders of the azimuth up to 2."""
     return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _TURNS
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
-    """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
+    """Return a flattened stack in the layout of the core, with fields accurate to `tol` up to `reach` in v."""
     # One rule serves all planes between two depths and two foci: certificate, section 15.
     found, parts, rates = _angles(_question(pupil, reach, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
@@ -170,7 +169,7 @@ def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
 
 
 def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
-    """Return what angles are found for: all planes between two depths, and two foci counted from paraxial ones."""
+    """Return the key of a rule for angles: a range of depths, and of foci counted from the paraxial ones."""
     depth, layers = pupil.depth.ravel(), pupil.layers
     # The parallelogram of section 15: the focus less that of paraxial rays.
     away = pupil.focus.ravel() - layers.immersion / layers.sample * depth

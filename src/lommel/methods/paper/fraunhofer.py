@@ -74,7 +74,7 @@ class Fraunhofer(Method[Pupil]):
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
-        # An axis off the default place is a tilt of the pupil.
+        # An axis off the default position is a tilt of the pupil (shift theorem).
         away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
         tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
         place = np.arange(-count, count + 1) % side
@@ -83,7 +83,7 @@ class Fraunhofer(Method[Pupil]):
         out = np.empty((math.prod(pupil.shape), *grid.shape))
         for image, given in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
             padded = np.zeros((side, side), dtype=np.complex128)
-            # Added, not assigned: without padding the first and the last samples share a place.
+            # Added, not assigned: without padding the first and the last sample have the same index.
             np.add.at(padded, np.ix_(place, place), given * tilt)
             field = fft2(padded, overwrite_x=True)
             field = field if grid.integrate else field[np.ix_(rows, columns)]
@@ -92,7 +92,7 @@ class Fraunhofer(Method[Pupil]):
         return Intensities(out, None)
 
     def require_fit(self, pupil: Pupil, grid: Grid) -> None:
-        """Refuse what light would be aliased into, or an FFT would be too large for.
+        """Raise ValueError if light would be aliased into the window, or the FFT would be too large.
 
         Parameters
         ----------
@@ -110,10 +110,10 @@ class Fraunhofer(Method[Pupil]):
         from scipy.fft import next_fast_len
 
         step = grid.step(pupil)
-        # The intensity has twice the band of the field, and takes twice the padding to be averaged.
+        # The intensity has twice the bandwidth of the field: to be averaged it takes twice the padding.
         padding = max(self.padding, 2.0) if grid.integrate else self.padding
         stride = max(1, math.ceil(padding * step / math.pi - 1e-9))
-        per_diameter = stride * math.pi / step  # FFT length over pupil samples that makes the pitches fit
+        per_diameter = stride * math.pi / step  # FFT length over pupil samples for which the pitches match
         require_samples(self, self.samples, pupil, grid)
         wanted = max(self.samples * per_diameter, stride * max(grid.shape))
         if wanted > _MAX_SIDE:
@@ -126,12 +126,12 @@ class Fraunhofer(Method[Pupil]):
 
 
 def _averaged(intensity: Array, stride: int) -> Array:
-    """Return averages over squares of `stride` samples around each: sincs on the spectrum."""
+    """Return averages over squares of `stride` samples around each sample: sincs on the spectrum."""
     from scipy.fft import irfft2, rfft2
 
     side = len(intensity)
     across = np.sinc(stride / side * np.arange(side // 2 + 1))
     down = np.sinc(stride * np.fft.fftfreq(side))
-    # No average of an intensity is negative, and none less exact for it.
+    # Clamp to 0: averages of an intensity are not negative.
     averages: Array = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
     return np.maximum(averages, 0.0)

@@ -48,7 +48,7 @@ class Geometric(Method[Pupil]):
         """Return I averaged over pixels, shape ``(n, height, width)``."""
         grid.require_one_axis()
         step = grid.step(pupil)
-        # A centred image is four times its quadrant.
+        # A centred image has four equal quadrants.
         rows = np.arange(grid.height // 2 + 1.0) if grid.centered else grid.y / grid.side
         columns = np.arange(grid.width // 2 + 1.0) if grid.centered else grid.x / grid.side
         corner = math.hypot(np.abs(rows).max() + 0.5, np.abs(columns).max() + 0.5)
@@ -58,12 +58,13 @@ class Geometric(Method[Pupil]):
         edges = np.arange(count + 1) / self.rings
         density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
 
-        # Nearest point of each pixel: the first ring that can touch it.
+        # The nearest point of each pixel determines the first ring that can touch it.
         nearest = np.hypot(*(np.maximum(np.abs(part) - 0.5, 0) for part in np.meshgrid(rows, columns, indexing="ij")))
         first = np.floor(nearest * self.rings).astype(np.int64)
         pixel = (columns - 0.5, columns + 0.5, (rows - 0.5)[:, None], (rows + 0.5)[:, None])
         image = np.zeros((stack.shape[0], rows.size, columns.size))
         inside = disk_overlap(first / self.rings, *pixel)
+        # A pixel has a diagonal of sqrt 2, and touches no more rings than that.
         for k in range(math.ceil(math.sqrt(2.0) * self.rings) + 1):
             ring = np.minimum(first + k, count - 1)
             covered = disk_overlap((first + k + 1) / self.rings, *pixel)
@@ -71,6 +72,7 @@ class Geometric(Method[Pupil]):
             inside = covered
         if grid.centered:
             image = grid.unfold(image)
+        # Density per pixel area to I: all light is 4 pi tau in v^2.
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
     def _light(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
@@ -78,7 +80,7 @@ class Geometric(Method[Pupil]):
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]
         steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
-        # Cells of the aperture so fine that the rays of each fall into at most two neighbouring rings.
+        # Cells of the aperture so fine that the rays of each fall into at most two neighbouring rings (5 % to spare).
         cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
         if cells > _MAX_CELLS:
             raise ValueError(
@@ -90,7 +92,7 @@ class Geometric(Method[Pupil]):
         energy = np.diff(rho**2) / (1.0 - obscuration**2)
         low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
         ring = np.floor(low)
-        # Part of the cell's light that falls beyond the ring its lowest ray is in.
+        # Fraction of a cell's light beyond the ring of its lowest ray, for rays spread evenly over the cell.
         spread = high - low
         past = np.maximum(high - ring - 1.0, 0.0)
         beyond = energy * np.minimum(past / np.where(spread > 0, spread, 1.0), 1.0)

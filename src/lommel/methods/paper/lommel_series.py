@@ -16,7 +16,7 @@ from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
 _BLOCK = 2**20  # values of J held at once: 8 MiB
-_SMALL = 1.0  # u below which the U series serves inside the shadow too
+_SMALL = 1.0  # u below which the U series is used in the light too, where the V series cancels
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class LommelSeries(FieldMethod[Pupil]):
 def _disk(coefficients: Array, v: Array) -> FieldValues:
     values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
     for row, slope in zip(values, coefficients[:, 0], strict=True):
-        # coefficients[:, 0] = 2 C_d, u = 4 |C_d|
+        # coefficients[:, 0] = 2 C_d, and u = 4 |C_d|; negative defocus has the conjugate field.
         row[:] = _field(2.0 * abs(float(slope)), v)
         if slope < 0:
             np.conjugate(row, out=row)
@@ -109,6 +109,7 @@ def _sums(v: Array, ratio: Array, first: int) -> Iterator[tuple[slice, Array, Ar
     if not v.size:
         return
     reach = float(v.max())
+    # J_n(v) is negligible for n beyond v + O(v^(1/3)), the width of the Airy transition (DLMF 10.19.8).
     count = int(reach + 12.0 * (reach + 1.0) ** (1.0 / 3.0)) + 40
     rows = max(1, _BLOCK // count)
     power = np.arange(count - first)

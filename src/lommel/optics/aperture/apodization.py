@@ -65,6 +65,7 @@ class Apodization:
     exponent: Array = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        # + 0.0 turns -0 into 0, so that equal amplitudes are equal keys of caches.
         powers = [float(g) + 0.0 for g in validation.real_array("powers", self.powers).ravel()]
         while powers and powers[-1] == 0.0:
             powers.pop()
@@ -77,6 +78,7 @@ class Apodization:
         if not size <= _LARGEST * (1.0 + 1e-12):
             raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
         exponent.setflags(write=False)
+        # NumPy arrays are not hashable: the exponent is kept beside the tuple that the dataclass compares.
         error = validation.real("error", self.error, least=0.0)
         vars(self).update(powers=tuple(powers), error=error, exponent=exponent)
 
@@ -101,15 +103,17 @@ class Apodization:
         from numpy.polynomial import Chebyshev, Polynomial
 
         k = np.arange(1, _MOST + 1)
-        # The series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
+        # Series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
+        # As many terms as rounding can hold, ten at most.
         degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
         # Coefficients of t^j in T_k(2t - 1): integers, exact.
         rows = [Chebyshev.basis(i, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for i in range(degree + 1)]
         matrix = np.stack([np.pad(row, (0, degree + 1 - row.size)) for row in rows])
         powers = np.concatenate(([0.0], series[:degree])) @ matrix
         left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
+        # A logarithm off by e is an amplitude off by exp(e) - 1 of itself.
         return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
 
     @classmethod
@@ -136,6 +140,7 @@ class Apodization:
                 raise ValueError(f"degrees of terms must be even, got {degree}")
             series[degree // 2] = math.sqrt(degree + 1.0) * validation.real(f"terms[{degree}]", b)
         # R_2j^0(rho) = P_j(2 t - 1).
+        # The amplitude is exp(-exponent): hence the sign of the powers.
         powers = Legendre(series, domain=[0.0, 1.0]).convert(kind=Polynomial).coef
         return cls(tuple((-powers[1:]).tolist()))
 
@@ -177,6 +182,7 @@ class Apodization:
         """Return the integral over t of the amplitude to a `power` from `obscuration` squared to 1, to 1e-14."""
         low = obscuration**2
         area = 1.0 - low
+        # A Gaussian has a closed form; the limit of no apodization is taken apart, where it would be 0 / 0.
         if len(self.powers) > 1 or self.exponent[0]:
             t, weight = gauss_legendre(24 + math.ceil(0.5 * power * self.slope), low, 1.0)
             return float(weight @ self.at(t, power))
@@ -185,7 +191,7 @@ class Apodization:
 
     def growth(self, cosh: Array, low: float = 0.0) -> Array:
         """Return a bound on the log amplitude in ellipses around [`low`, 1] in t, `cosh` the semi-axes."""
-        # Of sum_k a_k T_k, where T_k is at most T_k(cosh): sum_(k>0) |a_k| T_k(cosh) - a_0.
+        # Chebyshev series: |T_k| <= T_k(cosh) on the ellipse, and the sign of the exponent makes a_0 count negative.
         from numpy.polynomial.chebyshev import chebval
 
         series = _chebyshev(self.exponent, low)
@@ -207,16 +213,18 @@ class Apodization:
 
 
 def _constant(powers: list[float]) -> float:
-    """Return the g_0 with which the exponent is nowhere on [0, 1] negative, and hardly more."""
+    """Return the g_0 for which the exponent is nowhere negative on [0, 1], by hardly more than needed."""
+    # Falling amplitudes are largest on the axis.
     if all(g >= 0.0 for g in powers):
         return 0.0
     from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval
 
     series = _chebyshev(np.array([0.0, *powers]), 0.0)
     slope = chebder(series)
-    # Coefficients below rounding are trimmed: they would spoil the roots.
+    # Coefficients below rounding are trimmed: a tiny leading one would move all roots.
     turns = np.clip(chebroots(chebtrim(slope, 1e-17 * float(np.abs(slope).sum()))).real, -1.0, 1.0)
     least = float(chebval(np.concatenate(([-1.0, 1.0], turns)), series).min())
+    # The root of a flat minimum is uncertain by rounding, the value there is not: a few roundings are added.
     return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
 
 

@@ -19,8 +19,8 @@ from lommel.base.cached import EqualByContent
 
 # 8192^2 complex cells take 1 GiB.
 MAX_SIDE = 8192
-_MOST_POINTS = 64  # along each side of a cell
-_BAND = 2**24  # points at a time
+_MOST_POINTS = 64  # sample points along each side of a cell
+_BAND = 2**24  # points evaluated at a time
 _OF_PHASES = "those of a map of phases in radians are np.exp(1j * phase)"
 
 
@@ -79,12 +79,13 @@ class Mask(EqualByContent):
             real = validation.real_array("values", given)
             if real.min() < 0.0:
                 raise ValueError(f"values must be amplitudes from 0 to 1, got {real.min():.6g}; {_OF_PHASES}")
+            # + 0.0: -0 and 0 must have one digest.
             self._keep(np.ascontiguousarray(real) + 0.0)
 
     def _keep(self, values: Values) -> None:
         """Keep values of the right shape, finite and not negative, without a copy."""
         most = float(np.abs(values).max())
-        if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # of cos and sin, rounded
+        if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # moduli of rounded cosine and sine exceed 1
             raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}; {_OF_PHASES}")
         if most == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
@@ -151,6 +152,7 @@ class Mask(EqualByContent):
 
         TypeError or ValueError if these are not real and finite.
         """
+        # Clipped: coordinates far outside would overflow the conversion to integers.
         x, y = (np.clip(validation.real_array(name, part), -2.0, 2.0) for name, part in (("x", x), ("y", y)))
         row, column = (np.floor(0.5 * (part + 1.0) * self.side) for part in (y, x))
         # The far edge belongs to the last cell.

@@ -34,8 +34,8 @@ from lommel.optics.aperture.shapes import (
 )
 
 _EXACT = 1e-14  # relative error of rules for measures
-_APART = 1e-10  # area over pi that segments may have in common, by rounding
-_STEP = 16  # degrees are rounded up to multiples of it, so that neighbours share their nodes
+_APART = 1e-10  # area over pi up to which segments may overlap, by rounding
+_STEP = 16  # degrees are rounded up to multiples of this, so that similar requests share nodes
 MAX_DEGREE = 2**12
 """Highest degree of a quadrature rule."""
 
@@ -55,7 +55,7 @@ class Rule(NamedTuple):
     weight: Array
 
 
-# Sizes of the complex neighbourhood: any proves a bound, the best is taken.
+# Sizes of the complex neighbourhood: each proves a bound, the best is taken.
 _B = np.geomspace(1e-3, 4.0, 192)
 
 
@@ -104,23 +104,23 @@ def degree_needed(
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
-    # cosh b at most grows by the radius.
-    # M(b) of certificate, sections 7 and 18.
+    # M(b) of certificate, sections 7 and 18; a larger radius makes |x|^2 + |y|^2, and so cosh 2b, larger.
     growth = v * np.sinh(_B) + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * _B)) - 1.0)
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     for n, amplitude in terms:
-        with np.errstate(over="ignore"):  # of what no degree is enough for
+        with np.errstate(over="ignore"):  # phases so large that no degree suffices
             growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
 
     def holds(degree: int) -> bool:
-        # From one term of the sum to the next is at most this factor.
+        # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
         ratio = (1.0 + 1.0 / (degree + 2)) ** 1.5 * np.exp(-_B)
         with np.errstate(divide="ignore", invalid="ignore"):
             tail = np.where(ratio < 1.0, 1.5 * math.log(degree + 2) - (degree + 1) * _B - np.log1p(-ratio), np.inf)
         bound = math.log(2.0) + np.log1p(np.exp(-2.0 * _B)) + growth + tail
         return bool(bound.min() <= math.log(error))
 
+    # Powers of two first, then bisection: the bound falls with the degree.
     high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if holds(2**k)), None)
     if high is None:
         raise ValueError(
@@ -171,12 +171,12 @@ class Opening:
 
     @property
     def regions(self) -> tuple[Shape, ...]:
-        """Its regions, of which only those of segments are several."""
+        """Regions of the aperture; several only for segments."""
         stops = self.stop.shapes if isinstance(self.stop, Segments) else (self.stop,)
         return tuple(self._within(stop) for stop in stops)
 
     def _within(self, stop: Shape | None) -> Shape:
-        # Everything outside of the unit disc is blocked, whatever the parts say.
+        # Everything outside of the unit disc is blocked, whatever the parts are.
         clear: Shape = Disc() if stop is None else Disc() & stop
         if self.vignetting is not None:
             clear = clear & self.vignetting
@@ -186,7 +186,7 @@ class Opening:
 
     @property
     def phases(self) -> Array:
-        """The phase of each region on the axis, and its change along x and y, radians, shape (regions, 3)."""
+        """Phase of each region extrapolated to the axis, and its slopes along x and y; radians, (regions, 3)."""
         return self.stop.phases if isinstance(self.stop, Segments) else np.zeros((1, 3))
 
     def phase(self, x: Array, y: Array) -> Array | float:
@@ -196,9 +196,10 @@ class Opening:
     def tilted(self, x: Array, y: Array) -> Array:
         """Return the phase of the segments at points (`x`, `y`), and its slopes along x and y, shape ``(3, ...)``.
 
-        Between segments that of the nearest.
+        Between segments, that of the nearest one.
         """
         which, best = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
+        # The margin of the nearest segment is the largest: positive inside, minus the distance outside.
         if isinstance(self.stop, Segments):
             best -= np.inf
             for i, part in enumerate(self.stop.shapes):
@@ -282,8 +283,9 @@ def _rows(opening: Opening, degree: int, power: int) -> tuple[engine.RowRule, ..
 
 
 def _exact_rows(opening: Opening, degree: int) -> tuple[engine.RowRule, ...]:
-    """Return rules that are off by at most `_EXACT` of the clear area over pi."""
+    """Return rules with errors of at most `_EXACT` of the clear area over pi."""
     rules = opening.rows(degree, _EXACT)
+    # The error is absolute; for a small opening it is asked again relative to its area.
     area = sum(rule.weight for rule in rules)
     return opening.rows(degree, _EXACT * area) if 0.0 < area < 0.1 else rules
 
@@ -302,10 +304,11 @@ def _require_apart(shapes: tuple[Shape, ...]) -> None:
                 "segments must have points within the unit disc; leave out "
                 f"shapes[{i}] = {validation.shown(part)}, which has none"
             )
-    # Outlines are points on edges: an arc between two of them is farther out by less than a hundredth of its size.
+    # Outlines are points on edges: an arc bulges between two of 48 points by less than a hundredth of its size.
     boxes = np.array([[f(np.concatenate(part.outline(48)), axis=0) for f in (np.min, np.max)] for part in shapes])
     wide = 0.01 * (boxes[:, 1] - boxes[:, 0])
     low, high = boxes[:, 0] - wide, boxes[:, 1] + wide
+    # Only pairs whose boxes meet: the intersection of each pair is a quadrature.
     for i, part in enumerate(shapes):
         near = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
         for j in np.flatnonzero(near):

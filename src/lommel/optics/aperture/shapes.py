@@ -23,12 +23,12 @@ from lommel.core import engine
 
 MAX_VANES = 64
 _FAR = 1000.0
-_FARTHEST = _FAR + 1.0  # that such a disc may reach the aperture
+_FARTHEST = _FAR + 1.0  # of a centre, so that a disc of the largest radius may still reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
 _AT_ONCE = 2**24  # cells times parts
 _LEAST = 1e-10  # error of areas over pi
-_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
+_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for and, or, and not
 _PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # more than any aperture
 _Part = TypeVar("_Part")
 _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
@@ -60,7 +60,7 @@ class Shape:
 
     @property
     def parts(self) -> tuple[Shape, ...]:
-        """The discs, ellipses and polygons that it is made of."""
+        """Discs, ellipses and polygons of which the shape is composed."""
         parts: list[Shape] = []
         self._listed(parts, [])
         return tuple(parts)
@@ -80,7 +80,7 @@ class Shape:
         raise NotImplementedError
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
-        """Append the ellipses and polygons it is made of, and how, in postfix order."""
+        """Append the ellipses and polygons of the shape, and the steps that combine them, in postfix order."""
         steps.append(len(parts))
         parts.append(self)
 
@@ -95,10 +95,10 @@ def shape(name: str, value: object) -> Shape:
 
 
 class Listed(NamedTuple):
-    """A region as the compiled core takes it; see :func:`lommel.core.engine.row_rule`."""
+    """A region in the layout of the compiled core; see :func:`lommel.core.engine.row_rule`."""
 
     ellipses: Array  # x, y, semi-axes, angle
-    polygons: tuple[Array, ...]  # corners of each part, none of an ellipse
+    polygons: tuple[Array, ...]  # corners of each part; empty for an ellipse
     steps: tuple[int, ...]
 
     def rule(self, degree: int, error: float) -> engine.RowRule:
@@ -109,7 +109,8 @@ class Listed(NamedTuple):
         """Return the region of ``matrix @ point + shift``; the matrix does not mirror."""
         x, y, a, b, angle = self.ellipses.T
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
-        # The image of the unit circle under a matrix has its singular values for semi-axes.
+        # Singular values and left singular vectors of a matrix are the semi-axes and axes of its image of the unit
+        # circle.
         axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
         places = np.stack([x, y], axis=-1) @ matrix.T + shift
         ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
@@ -125,8 +126,8 @@ class Listed(NamedTuple):
         either: Callable[[_Part, _Part], _Part],
         without: Callable[[_Part, _Part], _Part],
     ) -> _Part:
-        """Return what is known of each part, put together as the region is made of them."""
-        # Postfix order: operands first, then what combines the last two.
+        """Return a value of each part, combined as the region is."""
+        # Postfix order: operands first, then the operation on the last two.
         by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
         for step in self.steps:
             if step >= 0:
@@ -137,7 +138,7 @@ class Listed(NamedTuple):
         return stack.pop()
 
     def reduced(self, pattern: Sequence[int]) -> Listed:
-        """Return the region where each part is as a `pattern` says, _NONE, _CUT or _FULL, by those that are cut."""
+        """Return the region for cells where each part is _NONE, _CUT or _FULL, composed of the cut parts only."""
         stack: list[int | list[int]] = []
         for step in self.steps:
             if step >= 0:
@@ -145,9 +146,9 @@ class Listed(NamedTuple):
                 continue
             second, first = stack.pop(), stack.pop()
             if step == _WITHOUT and isinstance(second, int):
-                # a - b is a and not b.
+                # a - b = a and not b: a constant b turns into its complement.
                 second, step = _FULL - second, _BOTH
-            # What one operand alone decides: a union with all, an intersection with nothing.
+            # A constant operand may decide alone: a union with everything, an intersection with nothing.
             decides = _FULL if step == _EITHER else _NONE
             if decides in (first, second):
                 stack.append(decides)
@@ -156,6 +157,8 @@ class Listed(NamedTuple):
             elif isinstance(first, int) and step != _WITHOUT:
                 stack.append(second)
             else:
+                # Only "everything minus a cut part" still needs a first operand: the plane, added as one more
+                # polygon.
                 stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
         steps = cast("list[int]", stack.pop())
         used = sorted({step for step in steps if step >= 0})
@@ -168,7 +171,7 @@ class Listed(NamedTuple):
         )
 
     def __and__(self, other: Listed) -> Listed:
-        """Return what two regions share."""
+        """Return the intersection of two regions."""
         further = tuple(step + len(self.polygons) if step >= 0 else step for step in other.steps)
         return Listed(
             np.concatenate([self.ellipses, other.ellipses]),
@@ -177,7 +180,7 @@ class Listed(NamedTuple):
         )
 
 
-# Of a cell, how much of it a part holds: in order, so that the least is that of both, the largest that of either.
+# Coverage of a cell by a part, ordered so that an intersection is the minimum and a union the maximum.
 _NONE, _CUT, _FULL = 0, 1, 2
 
 
@@ -194,13 +197,13 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     """
     parts: list[Shape] = []
     region._listed(parts, [])
-    # A band of cells at a time, to keep memory bounded.
+    # Bands of cells bound the memory.
     if x.size * len(parts) > _AT_ONCE and x.size > 1:
         pieces = -(-x.size * len(parts) // _AT_ONCE)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
     whole, near = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
-    # A cell whose centre is farther from an edge than its corners are is not crossed by it.
+    # A cell whose centre is farther from an edge than its corners is not crossed by it.
     margins = (part.margin(x, y) for part in parts)
     known = np.array([np.where(m > near, _FULL, np.where(m < -near, _NONE, _CUT)) for m in margins], np.int8)
     state = whole.combined(list(known), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
@@ -208,7 +211,7 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     cut = np.flatnonzero(state == _CUT)
     if not cut.size:
         return found
-    # Cells that the same edges cross have one region, of the parts with these edges.
+    # Cells crossed by the same edges share one reduced region.
     patterns, which = np.unique(known[:, cut], axis=1, return_inverse=True)
     square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     for k, pattern in enumerate(patterns.T):
@@ -220,7 +223,7 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
 
 
 def listed(region: Shape) -> Listed:
-    """Return a region as the compiled core takes it."""
+    """Return a region in the layout of the compiled core."""
     parts: list[Shape] = []
     steps: list[int] = []
     region._listed(parts, steps)
@@ -313,6 +316,7 @@ class Ellipse(Shape):
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside the ellipse."""
+        # Scaled to the unit circle distances grow by at most 1 / min(a, b): a lower bound on the true distance.
         c, s, x, y = math.cos(self.angle), math.sin(self.angle), x - self.center[0], y - self.center[1]
         scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
         return np.asarray(min(self.a, self.b) * (1.0 - scaled))
@@ -414,9 +418,10 @@ class Polygon(Shape):
         after = np.roll(edge, -1, axis=0)
         turn = edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0]
         length = np.hypot(*edge.T)
+        # Corners on a straight side turn by rounding only.
         flat = 1e-12 * length * np.roll(length, -1)
         way = math.copysign(1.0, turn.sum())
-        # A convex polygon turns one way, and once.
+        # A convex polygon turns one way, and once around.
         around = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
         line = np.all(np.abs(turn) <= flat)
         if length.min() < 1e-12 or line or np.any(way * turn < -flat) or abs(abs(around) - 2.0 * math.pi) > 1e-6:
@@ -424,6 +429,7 @@ class Polygon(Shape):
                 "corners must be those of a convex polygon, not on a line, in order and each once; "
                 f"join convex ones by |, got {validation.shown(self.corners)}"
             )
+        # Stored counter-clockwise, which margin() relies on.
         object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(way)]))
 
     @classmethod
@@ -461,6 +467,7 @@ class Polygon(Shape):
         x. TypeError or ValueError if `offset` is not from -2 to 2.
         """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
+        # Four units are beyond the aperture for every offset, so that only one side of the square crosses it.
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
         return cls(tuple(_rotated(corner, turn) for corner in corners))
 
@@ -475,6 +482,7 @@ class Polygon(Shape):
         least = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), np.inf)
         for (px, py), (qx, qy) in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True):
             length = math.hypot(qx - px, qy - py)
+            # Signed distance to the line of each side; the least is that to the polygon, inside.
             np.minimum(least, ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px), out=least)
         return least
 
@@ -628,7 +636,7 @@ class CatEye(Shape):
         return self.disc.outline(points)
 
     def _moved(self, x: float, y: float) -> Shape:
-        return self.disc._moved(x, y)  # which may be farther than a cat's eye
+        return self.disc._moved(x, y)  # not a cat's eye, whose circle must overlap the aperture
 
     def _turned(self, angle: float) -> Shape:
         return CatEye(_rotated(self.shift, angle), self.radius)
@@ -713,7 +721,7 @@ class Segments:
         """
         count, between = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
         inner, turn = validation.truth("middle", middle), validation.real("angle", angle)
-        # In units of the distance of neighbours: hexagons of an inner radius (1 - gap) / 2, centres at a e_1 + b e_2.
+        # In units of the spacing: hexagons with the inner radius (1 - gap) / 2, centres a e_1 + b e_2 of a lattice.
         places = [
             (a * math.sqrt(0.75), b + 0.5 * a)
             for a in range(-count, count + 1)
@@ -725,7 +733,7 @@ class Segments:
             size = (pitch - between) / math.sqrt(3.0)
             return [Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places]
 
-        # The farthest corner: of a hexagon at a corner of the last ring, whose pitch makes it 1.
+        # The farthest corner belongs to a hexagon at a corner of the outer ring; its pitch is found by bisection.
         far = max(places, key=lambda place: math.hypot(*place))
         low, high = between, 2.0
         most = 1.0 / math.hypot(*far)
@@ -757,8 +765,9 @@ class Segments:
 
     @cached_property
     def phases(self) -> Array:
-        """The phase of each on the axis, and its change along x and y, radians, shape (n, 3)."""
+        """Phase of each segment extrapolated to the axis, and its slopes along x and y, radians, shape (n, 3)."""
         tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers
+        # Slopes are about the centre of each segment, phases are stored as linear functions about the axis.
         return np.stack([np.array(self.piston) - tip * at[:, 0] - tilt * at[:, 1], tip, tilt], axis=-1)
 
     def phased(
@@ -792,10 +801,10 @@ class Segments:
         return self._cut(shape("other", other), _within)
 
     def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
-        """Return what is left of the segments, those that vanish left out."""
+        """Return what remains of the segments, without those that vanish."""
         require_reach("other", other)
         left = [by(part, other) for part in self.shapes]
-        # Bounds of the margin tell some of those that vanish, their area the others.
+        # Margins recognise some of the vanished segments, their areas the others.
         whole = zip(left, self.shapes, strict=True)
         left = [None if part is not one and part is not None and not _clear(part) else part for part, one in whole]
         kept = [i for i, part in enumerate(left) if part is not None]
@@ -818,7 +827,7 @@ class Segments:
 
 
 def _clear(part: Shape) -> bool:
-    """Return whether a part has points within the rim."""
+    """Return whether a part has points within the rim of the aperture."""
     return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
 
 

@@ -32,15 +32,15 @@ from lommel.special.legendre import gauss_legendre
 
 ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
-_GLANCE = 24  # points of an ellipse
+_GLANCE = 24  # points of an ellipse for an estimate
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
 _ODD = ("radial", "azimuthal", "vortex")
-# Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
+# End of the centre, in 1 - c and in rho over n / NA: there both sections are equally far from their singularities.
 _CENTRE = 0.3
 _CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
 Complex = NDArray[np.complex128]
 Rows = tuple[int, ...] | None
-"""Some ellipses by number, or all."""
+"""Indices of some ellipses; None for all."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Model:
 
 
 class At:
-    """Points of a section, or discs along ellipses around it, and what the integrands have there, computed once."""
+    """Points of a section, or discs along ellipses around it, with quantities of the integrands, computed once."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
         self.piece, self.x, self.square = piece, x, piece.square(x)
@@ -76,6 +76,7 @@ class At:
     def __call__(self, index: float) -> Values:
         """Return c_m of a layer."""
         if index not in self._known:
+            # Above the critical angle the cosine of the lowest index is imaginary by definition of the variable.
             if self.piece.is_root(index):
                 of = 1.0 - self.square * index**-2
                 found = of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
@@ -86,19 +87,20 @@ class At:
 
     @cached_property
     def amplitudes(self) -> Amplitudes:
-        """The transmission."""
+        """Transmission amplitudes of s and p waves."""
         return self.piece.layers.amplitudes(self, self.square)
 
     @cached_property
     def rates(self) -> tuple[Values, Values, Values]:
-        """The phase at depth 0 and focus 0, and its derivatives by these."""
+        """Phase at depth 0 and focus 0, and its derivatives by both."""
         return self.piece.layers.rates(self)
 
     @cached_property
     def height(self) -> Array:
-        """A bound on ``abs(Im rho)`` of discs."""
+        """Bound on ``abs(Im rho)`` of discs."""
         if isinstance(self.piece, Centre):
             return np.asarray(np.abs(self.x.centre.imag) + self.x.radius)
+        # The lesser of two bounds on Im of the root of a disc: certificate, section 14, "Discs".
         square = self.square * self.piece.layers.NA**-2
         root = np.sqrt(square.centre)
         near = np.abs(root.imag) + square.radius / np.maximum(np.abs(root), 1e-300)
@@ -106,19 +108,21 @@ class At:
 
     @cached_property
     def fit(self) -> NDArray[np.bool_]:
-        """Which ellipses are found to hold no singularity: by discs that is proven."""
+        """Whether each ellipse contains no singularity: proven for discs, probable for points."""
         found = self._in_sheet()
+        # A denominator analytic inside has as many zeros there as its values wind around 0.
         for around in (*self.amplitudes.denominators, *([self.square] if self.piece.odd else [])):
             found &= windings(disc(around)) == 0
         return found
 
     def _in_sheet(self) -> NDArray[np.bool_]:
-        """Return on which ellipses cosines are known and those with branch points have none inside."""
+        """Return whether cosines are known on each ellipse, and those with branch points have none inside."""
         fit, rooted = np.ones(disc(self.x).radius.shape[:-1], np.bool_), self.piece.rooted
         for index in {*rooted, self.piece.layers.sample}:
             c = self(index)
             if isinstance(c, Disc):
                 fit &= np.isfinite(c.radius).all(axis=-1)
+                # Re c > 0 on all discs keeps c^(-1/2) analytic: certificate, section 14, "Which ellipses".
                 if index in rooted:
                     fit &= (c.centre.real > c.radius).all(axis=-1)
             elif self.piece.is_root(index):
@@ -130,7 +134,7 @@ class At:
 
 @dataclass(frozen=True)
 class Piece:
-    """A section of the pupil in its analytic variable; integrands `odd` in rho need ellipses without rho = 0."""
+    """Section of the pupil in its analytic variable; `odd` integrands need ellipses that exclude rho = 0."""
 
     layers: Layers
     low: float
@@ -140,7 +144,7 @@ class Piece:
 
     @property
     def lowest(self) -> float:
-        """The index of the layer whose cosine c is ``1 - x``, or ``i x`` above the critical angle."""
+        """Index of the layer whose cosine is ``1 - x``, or ``i x`` above the critical angle."""
         return min(self.layers.immersion, self.layers.glass, self.layers.sample)
 
     def square(self, x: Values) -> Values:
@@ -160,13 +164,13 @@ class Piece:
         return self._composed(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
 
     def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
-        """Return the derivatives of :meth:`parts` by ln k, which films have."""
+        """Return the derivatives of :meth:`parts` by ln k, which films cause."""
         of_s, of_p = self.layers.log_slopes(at, at.square)
         t_s, t_p, _ = at.amplitudes
         return self._composed(at, model, t_s * of_s, t_p * of_p)
 
     def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
-        # Certificate, section 14, "What is odd in rho", has the parts of beams.
+        # The parts of radial, azimuthal and vortex beams: certificate, section 14, "What is odd in rho".
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
         light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if self.layers.exponent:
@@ -187,20 +191,21 @@ class Piece:
 
     @cached_property
     def covered(self) -> At:
-        """All ellipses as discs."""
+        """All ellipses, covered with discs."""
         return self._cover(ETA)
 
     def _cover(self, eta: Array) -> At:
         step = 2.0 * math.pi / _ARCS
         theta = (np.arange(float(_ARCS)) + 0.5) * step
-        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
+        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta; its maximum along an arc is the radius of its disc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
+        # A little more than exact for rounding of centres and radii.
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
         return At(self, Disc(self._ellipses(eta, theta), radius))
 
     @property
     def rooted(self) -> tuple[float, ...]:
-        """Indices of layers whose cosines must stay in the right half plane."""
+        """Indices of the layers whose cosines must stay in the right half plane."""
         return self.layers.immersion, self.layers.glass
 
     def growth(
@@ -224,7 +229,7 @@ class Piece:
         return found
 
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
-        """Estimate :meth:`growth` from some points of each ellipse: no bound, at a tenth of the cost."""
+        """Estimate :meth:`growth` from some points of each ellipse: not a bound, at a tenth of the cost."""
         at = At(self, self._ellipses(ETA, (np.arange(float(_GLANCE)) + 0.5) * (2.0 * math.pi / _GLANCE)))
         fixed, by_depth, by_focus = at.rates
         with np.errstate(all="ignore"):
@@ -236,16 +241,16 @@ class Piece:
     def enough(
         self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
     ) -> int:
-        """Return a number of nodes proven to err by at most `error`, `factor` being that of :func:`debye.rule`."""
+        """Return a number of nodes proven to err by at most `error`; `factor` as of :func:`debye.rule`."""
         if factor is None:
             return self.nodes(self.serving(model, depth, focus, v, error), error)
         return self.nodes(self.growth(model, depth, focus, v, factor=factor(self)), error)
 
     def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
-        """Return :meth:`growth` on the few ellipses that an estimate finds best."""
+        """Return :meth:`growth` on the few ellipses that are best by an estimate."""
         glance = self._needed(self._glance(model, depth, focus, v), error)
         best = int(glance.argmin())
-        # One is nearly always enough: the next cost as much each.
+        # One ellipse is nearly always enough; each further one costs as much.
         for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
             growth = self.growth(model, depth, focus, v, rows)
             if np.isfinite(growth).any():
@@ -280,7 +285,7 @@ class Centre(Piece):
         return x * x * self.layers.NA**2
 
     def is_root(self, index: float) -> bool:
-        """Return True: the cosine of no layer is the variable."""
+        """Return True: no cosine is the variable itself."""
         return True
 
     def jacobian(self, x: Values) -> Values:
@@ -294,12 +299,12 @@ class Centre(Piece):
 
 
 Factor = Callable[[Piece], Array]
-"""The log of a bound on a further analytic factor of the integrands, on each disc around a section."""
+"""Log of a bound on a further analytic factor of the integrands, on each disc around a section."""
 
 
 @lru_cache(maxsize=32)
 def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
-    """Return ellipses as discs, and the log of a bound on every part without exponential and Bessel function."""
+    """Return ellipses as discs, and the log of a bound on each part without exponential and Bessel function."""
     at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     t_s, t_p, _ = at.amplitudes
     with np.errstate(all="ignore"):
@@ -322,6 +327,7 @@ def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
     """Return the pairs of depth and focus that bound all others, since the phase is linear in both."""
+    # The exponent is convex: for each depth the first and the last focus bound the others.
     found = []
     for d in np.unique(depth):
         here = focus[depth == d]
@@ -331,10 +337,10 @@ def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
 
 @lru_cache(maxsize=8)
 def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
-    """Return the sections of the pupil, that beyond the critical angle last, if its light counts."""
+    """Return the sections of the pupil; that beyond the critical angle comes last, if its light counts."""
     odd = model.kind in _ODD
     lowest = min(layers.immersion, layers.glass, layers.sample)
-    # 1 - cos of the largest angle, without the cancellation of that difference.
+    # 1 - cos of the largest angle as sin^2 / (1 + cos), without cancellation.
     sine = min(1.0, layers.NA / lowest)
     edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
     found: list[Piece] = []
@@ -343,15 +349,15 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     if not odd or edge > _CENTRE:
         found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
     if layers.sample < layers.NA and model.supercritical:
-        # kappa = abs(c_s) at the rim.
+        # kappa = abs(c_s) at the rim, as a product, without cancellation near the critical angle.
         reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
         found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
     return tuple(found)
 
 
-# Roundings are allowed for, not proven: certificate, section 14, "Rounding".
+# Allowed for, not proven: certificate, section 14, "Rounding".
 _ROUNDOFF = 2.0**-53
-_RADII = 2048  # at once
+_RADII = 2048  # radii at once
 
 
 class Rule(NamedTuple):
@@ -387,7 +393,7 @@ def rule(
     cut = pieces(layers, model)
     counts = tuple(piece.enough(model, depth, focus, v, tol / len(cut), factor) for piece in cut)
     rho, joined, rates = tabulated(cut, model, counts)
-    # Section 14, "Rounding": phases lose digits in proportion to the optical paths that they are sums of.
+    # Section 14, "Rounding": phases lose digits in proportion to the optical paths that they sum.
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
@@ -398,7 +404,7 @@ def rule(
 def tabulated(
     cut: tuple[Piece, ...], model: Model, counts: tuple[int, ...]
 ) -> tuple[Array, tuple[Complex, ...], tuple[Complex, Complex, Complex]]:
-    """Return rho, the weighted parts and the rates of the phase at so many Gauss nodes of each section."""
+    """Return rho, the weighted parts and the rates of the phase at `counts` Gauss nodes of each section."""
     rhos, parts, rates = [], [], []
     for piece, n in zip(cut, counts, strict=True):
         x, w = gauss_legendre(n, piece.low, piece.high)
@@ -430,7 +436,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
     Rules of twice as many angles until two agree to 1e-13; `by` is "depth" or "wavenumber" (ln k).
     """
     model = model or Model()
-    # Quadrature converges geometrically: two that agree are exact to about rounding.
+    # Quadrature converges geometrically: two results that agree are exact to about rounding.
     before = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
         steady, fading, faint, steady_change, faint_change = _collected(layers, model, n)
@@ -443,7 +449,8 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
         if by == "wavenumber":
             near = depth[:, None] * near + left @ faint_change + steady_change
             far = steady_change
-        # A derivative need not be more exact than what it is one of.
+        # A derivative needs no smaller error than the quantity it is derived from.
+        # By ln k, at fixed v, waves also fade faster in proportion to k: depth times the derivative by depth.
         size = all_light if by is None else all_light + np.abs(near)
         if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
             break
@@ -453,16 +460,14 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Return the light of each part by n angles: what reaches any depth, decay rates and the light that decays.
-
-    Derivatives of both lights by ln k are last.
-    """
+    """Return the light of each part from n angles: steady, decay rates, decaying, and derivatives by ln k."""
     parts = len(model.orders)
     steady, steady_change = np.zeros(parts), np.zeros(parts)
     fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
+        # Light per unit of rho d rho: the parts contain the Jacobian, which is divided out once of its square.
         measure = (w / (2.0 * piece.jacobian(x)))[:, None]
         of = np.stack(piece.parts(at, model), axis=1)
         light: Array = measure * np.abs(of) ** 2
@@ -478,17 +483,17 @@ def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Arra
 
 
 def films(layers: Layers, model: Model) -> bool:
-    """Return whether amplitudes depend on the wavelength."""
+    """Return whether amplitudes depend on the wavelength (films that transmit)."""
     return bool(layers.films) and model.transmits
 
 
-# By the depth, by the focus and by v the factors are ``i d psi / dx`` and ``rho J_m'(v rho)``. All phases are
-# proportional to the wavenumber k, so that by ln k the factor is ``i psi``; a real constant in psi turns all fields
-# alike, and is left out. The amplitudes along s and p change with k, too, where there are films.
+# Derivatives by depth, focus and v have the factors ``i d psi / dx`` and ``rho J_m'(v rho)``. Phases are proportional
+# to the wavenumber k, so that by ln k the factor is ``i psi``; a real constant in psi turns all fields alike and is
+# left out. With films the amplitudes of s and p waves depend on k, too.
 
 
 class Turning(NamedTuple):
-    """Factors of the derivatives by ln k at fixed v: rates of the phase less a constant, changes of the parts."""
+    """Factors of derivatives by ln k at fixed v: rates of the phase less a constant, changes of the parts."""
 
     rates: Complex
     changes: Complex | None
@@ -509,7 +514,7 @@ def turning(found: Rule, layers: Layers, model: Model) -> Turning:
 def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
-    """Bound the errors of a rule in derivatives by the depth, the focus, v, and ln k at fixed v."""
+    """Bound the errors of a rule in derivatives by depth, focus, v, and ln k at fixed v."""
     each = []
     for piece, n in zip(pieces(layers, model), found.counts, strict=True):
         growth = piece.serving(model, depth, focus, v, tol / len(found.counts))

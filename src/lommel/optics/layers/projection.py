@@ -1,7 +1,7 @@
 r"""Amplitudes of a microscope's pupil as series: Zernike polynomials, and azimuthal Fourier orders with bounds.
 
-Over a disc, what the series leaves out is orthogonal to polynomials up to its degree, and in a small window the
-kernel and a measured wavefront nearly are such polynomials: the kink of amplitude and phase at the critical angle is
+The truncation error of a Zernike series is orthogonal to polynomials up to its degree, and in a small window kernel
+and measured wavefront nearly are such polynomials: the kink of amplitude and phase at the critical angle is
 integrated without nodes near it. Coefficients are integrals over the angles of :mod:`lommel.optics.layers.debye`,
 
 .. math:: c_n = 2 (n + 1) \int_0^1 t(\rho) R_n^q(\rho) \rho \, d\rho , \quad n = q, q + 2, \dots, D .
@@ -27,22 +27,21 @@ from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
-DEGREE_MOST = 30  # powers of rho^2 lose 5.8^(n / 2) roundings
+DEGREE_MOST = 30  # radial polynomials in powers of rho^2 lose 5.8^(n / 2) roundings
 _ORDERS_MOST = 250
 _HEIGHTS = np.geomspace(1e-2, 6.0, 200)
 Sizes = tuple[tuple[tuple[int, int], float], ...]
-"""n and m >= 0 of terms, and the largest amplitude of m and -m together, radians at the edge."""
+"""n and m >= 0 of terms, and the largest amplitude of cosine and sine together, radians at the edge."""
 
 
-# Azimuthal Fourier orders of a measured wavefront W, ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the
-# complex plane, theta + i b, a term of W of order m gains an imaginary part of at most ``w sinh(m b)``, w being its
-# size at the edge, so that ``abs(P_m(rho)) <= exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to
-# 1. At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``: certificate, section 16, "Angles of the
-# pupil" and "Nodes".
+# Azimuthal Fourier orders of a measured wavefront W: ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. At theta + i b
+# a term of order m has an imaginary part of at most ``w sinh(m b)``, w its size at the edge, so that
+# ``abs(P_m(rho)) <= exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to 1. At complex rho it is
+# at most ``exp(sum_j w_j abs(Im R_j(rho)))``: certificate, section 16, "Angles of the pupil" and "Nodes".
 
 
 class Orders(NamedTuple):
-    """Orders -most to most, from equally spaced angles; error bounds the sum of all others and of aliases."""
+    """Orders -most to most from equally spaced angles; `error` bounds the sum of all others and of aliases."""
 
     most: int
     angles: int
@@ -75,7 +74,7 @@ def orders(terms: Sizes, error: float) -> Orders:
 
     for most in range(_ORDERS_MOST + 1):
         if beyond(most) <= 0.5 * error:
-            # Of angles so many, order m is that plus those at m + k angles, the first from angles - most on.
+            # Order m is aliased with m + k angles; the first alias of all lies at angles - most = most + 2.
             return Orders(most, 2 * most + 2, beyond(most) + beyond(most + 1))
     largest = max(terms, key=lambda term: term[0][1] * term[1])
     raise ValueError(
@@ -94,12 +93,12 @@ def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.comple
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
-    """Return as few P_m, m from -most to most, as sums by a rule within `error` need, and a bound on their error."""
+    """Return the fewest P_m that sums by a rule need for `error`, m from -most to most, and their error bound."""
     size = max(float(np.abs(part).sum()) for part in rule.parts)
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
-    # The most that orders m and -m add in any part and pupil, then all orders from m on.
-    # Section 16: of the orders that hold at all radii those are kept that matter at the nodes.
+    # Largest contributions of orders m and -m over parts and pupils, then of all orders from m on: of the orders
+    # needed at all radii only those that matter at the nodes are kept (section 16).
     weights = np.abs(np.stack(rule.parts))
     each = (np.abs(found) @ weights.T).max(axis=-1)
     each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
@@ -123,7 +122,7 @@ def growth(piece: Piece, terms: Sizes) -> Array:
 
 
 def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tuple[NDArray[np.complex128], Array]:
-    """Return ``R_n^m``, or over rho where m is odd, at centres of rho^2, and how far it is from that on discs."""
+    """Return ``R_n^m`` (over rho for odd m) at centres of rho^2, and its largest change within the discs."""
     # Coefficients of the radial polynomial in rho^2, exact up to n = 30.
     half, low = (n + m) // 2, m // 2
     f = math.factorial
@@ -132,7 +131,7 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
         powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half - s) * f((n - m) // 2 - s))
     poly = np.polynomial.Polynomial(powers)
     size = np.polynomial.Polynomial(np.abs(powers))
-    # Taylor's series on a disc, whose terms bound the change; roundings first: section 16, "Nodes".
+    # The Taylor series bounds the change on a disc; first the rounding errors: section 16, "Nodes".
     spread = 2.0**-50 * size(np.abs(centre) + radius)
     step = np.ones(radius.shape)
     slope = poly
@@ -150,24 +149,24 @@ WAVENUMBER = engine.BY_WAVENUMBER
 
 
 class Amplitudes(NamedTuple):
-    """Series of the amplitudes of some planes, and a bound on what their errors add to a field."""
+    """Series of the amplitudes of planes, and a bound on the error that they cause in a field."""
 
-    coefficients: Complex  # (1 + rates, planes, terms), those of all parts
-    error: float  # by the quadrature of coefficients, and rounding
-    steepest: float  # what the series of the derivative by ln k is divided by
+    coefficients: Complex  # (1 + rates, planes, terms), of all parts
+    error: float  # by quadrature of the coefficients and rounding
+    steepest: float  # divisor of the series of the derivative by ln k
 
 
 class _Integrals(NamedTuple):
-    """A rule for some depths and stages, and the weights that its angles have in coefficients."""
+    """Rule for a range of depths and stage positions, and the weights of its angles in coefficients."""
 
     rule: debye.Rule
-    weights: Complex  # (3, angles, terms), those of derivatives by depth and focus last
-    changes: Complex | None  # (angles, terms), by ln k, where there are films
-    steepest: float  # the bound on derivatives by ln k, where these are asked for
+    weights: Complex  # (3, angles, terms), the last two of derivatives by depth and focus
+    changes: Complex | None  # (angles, terms), by ln k, if there are films
+    steepest: float  # bound on derivatives by ln k, if requested
 
 
 def degrees(order: int, degree: int) -> NDArray[np.int64]:
-    """Return n of the terms of an azimuthal order up to a degree, one at the least."""
+    """Return n of the terms of an azimuthal order up to a degree, at least one."""
     return np.arange(order, max(degree, order) + 1, 2, dtype=np.int64)
 
 
@@ -183,7 +182,7 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     by_k = WAVENUMBER in rates
     made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
     waves = made.rule.waves(depth, focus)
-    # So small a matrix product takes a threaded BLAS as long as its threads take to wake up.
+    # einsum: for a matrix this small, starting the threads of BLAS takes as long as the product.
     found = np.empty((1 + len(rates), len(waves), made.weights.shape[2]), np.complex128)
     for k, rate in enumerate((-1, *rates)):
         np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
@@ -200,18 +199,18 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
 
 @lru_cache(maxsize=32)
 def norm(layers: Layers, model: Model) -> float:
-    """Bound ``(2 int abs(t)^2 rho drho)^(1/2)`` of all parts at any depth: next to the glass nothing has faded."""
+    """Bound ``(2 int abs(t)^2 rho drho)^(1/2)`` of all parts at any depth; at the glass nothing has decayed."""
     return math.sqrt(float(debye.power(layers, np.zeros(1), model)[0].max())) * (1.0 + 1e-12)
 
 
 @lru_cache(maxsize=32)
 def steepest(layers: Layers, model: Model) -> tuple[float, float]:
-    """Bound the derivatives of the phase by depth and by focus in the pupil, less their middle."""
+    """Bound the derivatives of the phase by depth and focus in the pupil, less their middle."""
     return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
 def _each(error: float, degree: int) -> float:
-    """Return what each integral may be off by: by Bessel's inequality these add up to degree + 2 times as much."""
+    """Return the error allowed for each integral: by Bessel's inequality they sum to degree + 2 times that."""
     return float(2.0 ** math.floor(math.log2(error / (degree + 2.0))))
 
 
@@ -231,7 +230,7 @@ def _integrals(
     These make coefficients of waves, of all parts side by side, and those of the derivatives by depth and by focus.
     """
     middle, steep = layers.middle_rates()[1:], steepest(layers, model)
-    # The phase is linear in both: the corners bound all.
+    # The phase is linear in both: the corners of the parallelogram bound all planes.
     corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
     d, f = np.array(corners).T
     turns = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
@@ -245,7 +244,7 @@ def _integrals(
             for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
         ]
         if by_k:
-            with np.errstate(invalid="ignore"):  # no disc covers some ellipses
+            with np.errstate(invalid="ignore"):  # some ellipses are not covered by finite discs
                 phases = debye.phases(piece.covered, model, d, f) / turns
             turned.append(np.where(np.isnan(phases), np.inf, phases))
         grown = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))

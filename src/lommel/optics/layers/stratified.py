@@ -27,17 +27,17 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.special import disc_arithmetic
 
-# An array of complex numbers, or a Disc.
+# Array of complex numbers, or Disc.
 Values = Any
 
 
 class Amplitudes(NamedTuple):
-    """Transmitted amplitudes of s and p waves in the sample at the interface, and the denominators they divide by."""
+    """Amplitudes of s and p waves transmitted to the sample, and the denominators of their formulas."""
 
     s: Values
     p: Values
     denominators: tuple[Values, ...]
-    """Where none is 0, the amplitudes are analytic."""
+    """The amplitudes are analytic where none of these is 0."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class Layers:
         return 2.0 * math.pi / self.wavelength
 
     def cosine(self, rho: NDArray[np.float64]) -> Callable[[float], NDArray[np.complex128]]:
-        """Return the function from an index to c_m at rho."""
+        """Return the function from an index to the cosine c_m of a layer at rho."""
         return lambda index: cosines(self.NA, rho, index)
 
     def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
@@ -76,15 +76,16 @@ class Layers:
         return fixed, cosine(self.sample) * (k * self.sample), by_focus
 
     def middle_rates(self) -> tuple[float, float, float]:
-        """Return the means of :meth:`rates` at both ends of the pupil: constants that no intensity depends on."""
+        """Return the means of :meth:`rates` at both ends of the pupil, as constants that no intensity depends on."""
         of = self.rates(self.cosine(np.array([0.0, 1.0])))
         fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
+        # The middle of the range: what is bounded becomes smaller (certificate, section 15, "The wavelength").
         return fixed, by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
         """Return the transmission at `square` = ``(NA rho)^2``; films are coherent, the thick glass is not."""
         indices = (self.immersion, self.glass, self.sample)
-        # Fresnel's amplitudes at each surface; where glass and immersion are alike there is none.
+        # Fresnel amplitudes at each surface; equal indices of glass and immersion make no surface.
         c_i, c_g, c_s = (cosine(index) for index in indices)
         n_i, n_g, n_s = indices
         if n_g == n_i:
@@ -96,7 +97,7 @@ class Layers:
         at_s = self._denominator(square, c_g * n_g, c_s * n_s, "s")
         at_p = self._denominator(square, c_g / n_g, c_s / n_s, "p")
         entering = c_g * (2.0 * n_g)
-        # The matrices of p are those of H; the field E is H over the index.
+        # The matrices of p waves are those of H; E is H divided by the index.
         return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
 
     def apodization(self, square: Values) -> Values:
@@ -113,7 +114,7 @@ class Layers:
         c_g, c_s = cosine(n_g), cosine(n_s)
         found = []
         for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
-            # The product rule along the chain of matrices, from the sample outwards.
+            # Product rule along the chain of matrices, from the sample outwards.
             of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
             for matrix, by_k in self._matrices(square, polarisation):
                 changed, kept = _applied(by_k, of), _applied(matrix, slope)
@@ -124,7 +125,7 @@ class Layers:
 
     def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
         """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, M being the product of the matrices of the films."""
-        # B and C of (B, C) = M (1, p_l): from the sample outwards.
+        # (B, C) = M (1, p_l), multiplied from the sample outwards (Born and Wolf, section 1.6).
         of = (last * 0.0 + 1.0, last)
         for matrix, _ in self._matrices(square, polarisation):
             of = _applied(matrix, of)
@@ -134,7 +135,8 @@ class Layers:
         """Yield the matrix of each film and its derivative by ln k, the one at the sample first."""
         k = self.wavenumber
         for index, thickness in reversed(self.films):
-            # c^2 of the film: cos and sinc are even in c, so that films need no root (section 14, "Variables").
+            # c^2 of the film: cos and sinc are even in c, so that films have no branch point (section 14,
+            # "Variables").
             within = 1.0 - square * index**-2
             turned = within * (k * index * thickness) ** 2
             cosine, sinc = cosine_and_sinc(turned)
@@ -156,7 +158,7 @@ class _Matrix(NamedTuple):
 
 
 def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
-    # Born and Wolf, section 1.6: the fields at one side of a film from those at the other.
+    # Born and Wolf, section 1.6: the fields on one side of a film from those on the other.
     top, bottom = to
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
 
@@ -171,6 +173,7 @@ def cosine_and_sinc(square: Values) -> tuple[Values, Values]:
 
 def cosines(NA: float, rho: NDArray[np.float64], index: float) -> NDArray[np.complex128]:
     """Return c_m of a layer at rho, its imaginary part not negative."""
+    # A product instead of 1 - sine^2, which cancels near the critical angle.
     sine = NA * rho / index
     return np.sqrt(((1.0 - sine) * (1.0 + sine)).astype(np.complex128))
 
@@ -248,7 +251,7 @@ def length(name: str, value: object, most: float, *, positive: bool = False) -> 
     """Return metres from 0 to `most`; refuse lengths in um or mm with a hint."""
     metres = validation.real(name, value)
     if not (0.0 <= metres <= most) or (positive and metres == 0.0):
-        meant = metres > max(most, 1e-3)  # in another unit, as nothing of less is
+        meant = metres > max(most, 1e-3)  # in another unit: no such length is smaller
         hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if meant else ""
         least = "above 0" if positive else "at least 0"
         raise ValueError(f"{name} is in metres and must be {least} and at most {most:g}, got {metres:g}{hint}")

@@ -20,15 +20,15 @@ MAX_RADIAL = 2 * (2 + MAX_HIGHER)
 """Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
 
 MAX_GROWTH = 1e4
-"""Errors of measurements grow by up to this factor, in single coefficients or at least in the phase."""
+"""Largest amplification of measurement errors in single coefficients, or at least in the phase."""
 
 MAX_ROUNDING = 1e7
-"""Largest condition number at which terms can be orthogonalised on the samples."""
+"""Largest condition number up to which terms can be orthogonalised on the samples."""
 
-_RESIDUE = 1e-9  # of the largest value, that rounding leaves of a 0
-# Pixels of one value that are taken as not measured: how many at least, over all, and over those of any other value.
+_RESIDUE = 1e-9  # of the largest value: rounding left of a zero
+# Equal pixels taken as not measured: their least number, share of all, and ratio to those of any other value.
 _LEAST_BLANK, _BLANK, _BLANK_OVER_OTHERS = 8, 0.002, 8
-_BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
+_BLOCK = 16384  # samples at a time, which bounds the memory of fits to large maps
 _RADIAL_NODES = 400
 
 
@@ -194,7 +194,7 @@ def fit_radial(
     if callable(phase):
         if rho is not None:
             raise TypeError("rho must be left out where phase is a function")
-        # Nodes in rho^2 weigh by area.
+        # Gauss nodes in rho^2 weight by area.
         x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
         at, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
         values = validation.real_array("phase", phase(at))
@@ -273,6 +273,7 @@ def fit_opd(
         if unit not in (None, "metres"):
             raise ValueError(f"unit must be left out for an OPDMap, which is in metres, got {validation.shown(unit)}")
         unit, wavelength = "metres", opd.wavelength if wavelength is None else wavelength
+        # NaN is "not measured" in an OPDMap.
         opd = np.ma.masked_invalid(opd.values)
     elif unit is None:
         raise TypeError("unit must be given, 'radians', 'waves' or 'metres', where opd is no OPDMap")
@@ -281,11 +282,11 @@ def fit_opd(
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
     validation.choice("within", within, ("pupil", "samples"))
-    # Where there is a mask, values outside of it may be anything.
+    # Outside of the mask values may be anything, NaN included.
     maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
-    # Pixels count by their centres.
+    # A pixel belongs to the pupil if its centre does.
     square = x * x + y * y
     used = valid & (square <= 1.0) & (square >= eps * eps)
     bad = np.argwhere(used & ~np.isfinite(maps))
@@ -304,8 +305,8 @@ def fit_opd(
     coefficients = np.empty((len(flat), len(terms)))
     residual = np.full(flat.shape, np.nan)
     condition = 1.0
-    # Those share their normal equations.
-    alike: dict[bytes, list[int]] = {}  # maps with the same samples
+    # Maps with the same samples share their normal equations.
+    alike: dict[bytes, list[int]] = {}
     for i, pattern in enumerate(used.reshape(flat.shape)):
         alike.setdefault(np.packbits(pattern).tobytes(), []).append(i)
     for members in alike.values():
@@ -370,20 +371,20 @@ def _least_squares(
     places: tuple[Array, Array] | None = None,
 ) -> tuple[Array, Array, float]:
     """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit."""
-    # Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
-    # errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if
+    # Normal equations of nearly orthonormal terms (annular ones over an obscuration) with one refinement: errors of
+    # rounding only up to a condition of 1e4. Beyond, terms are orthonormalised on the samples (Cholesky factor), if
     # their sum is determined at all `places`.
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
-    # Equal weights: the mean over the samples stands for that over the pupil.
+    # Equal weights: the mean over the samples stands for the mean over the pupil.
     share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
-    # Of terms that are orthonormal over the disc the matrix is near the unit matrix on a full pupil.
+    # For terms orthonormal over the disc the Gram matrix of a full pupil is near the unit matrix.
     gram = np.zeros((len(terms), len(terms)))
     for block, basis in _basis(rho, theta, terms, over_disc):
         gram += (basis * share[block]) @ basis.T
     eigenvalues = np.linalg.eigvalsh(gram)
-    # The condition of the basis is the root of that of its normal equations.
+    # The condition number of the terms is the root of that of their normal equations.
     low, high = float(eigenvalues[0]), float(eigenvalues[-1])
     condition = math.sqrt(high / low) if low > 0.0 else math.inf
     if not condition <= MAX_GROWTH:
@@ -399,13 +400,14 @@ def _least_squares(
         own = np.linalg.inv(np.linalg.cholesky(gram)).T
         # Orthonormal on the samples, so that the second fit is well conditioned.
         over_disc = own if over_disc is None else over_disc @ own
+        # A sum of squares of terms that grows between the samples means a phase there that no sample determines.
         if not 0.0 < _most(places, terms, over_disc) <= MAX_GROWTH * whole:
             raise refused
         gram = np.zeros_like(gram)
         for block, basis in _basis(rho, theta, terms, over_disc):
             gram += (basis * share[block]) @ basis.T
     coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
-    # The second pass fits the residual of the first, which takes most of its rounding away.
+    # The second pass fits the residual of the first, which removes most of its rounding error.
     for _ in range(2):
         moments = np.zeros_like(coefficients)
         for block, basis in _basis(rho, theta, terms, over_disc):
@@ -417,7 +419,7 @@ def _least_squares(
 
 
 def _places(x: Array, y: Array, inside: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Return rho and theta in the middle of some of the squares of four pixels inside."""
+    """Return rho and theta at centres of some of the squares of four inner pixels."""
     every = max(1, int(math.sqrt(x.size) / 128))
     four = (inside[1:, 1:] & inside[:-1, 1:] & inside[1:, :-1] & inside[:-1, :-1])[::every, ::every]
     across = 0.5 * (x[1:, 1:] + x[:-1, :-1])[::every, ::every][four]
@@ -426,7 +428,7 @@ def _places(x: Array, y: Array, inside: NDArray[np.bool_]) -> tuple[Array, Array
 
 
 def _most(places: tuple[Array, Array], terms: list[tuple[int, int]], over_disc: Array | None) -> float:
-    """Return the largest root of the sum of the squares of all terms; 0 without places."""
+    """Return the root of the largest sum of squares of all terms at `places`; 0 without places."""
     squares = [(basis**2).sum(axis=0).max() for _, basis in _basis(*places, terms, over_disc)]
     return math.sqrt(max(squares, default=0.0))
 
@@ -444,7 +446,7 @@ def _over_disc(terms: list[tuple[int, int]], obscuration: float) -> Array | None
         return None
     made = np.zeros((len(terms), len(terms)))
     for m in {m for _, m in terms}:
-        alike = [i for i, (_, k) in enumerate(terms) if k == m]  # of rising n
+        alike = [i for i, (_, k) in enumerate(terms) if k == m]  # of one order, rising n
         made[np.ix_(alike, alike)] = zernike.annular(m, terms[alike[-1]][0], obscuration)
     return made
 
@@ -476,7 +478,7 @@ def _finish(
     """Return the fit; ValueError if residuals (first axis the flattened stack, NaN where unused) exceed `tol`."""
     rest = residual.reshape(len(residual), -1)
     count = np.isfinite(rest).sum(axis=1)
-    # The constant is among the terms: the mean of the residual is 0.
+    # The constant is among the terms, so that the mean of the residual is 0.
     rms = np.sqrt(np.nanmean(rest**2, axis=1) if weights is None else rest**2 @ weights)
     worst = int(rms.argmax())
     if not rms[worst] <= tol:
@@ -496,7 +498,7 @@ def _finish(
 
 
 def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.bool_]]:
-    """Return maps, and where they count: in the mask or else where not NaN, less what a masked array hides."""
+    """Return maps and where they are valid: in the mask, else where not NaN, without masked pixels."""
     given, hidden = validation.parted("opd", opd)
     maps = _real_maps("opd", given)
     if mask is None:
@@ -524,10 +526,10 @@ def _require_filled(valid: NDArray[np.bool_]) -> None:
 
 
 def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
-    """Raise ValueError if areas of a map have one value, as files have it where nothing was measured."""
-    # Neighbours that are alike: none where numbers are measured, and of stored steps about as many of each.
+    """Raise ValueError if an area of a map has one value, as files use it for pixels without measurement."""
+    # Equal neighbours: rare among measured numbers, and equally frequent for all steps of quantised ones.
     for given, inside in zip(maps, used, strict=True):
-        # Arithmetic on a map of zeros, as a change of units, leaves rounding.
+        # Arithmetic on a map of zeros, such as a change of units, leaves rounding errors.
         tiny = _RESIDUE * float(np.abs(given[inside]).max(initial=0.0))
         opd = np.where(np.abs(given) <= tiny, 0.0, given)
         alike = np.zeros_like(inside)
@@ -560,7 +562,7 @@ def _enclosing(points: Array) -> tuple[Array, float]:
         far = int(away.argmax())
         if away[far] <= circle[1] * (1.0 + 1e-9):
             return circle
-        # The circle grows at each turn: the smallest around those on its edge and the farthest point.
+        # The circle grows each time: the smallest around its boundary points and the farthest point.
         few = np.vstack([held, points[far]])
         found = [
             (_through(few[list(some)]), few[list(some)]) for k in (2, 3) for some in combinations(range(len(few)), k)
@@ -572,7 +574,7 @@ def _enclosing(points: Array) -> tuple[Array, float]:
 def _through(points: Array) -> tuple[Array, float]:
     """Return centre and radius of the smallest circle through two or three points; infinite if there is none."""
     apart = points[1:] - points[0]
-    # The least centre c from the first point with 2 c . apart = apart^2.
+    # Least-norm centre c from the first point with 2 c . p = p^2 for the others.
     center, _, rank, _ = np.linalg.lstsq(2.0 * apart, (apart**2).sum(axis=1), rcond=None)
     return points[0] + center, float(np.hypot(*center)) if rank == len(apart) else math.inf
 
@@ -594,7 +596,7 @@ def _pupil_coordinates(
     height, width = shape
     row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
     size = 0.5 * min(shape) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
-    with np.errstate(over="ignore"):  # pixels far outside of a small pupil, whose squares must be finite
+    with np.errstate(over="ignore"):  # pixels far outside of a small pupil; their squares must be finite
         sides = [(np.arange(count) - at) / size for count, at in ((height, row), (width, column))]
     y, x = np.meshgrid(*(np.clip(side, -1e150, 1e150) for side in sides), indexing="ij")
     return x, y

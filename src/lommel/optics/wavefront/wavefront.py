@@ -40,7 +40,7 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
+_FAR = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 UNITS = ("radians", "waves", "metres")
@@ -86,7 +86,7 @@ def common_shape(what: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[in
 
 
 def _columns(parts: Collection[ArrayLike], shape: tuple[int, ...]) -> Array:
-    """Return arrays broadcast to a shape, beside each other along a new last axis."""
+    """Return arrays broadcast to a shape and stacked along a new last axis."""
     out = np.empty((*shape, len(parts)))
     for k, part in enumerate(parts):
         out[..., k] = part
@@ -102,7 +102,7 @@ def _indices(terms: tuple[Term, ...]) -> NDArray[np.int32]:
 
 @lru_cache(maxsize=64)
 def symmetric_terms(count: int) -> tuple[Term, ...]:
-    """Return (2, 0), (4, 0), ..., so many."""
+    """Return (2, 0), (4, 0), ..., `count` terms."""
     return tuple((2 * k, 0) for k in range(1, count + 1))
 
 
@@ -168,7 +168,7 @@ class Wavefront(EqualByContent, display.Shown):
     edge: Array
     error: float
     shape: tuple[int, ...]
-    # Coefficients of rho^2, rho^4, ... where they were given so, to return them without rounding.
+    # Coefficients of rho^2, rho^4, ... if given as such: returned to the caller without rounding.
     _powers: Array | None = field(repr=False)
 
     def __init__(
@@ -192,6 +192,7 @@ class Wavefront(EqualByContent, display.Shown):
         if nonradial is not None and not isinstance(nonradial, Mapping):
             raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(nonradial)}")
         with np.errstate(over="ignore"):  # refused where twice the defocus is not finite
+            # The public coefficient is C_d, that of rho^2 is 2 C_d (paper, Eq. 3).
             columns: dict[Any, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
         columns["spherical"] = _coefficients("spherical", spherical)
         for i, c in enumerate(higher):
@@ -208,10 +209,10 @@ class Wavefront(EqualByContent, display.Shown):
         self._set((*symmetric_terms(len(columns)), *sorted(others)), edge, error, powers)
 
     def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
-        """Take checked arrays; where `powers` of rho are given, write the radial terms into `edge`."""
+        """Set checked arrays; with `powers` of rho, convert these to radial terms in `edge`."""
         if powers is not None:
             with np.errstate(over="ignore", invalid="ignore"):  # refused below where not finite
-                # The terms of the phase are what methods take; powers are kept, for they are what was given.
+                # Methods use Zernike terms, which do not cancel; powers are kept for exact output.
                 edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
             what = "the coefficients of a wavefront (defocus, spherical and others)"
@@ -221,12 +222,12 @@ class Wavefront(EqualByContent, display.Shown):
         edge.flags.writeable = False
         if powers is not None:
             powers.flags.writeable = False
-        # As object.__setattr__ would, but all at once.
+        # Frozen dataclass: all fields at once, past object.__setattr__.
         vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
 
     @classmethod
     def trusted(cls, terms: tuple[Term, ...], edge: Array, error: float = 0.0, powers: Array | None = None) -> Self:
-        """Build a wavefront of checked `terms`, `edge`, `error` and `powers` of rho^2, and own these arrays."""
+        """Build a wavefront from checked `terms`, `edge`, `error` and `powers` of rho^2, and own these arrays."""
         made = cls.__new__(cls)
         made._set(terms, edge, error, powers)
         return made
@@ -237,7 +238,7 @@ class Wavefront(EqualByContent, display.Shown):
 
         ValueError if the coefficients do not broadcast.
         """
-        # With the constant, lest a stack whose terms are all constant lose its axes.
+        # The constant counts for the shape: a stack with constant terms only would otherwise lose its axes.
         shape = common_shape("the coefficients of the terms (n, m)", given)
         radial = [n // 2 for (n, m), c in given.items() if m == 0 and n > 0 and np.any(c)]
         count = max([2, *radial])
@@ -249,7 +250,7 @@ class Wavefront(EqualByContent, display.Shown):
     def of_defocus(cls, defocus: float | Array) -> Self:
         """Build a wavefront from a checked C_d, `defocus`, radians."""
         if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
-            # The same bits as below, in half the time: most pupils have defocus only.
+            # The same bits as below in half the time; most pupils have defocus only.
             powers, edge = np.zeros(2), np.zeros(2)
             powers[0], edge[0] = 2.0 * defocus, defocus + 0.0
             powers.setflags(write=False)
@@ -319,6 +320,7 @@ class Wavefront(EqualByContent, display.Shown):
         validation.choice("normalization", normalization, NORMALIZATIONS)
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         try:
+            # A list of pairs may name a term twice, which a dictionary would hide.
             pairs = [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
         except (TypeError, ValueError):
             raise TypeError(
@@ -429,11 +431,12 @@ class Wavefront(EqualByContent, display.Shown):
         x, y = validation.real_array("field[0]", field[0]), validation.real_array("field[1]", field[1])
         shape = common_shape("the coefficients and field", w | {"field[0]": x, "field[1]": y})
         higher = [w["W060"], w["W080"]]
+        # Trailing zeros would make equal wavefronts differ in their number of terms.
         while higher and not np.any(higher[-1]):
             higher.pop()
         square = x * x + y * y
         defocus = w["W020"] + (w["W220"] + 0.5 * w["W222"]) * square
-        # rho^3 cos = (R_3^1 cos + 2 rho cos) / 3, and H^2 rho^2 cos^2 = H^2 rho^2 / 2 + H^2 rho^2 cos(2 phi) / 2.
+        # rho^3 cos = (R_3^1 cos + 2 rho cos) / 3, and H^2 rho^2 cos^2 = H^2 rho^2 (1 + cos 2 phi) / 2.
         tilt = 2.0 / 3.0 * w["W131"] + w["W311"] * square
         others = {
             (1, 1): tilt * x,
@@ -472,6 +475,7 @@ class Wavefront(EqualByContent, display.Shown):
         """
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         with np.errstate(over="ignore"):
+            # Variance of rho^4 - (1 + eps^2) rho^2 over the annulus is (1 - eps^2)^4 / 180, and sqrt 180 = 6 sqrt 5.
             spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
         spherical = validation.real_array("6 sqrt(5) rms / (1 - eps^2)^2", spherical)
         return cls(-0.5 * (1 + eps**2) * spherical, spherical)
@@ -501,7 +505,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @cached_property
     def symmetric(self) -> int:
-        """Number of radially symmetric terms, the first: those of n = 2, 4, ..."""
+        """Number of radially symmetric terms n = 2, 4, ..., which come first."""
         return [m for _, m in self.terms].count(0)
 
     @property
@@ -542,7 +546,7 @@ class Wavefront(EqualByContent, display.Shown):
         """Return the largest amplitude in the stack of cosine and sine together by (n, abs(m)), of terms not 0."""
         sizes: dict[Term, Array] = {}
         for (n, m), c in self.edge_terms().items():
-            # Cosine and sine of one order are one term of this amplitude, turned.
+            # a cos m theta + b sin m theta is one wave of the amplitude sqrt(a^2 + b^2).
             sizes[n, abs(m)] = np.hypot(sizes.get((n, abs(m)), 0.0), c)
         return {term: float(size.max()) for term, size in sizes.items() if size.any()}
 
@@ -559,8 +563,8 @@ class Wavefront(EqualByContent, display.Shown):
     @cached_property
     def _lost(self) -> float:
         lost = zernike.conversion_error(self.coefficients)
-        # Certificate, "Model error of a wavefront", "Powers of rho": what is less than roundings counted elsewhere is
-        # not.
+        # Certificate, "Model error of a wavefront", "Powers of rho": cancellation below roundings counted in section
+        # 4 is not counted twice.
         rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
         return float(lost.max()) if np.any(lost > rounded) else 0.0
 
@@ -571,7 +575,7 @@ class Wavefront(EqualByContent, display.Shown):
         return self.shape[0]
 
     def __bool__(self) -> bool:
-        """Return True, for a single wavefront too."""
+        """Return True; Python would otherwise ask for the length, which a single wavefront lacks."""
         return True
 
     def __getitem__(self, index: Index) -> Self:
@@ -590,7 +594,7 @@ class Wavefront(EqualByContent, display.Shown):
         return self._each(lambda c: np.broadcast_to(c, (*wanted, c.shape[-1])).copy())
 
     def _each(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
-        """Return the wavefront with `change` applied to its coefficients, its error `growth` times as large."""
+        """Return the wavefront with `change` applied to its coefficients and its error multiplied by `growth`."""
         powers = None if self._powers is None else change(self._powers)
         return self.trusted(self.terms, change(self.edge), growth * self.error, powers)
 
@@ -607,7 +611,7 @@ class Wavefront(EqualByContent, display.Shown):
         shape = common_shape("wavefronts to add", {"first": self, "second": other})
         terms = self.terms
         if other.terms != terms:
-            # Radial terms first and without gaps, then the others in order: equal sums have equal terms.
+            # Radial terms first and without gaps, then the others in order: equal sums get equal terms.
             others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
             terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(others))
         edge = np.zeros((*shape, len(terms)))
@@ -631,7 +635,7 @@ class Wavefront(EqualByContent, display.Shown):
             return self._each(lambda c: f * c, abs(f))
 
     __rmul__ = __mul__
-    # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
+    # NumPy would otherwise multiply each element of an array by the wavefront instead of calling __rmul__.
     __array_ufunc__ = None
 
     def __truediv__(self, divisor: float) -> Self:
@@ -660,7 +664,7 @@ class Wavefront(EqualByContent, display.Shown):
         return self.shape, self.error, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
 
     def __reduce__(self) -> tuple[object, ...]:
-        # Without cached properties: the mapping of `nonradial` cannot be pickled.
+        # Cached properties are left out: the read-only mapping of `nonradial` cannot be pickled.
         powers = None if self._powers is None else self._powers.copy()
         return type(self).trusted, (self.terms, self.edge.copy(), self.error, powers)
 
@@ -709,7 +713,7 @@ class Wavefront(EqualByContent, display.Shown):
     def flipped(self, axis: str) -> Self:
         """Return the mirror image, exactly: `axis` "x" exchanges left and right, "y" up and down; else ValueError."""
         validation.choice("axis", axis, ("x", "y"))
-        # theta -> -theta for "y", pi - theta for "x".
+        # theta -> -theta for "y", theta -> pi - theta for "x": sines change sign, or odd orders and even sines.
         signs = np.array([(-1.0 if m < 0 else 1.0) * (-1.0 if axis == "x" and m % 2 else 1.0) for _, m in self.terms])
         return self.trusted(self.terms, signs * self.edge, self.error, self._powers)
 
@@ -734,6 +738,7 @@ class Wavefront(EqualByContent, display.Shown):
         edge = _columns([found[term] for term in terms], shape)
         powers = None
         if self._powers is not None:
+            # phase(radius rho): each power of rho^2 is multiplied by radius^2.
             powers = self._powers * eps[..., None] ** (2.0 * np.arange(1, 1 + self.symmetric))
         return self.trusted(terms, edge, self.error, powers)
 
@@ -756,7 +761,7 @@ class Wavefront(EqualByContent, display.Shown):
         if self._powers is None:
             plain: Json = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
         else:
-            # Only the defocus has the shape of the stack where others are the same throughout.
+            # Where all of a stack are equal one number is written; the defocus keeps the shape.
             plain = {
                 "defocus": self.defocus.tolist(),
                 "spherical": _once_or_all(self.spherical),
@@ -793,7 +798,7 @@ def _edge_factor(term: Term, normalization: str) -> float:
 
 def _over_disc(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
     """Return coefficients at the edge of terms over the disc, from those of annular ones times _edge_factor()."""
-    # Annular terms are sums of terms over the disc of the same order and lower degrees.
+    # An annular term is a sum of terms over the disc of the same order and lower degree.
     rms = {(n, m): c / _annular_factor((n, m), normalization, eps) for (n, m), c in terms.items()}
     return {term: zernike.rms_factor(*term) * c for term, c in zernike.over_disc(rms, eps).items()}
 

@@ -23,7 +23,7 @@ from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, cast
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -35,10 +35,12 @@ from lommel.base.optional import library
 
 if TYPE_CHECKING:
     import zipfile
+    from xml.etree.ElementTree import Element
 
     from h5py import Dataset, File, Group
     from PIL.Image import Image
-    from tifffile import TiffFile, TiffPageSeries
+    from PIL.TiffImagePlugin import TiffImageFile
+    from tifffile import TiffFile, TiffFrame, TiffPage, TiffPageSeries
 
 Tags = dict[int, NDArray[np.generic]]
 
@@ -162,7 +164,7 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
         raise ValueError(f"its objects are too many or too deep ({type(error).__name__})") from None
 
 
-def xml(text: str) -> Any:
+def xml(text: str) -> Element:
     """Return the root of a text in XML; ValueError if it is none, or would take too much memory."""
     from xml.etree import ElementTree as ET
 
@@ -520,7 +522,7 @@ def _beside(path: Path, name: str) -> Path | None:
     return there
 
 
-def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Values:
+def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) -> Values:
     """Return the values of a page of a file on the disk, of the shape and type of the first.
 
     ValueError if it has others, or would take more memory than they do. Pages of a file share its handle: one thread
@@ -554,7 +556,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Valu
             handle.close()
 
 
-def tiff_array(page: Any) -> Values:
+def tiff_array(page: TiffPage | TiffFrame) -> Values:
     """Return the values of a page, of LZW by Pillow where tifffile cannot; ValueError where neither can."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
@@ -562,7 +564,7 @@ def tiff_array(page: Any) -> Values:
 
     if (image := _UNPACKED.get(page.parent)) is None:
         page.parent.filehandle.seek(0)
-        image = _UNPACKED[page.parent] = TiffImageFile(page.parent.filehandle)
+        image = _UNPACKED[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
     dtype = np.dtype(page.dtype).newbyteorder("=")
     try:
         with _unprinted():
@@ -595,7 +597,7 @@ def _unprinted() -> Iterator[None]:
 
 _PRINTING = threading.Lock()
 _LZW = 5
-_UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files as Pillow has them open
+_UNPACKED: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()  # files as Pillow has them open
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:

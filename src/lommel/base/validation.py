@@ -230,7 +230,7 @@ def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
 _NUMBERS = (float, int, np.ndarray, np.float64, str)  # which have no mask, and are many
 
 
-def computed(value: Any) -> Any:
+def computed(value: object) -> Any:
     """Return a value, or the array of a container whose mask, if any, is known once it is computed, as of dask."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value

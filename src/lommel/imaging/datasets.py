@@ -106,11 +106,11 @@ class LensRanges:
     def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
         """Return a lens and a pixel pitch in metres drawn by `random`, which always gives five numbers."""
         length, stops, dioptres, pitch, spherical = random.random(5)
-        nearest, farthest = _ends(self.focus_distance)
+        (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
         inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
             focal_length=_between(self.focal_length, length),
-            f_number=math.exp(_between(tuple(math.log(n) for n in _ends(self.f_number)), stops)),
+            f_number=math.exp(_between((math.log(least), math.log(most)), stops)),
             focus_distance=1.0 / inverse if inverse > 0.0 else math.inf,
             wavelength=self.wavelength,
             aberrations=Wavefront(spherical=_between(self.spherical, spherical)),
@@ -118,16 +118,12 @@ class LensRanges:
         return lens, _between(self.pixel, pitch)
 
 
-def _range(name: str, value: Any) -> Range:
-    ends = value if isinstance(value, tuple | list) else (value,)
-    if len(ends) not in (1, 2):
+def _range(name: str, value: object) -> Range:
+    given = value if isinstance(value, tuple | list) else (value,)
+    if len(given) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
-    if name == "focus_distance":
-        ends = tuple(validation.real(name, each, above=0.0, infinite=True) for each in ends)
-    elif name == "spherical":
-        ends = tuple(validation.real(name, each) for each in ends)
-    else:
-        ends = tuple(validation.real(name, each, above=0.0) for each in ends)
+    above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
+    ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in given)
     if ends[0] > ends[-1]:
         raise ValueError(f"{name} must rise, got {validation.shown(value)}")
     return ends[0] if len(ends) == 1 else (ends[0], ends[1])
@@ -137,7 +133,7 @@ def _ends(value: Range) -> tuple[float, float]:
     return value if isinstance(value, tuple) else (value, value)
 
 
-def _between(value: Any, share: float) -> float:
+def _between(value: Range, share: float) -> float:
     first, last = _ends(value)
     return float(first + (last - first) * share)
 

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -252,7 +252,7 @@ class Iteration:
         return out
 
 
-def _ahead(light: Any, before: Any, pace: float, out: Any = None) -> Any:
+def _ahead(light: Values, before: Values, pace: float, out: Values | None = None) -> Values:
     """Return positive light as far beyond that of the step before as the pace says, by a ratio: none ends at 0.
 
     A power of the ratio would do as well, and is slower than the harmonic mean of the ratio and 1.

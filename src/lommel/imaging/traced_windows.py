@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -287,7 +287,7 @@ def make(
     numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
     extremes = np.array(reach), signs * np.array(list(terms.values()))
 
-    def windows(made: tuple[AberratedWindows, Any]) -> Array:
+    def windows(made: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
         return numpy.to_numpy(made[0](numpy, made[1], *extremes, np.float64(1.0)))
 
     whole = built(1.0)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, ValidationInfo, model_validator
 
@@ -150,7 +150,7 @@ def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
     return replace(table, wavelength=own).wavefront(wavelength)
 
 
-def _read(value: object) -> Any:
+def _read(value: object) -> object:
     """Return a camera; what was wrong with it is raised here, so that it is told with all other errors."""
     if isinstance(value, ValueError):
         raise value
@@ -167,7 +167,7 @@ class Sensor(Section):
 
     @model_validator(mode="before")
     @classmethod
-    def _of_camera(cls, raw: object, info: ValidationInfo) -> Any:
+    def _of_camera(cls, raw: object, info: ValidationInfo) -> object:
         """Return the section with its camera read, whose pixels it has unless it states its own."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw

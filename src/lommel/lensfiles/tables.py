@@ -245,7 +245,7 @@ def _cells(
     return read
 
 
-def _length(cell: Any) -> float:
+def _length(cell: str | float) -> float:
     """Return a length in metres from a number or a text."""
     return _known(cell) if isinstance(cell, str) else validation.real("a position", parse_length(cell), unit="metres")
 

@@ -192,7 +192,7 @@ class Wavefront(EqualByContent, display.Shown):
         if nonradial is not None and not isinstance(nonradial, Mapping):
             raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(nonradial)}")
         with np.errstate(over="ignore"):  # refused where twice the defocus is not finite
-            columns: dict[Any, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
+            columns: dict[str, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
         columns["spherical"] = _coefficients("spherical", spherical)
         for i, c in enumerate(higher):
             columns[f"higher[{i}]"] = _coefficients(f"higher[{i}]", c)

@@ -11,7 +11,7 @@ import signal
 import tarfile
 import threading
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
@@ -372,7 +372,7 @@ def render_dataset(
     count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
     _begin(folder, job.record(pairs, shard))
-    return _rendered(folder, job, pairs, shard, count, skip)
+    return _missing(folder, job, pairs, shard, count, skip)
 
 
 def _begin(folder: Path, record: Json) -> None:
@@ -445,69 +445,69 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
         raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
 
-def _rendered(
-    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
-) -> Iterator[Rendered]:
-    """Yield pictures as they are written."""
-    with atomic.locked(folder / _RECORD, folder):
-        yield from _missing(folder, job, pairs, shard, workers, skip)
-
-
 def _missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures that are not there yet as they are written."""
-    total = len(pairs) * job.copies
-    where = folder if shard is None else folder / _PARTS
-    where.mkdir(exist_ok=True)
-    there, sums = set(), cache(of_file)
-    for number, facts in _there(folder, shard, total):
-        for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
-            if sums(file) != known:
-                raise ValueError(
-                    f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, now "
-                    f"{sums(file)}); give another folder"
-                )
-        there.add(number)
-    left = [number for number in range(total) if number not in there]
-    done = total - len(left)
-    if shard is not None:
-        for index in range(-(-total // shard)):
-            _pack(folder, index, shard, total)
-    make = partial(_write, job, where, shard is not None, skip)
-
-    def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
-        nonlocal done
-        for note in said:
-            validation.tell(note)
-        if failure is not None:
-            return Rendered(number, done, total, (), facts, failure)
-        done += 1
-        named = tuple(folder / name for name in files)
+    with atomic.locked(folder / _RECORD, folder):
+        total = len(pairs) * job.copies
+        where = folder if shard is None else folder / _PARTS
+        where.mkdir(exist_ok=True)
+        there, sums = set(), cache(of_file)
+        for number, facts in _there(folder, shard, total):
+            for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
+                if sums(file) != known:
+                    raise ValueError(
+                        f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, "
+                        f"now {sums(file)}); give another folder"
+                    )
+            there.add(number)
+        left = [number for number in range(total) if number not in there]
+        done = total - len(left)
         if shard is not None:
-            named = (_shard(folder, number // shard),)
-            _pack(folder, number // shard, shard, total)
-        return Rendered(number, done, total, named, facts)
+            for index in range(-(-total // shard)):
+                _pack(folder, index, shard, total)
+        make = partial(_write, job, where, shard is not None, skip)
 
-    if workers == 1:
-        for number in left:
-            yield told(number, *make(number, *pairs[number // job.copies]))
-        return
-    threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
-    shared = replace(job, settings=replace(job.settings, threads=threads))
-    make = partial(_write, shared, where, shard is not None, skip)
-    yield from (told(*each) for each in _by_processes(make, left, pairs, job.copies, workers))
+        def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
+            nonlocal done
+            for note in said:
+                validation.tell(note)
+            if failure is not None:
+                return Rendered(number, done, total, (), facts, failure)
+            done += 1
+            named = tuple(folder / name for name in files)
+            if shard is not None:
+                named = (_shard(folder, number // shard),)
+                _pack(folder, number // shard, shard, total)
+            return Rendered(number, done, total, named, facts)
+
+        if workers == 1:
+            for number in left:
+                yield told(number, *make(number, *pairs[number // job.copies]))
+            return
+        threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
+        shared = replace(job, settings=replace(job.settings, threads=threads))
+        make = partial(_write, shared, where, shard is not None, skip)
+        yield from (told(number, *made) for number, made in _by_processes(make, left, pairs, job.copies, workers))
+
+
+_Written = tuple[list[str], Json, str | None, list[str]]
 
 
 def _by_processes(
-    make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
-) -> Iterator[tuple[int, list[str], Json, str | None, list[str]]]:
+    make: Callable[[int, Path, Path], _Written],
+    left: list[int],
+    pairs: list[tuple[Path, Path]],
+    copies: int,
+    workers: int,
+) -> Iterator[tuple[int, _Written]]:
     """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
     from multiprocessing import get_context
 
     # Spawned: a fork copies locks that other threads hold.
     pool = ProcessPoolExecutor(min(workers, max(len(left), 1)), get_context("spawn"), initializer=_serve)
-    numbers, running = iter(left), dict[Future[Any], int]()
+    numbers, running = iter(left), dict[Future[_Written], int]()
     try:
         while True:
             while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
@@ -516,7 +516,7 @@ def _by_processes(
                 return
             for finished in wait(running, return_when=FIRST_COMPLETED).done:
                 number = running.pop(finished)
-                yield (number, *finished.result())
+                yield number, finished.result()
     finally:
         pool.shutdown(cancel_futures=True)
 
@@ -565,9 +565,7 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
         part.unlink(missing_ok=True)
 
 
-def _write(
-    job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path
-) -> tuple[list[str], Json, str | None, list[str]]:
+def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Written:
     """Render a picture and write its files; return their names, the facts, why it was skipped, and notes on it."""
     said: list[str] = []
     try:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.methods.pixel_rule import averaging_error
 from lommel.optics.lens import Lens
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -238,10 +239,8 @@ def make(
     largest = [
         abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
     ]
-    b = np.linspace(0.05, 5.0, 200)
     for samples in range(2, _MOST_SAMPLES + 1):
-        exponent = most * step * np.sinh(b) - 2.0 * samples * b - np.log(-np.expm1(-2.0 * b))
-        if 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0)) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
+        if averaging_error(most * step, samples) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
             break
     else:
         raise ValueError(

@@ -118,7 +118,7 @@ from lommel.optics.layers.objective import Objective as Objective
 from lommel.optics.wavefront.opd_fit import OPDMap as OPDMap
 from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront.wavefront import Wavefront as Wavefront
-from lommel.page.widget import live as live
+from lommel.page.server import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
 from lommel.blur.blurs import (
     Blur as Blur,

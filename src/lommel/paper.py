@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -142,9 +142,9 @@ def new_figure(width: float, height: float) -> Figure:
     return NewFigure(figsize=(width, height), layout="constrained")
 
 
-def panels(figure: Any, count: int, **properties: Any) -> Any:
+def panels(figure: Figure, count: int, **properties: object) -> NDArray[np.object_]:
     """Return that many axes beside each other, with a grid and the properties that all have."""
-    made = figure.subplots(1, count)
+    made: NDArray[np.object_] = figure.subplots(1, count, squeeze=False)[0]
     for axes in made:
         axes.set(**properties)
         axes.grid(alpha=0.3)
@@ -376,7 +376,7 @@ def draw_comparison(data: FigureData) -> Figure:
         f"C_d = {facts['defocus']:g}, TLC = {facts['tangent']:g}, N = {facts['terms']}; 1 is the exact peak",
         fontsize=10,
     )
-    halves: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.15))
+    halves = figure.subfigures(2, 1, squeeze=False, height_ratios=(1.0, 1.15))[:, 0]
     pictures = halves[0].subplots(1, 4, squeeze=False, sharey=True)[0]
     norm = _intensity_norm(max(float(data.arrays[name].max()) for name in _LABELS))
     for axes, (name, label) in zip(pictures, _LABELS.items(), strict=True):

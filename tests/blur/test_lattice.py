@@ -10,9 +10,8 @@ import pytest
 import lommel as lm
 from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.convolution import ends
+from lommel.blur.convolution import Gate, ends
 from lommel.blur.recorded import Band, BlurredStack, Gather, Request, summed
-from lommel.blur.turbulence import Gate
 from lommel.optics.grid import Grid
 
 

@@ -12,10 +12,9 @@ from scipy.optimize import brentq
 
 import lommel as lm
 from lommel.blur.blurs import FWHM, KOLMOGOROV
-from lommel.blur.convolution import ends, gained, readout
+from lommel.blur.convolution import Gate, Halo, between, ends, gained, readout, table
 from lommel.blur.mixtures import OUTER, Shape, isotropic, turbulence
 from lommel.blur.transfer_integral import FURTHER, Fading
-from lommel.blur.turbulence import Gate, Halo, between, table
 
 GATE = Gate.of(0.8, 1e-10)
 STRONG = Halo((lm.Seeing(0.05),), 1.0, None, GATE)

@@ -56,9 +56,9 @@ def test_napari_finds_the_manifest_and_its_contributions(viewer):
 
 
 def test_a_psf_file_opens_with_its_voxels(viewer, tmp_path):
-    from lommel.napari_plugin import layers
+    from lommel.napari_plugin import contributions
 
-    data, options, _ = layers.psf()[0]
+    data, options, _ = contributions.psf()[0]
     options["metadata"]["lommel"].save(tmp_path / "psf.ome.tif")
     (layer,) = viewer.open(tmp_path / "psf.ome.tif", plugin="lommel")
     np.testing.assert_array_equal(layer.data, data)

@@ -9,7 +9,7 @@ import pytest
 import traitlets
 
 import lommel as lm
-from lommel.page import server, widget
+from lommel.page import server
 from lommel.page.state import FIELDS, psf_of
 
 
@@ -18,9 +18,9 @@ def made(tmp_path, monkeypatch):
     file = tmp_path / server.NAME
     file.write_text("export default { render() {} };\n", encoding="utf-8")
     monkeypatch.setattr(server, "path", lambda: file)
-    widget._kind.cache_clear()
+    server._kind.cache_clear()
     yield
-    widget._kind.cache_clear()
+    server._kind.cache_clear()
 
 
 def test_every_control_is_a_trait_that_reaches_the_page():

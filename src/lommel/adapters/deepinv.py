@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Values
 from lommel.base.optional import library
 from lommel.imaging.linear import LinearBlur
 from lommel.optics.pupil import Pupil
@@ -21,10 +20,16 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
 if TYPE_CHECKING:
+    from deepinv.physics import LinearPhysics
+    from deepinv.physics.generator import PSFGenerator
     from torch import Tensor
 
+    from lommel.base.arrays import Values
 
-def blur_physics(blur: LinearBlur, **options: Any) -> Any:
+    _Way = Callable[[Values], Values]
+
+
+def blur_physics(blur: LinearBlur, **options: object) -> LinearPhysics:
     """Return a blur as a ``deepinv.physics.LinearPhysics``.
 
     `A` and `A_adjoint` are computed by the compiled core, on a CPU, and each is the gradient of the other, so that
@@ -56,7 +61,7 @@ def blur_physics(blur: LinearBlur, **options: Any) -> Any:
     validation.instance("blur", blur, LinearBlur)
     act = _linear_function()
 
-    def checked(images: Tensor) -> Any:
+    def checked(images: Tensor) -> Tensor:
         wanted = blur.channels, *blur.shape
         if images.ndim != 4 or tuple(images.shape[1:]) != wanted:
             raise ValueError(f"images must have the shape (batch, {wanted}), got {tuple(images.shape)}")
@@ -71,17 +76,17 @@ def blur_physics(blur: LinearBlur, **options: Any) -> Any:
 
 
 @cache
-def _linear_function() -> Callable[..., Any]:
+def _linear_function() -> Callable[[Tensor, _Way, _Way], Tensor]:
     """Return a function that applies a NumPy function to a batch, with another one as its gradient."""
     import torch
 
-    def mapped(images: Tensor, way: Callable[[Values], Values]) -> Any:
+    def mapped(images: Tensor, way: _Way) -> Tensor:
         made = [np.moveaxis(way(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
         return torch.from_numpy(np.ascontiguousarray(np.stack(made))).to(images)
 
     class Linear(torch.autograd.Function):  # type: ignore[misc]
         @staticmethod
-        def forward(ctx: Any, images: Tensor, way: Any, back: Any) -> Any:
+        def forward(ctx: Any, images: Tensor, way: _Way, back: _Way) -> Tensor:
             ctx.ways = way, back
             return mapped(images, way)
 
@@ -103,8 +108,8 @@ def psf_generator(
     index_convention: str = "noll",
     *,
     tol: float = 1e-4,
-    **options: Any,
-) -> Any:
+    **options: object,
+) -> PSFGenerator:
     """Return a generator of random PSFs with the signature of ``deepinv.physics.generator.DiffractionBlurGenerator``.
 
     The PSFs err by at most `tol` of their peak, instead of 1 to 6 percent, and take about a thousandth of the time.
@@ -153,14 +158,16 @@ def psf_generator(
     class Generator(PSFGenerator):  # type: ignore[misc]
         """PSFs of random wavefronts."""
 
-        def step(self, batch_size: int = 1, seed: int | None = None, coeff: Any = None, **_: Any) -> dict[str, Any]:
+        def step(
+            self, batch_size: int = 1, seed: int | None = None, coeff: Tensor | None = None, **_: object
+        ) -> dict[str, Tensor]:
             self.rng_manual_seed(seed)
             if coeff is None:
                 coeff = torch.rand((batch_size, len(indices)), generator=self.rng, **self.factory_kwargs)
                 coeff = (coeff - 0.5) * width
             values = coeff.detach().cpu().numpy().astype(np.float64)
             # The phase is -2 pi times the sum there.
-            terms: Any = dict(zip(indices, -2.0 * math.pi * values.T, strict=True))
+            terms = dict(zip(indices, -2.0 * math.pi * values.T, strict=True))
             images = psf(Pupil(Wavefront.zernike(terms, order=order)), shape, pixel, tol=tol).values
             filters = torch.as_tensor(np.array(images), **self.factory_kwargs)[:, None]
             return {"filter": filters / filters.sum(dim=(-2, -1), keepdim=True), "coeff": coeff}

@@ -32,7 +32,7 @@ def html(thing: object) -> str:
     return text
 
 
-def _registered(dispatch: Callable[[type], Callable[..., Any]], thing: object, what: str) -> Callable[..., Any]:
+def _registered(dispatch: Callable[[type], _Function], thing: object, what: str) -> _Function:
     load(what)
     # singledispatch falls back to the function of `object`, which is the undecorated one that called here.
     found = dispatch(type(thing))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from types import ModuleType
 
 # Extras that no target of the Makefile installs.
 _NOT_LOCKED = ("torch", "cupy")
@@ -17,7 +17,7 @@ _TO_INSTALL = {
 }
 
 
-def library(name: str, user: str, extra: str) -> Any:
+def library(name: str, user: str, extra: str) -> ModuleType:
     """Return an optional module; ImportError that names its `user` and the `extra` that installs it."""
     try:
         return import_module(name)

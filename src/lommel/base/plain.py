@@ -6,14 +6,17 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from enum import Enum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lommel.base.arrays import Json
 
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
-def plain(value: Any) -> Any:
+
+def plain(value: object) -> Any:
     """Return a value as plain data.
 
     Dataclasses and named tuples become dictionaries of their public fields (of a dataclass those shown in its repr),
@@ -39,7 +42,7 @@ def plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def fields_of(value: Any) -> Json:
+def fields_of(value: DataclassInstance) -> Json:
     """Return the public fields of a dataclass that its repr shows."""
     shown = (each.name for each in dataclasses.fields(value) if each.repr and not each.name.startswith("_"))
     return {name: getattr(value, name) for name in shown}

@@ -23,7 +23,7 @@ from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, cast
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -35,10 +35,12 @@ from lommel.base.optional import library
 
 if TYPE_CHECKING:
     import zipfile
+    from xml.etree.ElementTree import Element
 
     from h5py import Dataset, File, Group
     from PIL.Image import Image
-    from tifffile import TiffFile, TiffPageSeries
+    from PIL.TiffImagePlugin import TiffImageFile
+    from tifffile import TiffFile, TiffFrame, TiffPage, TiffPageSeries
 
 Tags = dict[int, NDArray[np.generic]]
 
@@ -162,7 +164,7 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
         raise ValueError(f"its objects are too many or too deep ({type(error).__name__})") from None
 
 
-def xml(text: str) -> Any:
+def xml(text: str) -> Element:
     """Return the root element of an XML text; ValueError if it is not valid, or would take too much memory."""
     from xml.etree import ElementTree as ET
 
@@ -528,7 +530,7 @@ def _beside(path: Path, name: str) -> Path | None:
     return there
 
 
-def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Values:
+def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) -> Values:
     """Return the values of a page of a file on the disk, which must have the shape and type of the first page.
 
     ValueError if it has others, or would take more memory. Pages of a file share its handle: only one thread at a
@@ -562,7 +564,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> Valu
             handle.close()
 
 
-def tiff_array(page: Any) -> Values:
+def tiff_array(page: TiffPage | TiffFrame) -> Values:
     """Return the values of a page, LZW by Pillow where tifffile lacks imagecodecs; ValueError where neither can."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
@@ -570,7 +572,7 @@ def tiff_array(page: Any) -> Values:
 
     if (image := _UNPACKED.get(page.parent)) is None:
         page.parent.filehandle.seek(0)
-        image = _UNPACKED[page.parent] = TiffImageFile(page.parent.filehandle)
+        image = _UNPACKED[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
     dtype = np.dtype(page.dtype).newbyteorder("=")
     try:
         with _unprinted():
@@ -604,7 +606,8 @@ def _unprinted() -> Iterator[None]:
 
 _PRINTING = threading.Lock()
 _LZW = 5
-_UNPACKED: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # files opened by Pillow, by tifffile's object
+# Files opened by Pillow, by tifffile's object.
+_UNPACKED: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:

@@ -164,7 +164,7 @@ def with_units(message: str) -> str:
     return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
 
 
-def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
+def _parse(text: object, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
     article = "an" if kind == "angle" else "a"
     if isinstance(text, bool) or not isinstance(text, str | int | float):
         raise ValueError(f"{article} {kind} is a number with a unit, a text such as {example!r}, got {shown(text)}")

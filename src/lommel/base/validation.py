@@ -233,7 +233,7 @@ def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
 _NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, tested first because they are frequent
 
 
-def computed(value: Any) -> Any:
+def computed(value: object) -> Any:
     """Return a value, or the computed array of a lazy container (dask, astropy), whose mask is known only then."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value

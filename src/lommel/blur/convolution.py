@@ -3,13 +3,18 @@
 There are two kinds of kernels. Jitter, diffusion and motion are negligible beyond their `reach`: the response
 ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and the errors by wrapping around and
 by truncation are those of the kernel beyond the reach. Seeing has a wide halo: its kernel is tabulated, the lattice
-holds all of it, and the error is the light beyond the lattice times the kernel there (turbulence.py).
+holds all of it, and the error is the light beyond the lattice times the kernel there.
 
 Values of pixels of any size and position from samples on a square lattice, along rows, then columns.
 The transform of ``box(w) exp(-(w / s)^2 / 2)``, boxes being convolved with the Gaussian, is
 ``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``: a gate from ``-m`` to ``m`` whose fall is an error function. So
 ``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for ``abs(w) <= 2`` but for the error of the gate (Poisson's sum),
 and g averaged over a pixel gives averages. The sum truncated after some samples errs by an exponential integral.
+
+The kernel of turbulence has wings that fall as r^(-11/3). With w in units in which the image ends at 2,
+``c(r) = (1 / 2 pi) int T(w) G(w) J0(w r) w dw``, G a gate that is 1 up to 2 and 0 where samples h apart would confuse
+w with less than that. With ``w = u^3`` both ``w^(5/3)`` and von Karman's structure function are entire, so that
+Gauss's rule converges geometrically from 0 on.
 """
 
 from __future__ import annotations
@@ -23,9 +28,9 @@ import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.blur.blurs import Blur
-from lommel.blur.turbulence import Gate, Halo, between, table
-from lommel.core.engine import distinct_radii
+from lommel.blur.blurs import Blur, Seeing
+from lommel.core.engine import distinct_radii, product
+from lommel.special.interpolation import steps
 from lommel.special.legendre import gauss_legendre
 
 if TYPE_CHECKING:
@@ -257,3 +262,184 @@ def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
     # The kernel wraps around: index n - k is the distance k on the other side.
     rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
     return quadrant[rows[:, None], columns], off
+
+
+_BAND = 1.2  # radians from one entry of a table to the next
+_NODES, _PHASE = 40, 40.0  # of a panel, and how far J0 turns in one at most
+_DARK = 1e-22
+_KEPT = 2**20  # values of J0
+
+
+class Gate(NamedTuple):
+    """A response of 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, but for `error` of both."""
+
+    h: float
+    middle: float
+    width: float
+    error: float
+
+    @classmethod
+    def of(cls, h: float, error: float) -> Gate:
+        """Return the gate for samples `h` apart that errs by at most `error`."""
+        far = 2.0 * math.pi / h - 2.0
+        return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(scipy.special.erfcinv(0.5 * error)), error)
+
+    def round(self, w: Array) -> Array:
+        """Return the response to waves of the length w of the vector of frequency, smooth in w^2."""
+        middle, half, fall = self._squared
+        return np.asarray(0.5 * scipy.special.erfc((w * w - middle) / half * (fall / self.width)))
+
+    @property
+    def end(self) -> float:
+        """From where on the round response is below 1e-30."""
+        middle, half, fall = self._squared
+        return math.sqrt(middle + 8.3 * half * self.width / fall)
+
+    @property
+    def _squared(self) -> tuple[float, float, float]:
+        # Middle and half of the fall in w^2, and half of it in w.
+        far = 2.0 * math.pi / self.h - 2.0
+        return 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0), 0.5 * (far - 2.0)
+
+
+class Halo(NamedTuple):
+    """Rotationally symmetric blur by turbulence as a kernel."""
+
+    several: tuple[Seeing, ...]
+    scale: float
+    wavelength: float | None
+    gate: Gate
+
+    @classmethod
+    def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
+        """Return the seeing of several blurs in light of a wavelength, of which one lambda*N is `scale`."""
+        return cls(tuple(blur for blur in several if isinstance(blur, Seeing)), scale, wavelength, gate)
+
+    def response(self, w: Array) -> Array:
+        """Return the transfer function at w, without the gate."""
+        found = np.ones(w.shape)
+        for blur in self.several:
+            found *= blur.transfer(w / (2.0 * self.scale), wavelength=self.wavelength)
+        return found
+
+    @property
+    def finest(self) -> float:
+        """Over which w the response changes at the least."""
+        found = 0.5
+        for blur in self.several:
+            outer = math.inf if blur.outer_scale is None else blur.outer_scale / (2.0 * math.pi * blur.r0)
+            found = min(found, self.scale * blur.coherence(self.wavelength) * min(1.0, outer))
+        return found
+
+    def at(self, r: Array) -> Array:
+        """Return the kernel at radii in v, directly."""
+        w, weight = _rule(self, float(np.max(r, initial=1.0)))
+        return _transformed(weight, w, r)
+
+    def bound(self, far: float) -> float:
+        """Bound the density of the shifts, which has no gate, beyond the radius `far`."""
+        # Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
+        # most 1 / (1 - 2 s / R^2) times one of the variance t + s. So b(R) is bounded by the transform of
+        # T exp(-s w^2 / 2), which ends soon.
+        s = min(2.0, 0.02 * far * far)
+        w, weight = _rule(self, far, gated=False)
+        soft = weight * np.exp(-0.5 * s * w * w)
+        rounding = 2.0**-46 * float(np.abs(soft).sum())
+        return (max(float(scipy.special.j0(far * w) @ soft), 0.0) + rounding) / (1.0 - 2.0 * s / far**2)
+
+    def gated_bound(self, far: float) -> float:
+        """Bound the modulus of the kernel, the density convolved with the transform of the gate, likewise."""
+        near = far - min(0.25 * far, 45.0)
+        smear, left = _gate_norm(self.gate, far - near)
+        return smear * self.bound(near) + left
+
+
+@lru_cache(maxsize=8)
+def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
+    """Return nodes in w, and weights of ``(1 / 2 pi) T G w dw`` for waves up to the radius `far`."""
+    w, weight = _nodes(*_panels(halo, far, gated=gated))
+    found = weight * halo.response(w)
+    return w, found * halo.gate.round(w) if gated else found
+
+
+def _panels(halo: Halo, far: float, *, gated: bool = True) -> tuple[float, int]:
+    """Return where the rule ends in w, and how many panels it has: few of each, so that seeing shares nodes."""
+    end = halo.gate.end if gated else 11.0
+    probe = np.linspace(0.0, end, 4097)
+    dark = np.flatnonzero(halo.response(probe) < _DARK)
+    end = min(end, 0.25 * math.ceil(4.0 * float(probe[dark[0]]))) if dark.size else end
+    return end, 4 * math.ceil(0.25 * end / min(_PHASE / max(far, 1.0), halo.finest))
+
+
+@lru_cache(maxsize=8)
+def _nodes(end: float, panels: int) -> tuple[Array, Array]:
+    """Return nodes in w up to an end, and their weights of ``(1 / 2 pi) w dw``."""
+    edges = np.cbrt(np.linspace(0.0, end, panels + 1))
+    # The first, in which w varies by all of itself, is where the root is felt.
+    edges = np.concatenate([edges[:1], edges[1] * np.array([0.5, 0.75]), edges[1:]])
+    x, weight = gauss_legendre(_NODES)
+    wide = np.diff(edges)[:, None]
+    u = (edges[:-1, None] + wide * x).ravel()
+    return u**3, (wide * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi)
+
+
+@lru_cache(maxsize=4)
+def _waves(end: float, panels: int, step: float, count: int) -> Array:
+    """Return J0 at so many equal steps of r and all nodes, which any seeing may share."""
+    w, _ = _nodes(end, panels)
+    return np.asarray(scipy.special.j0(np.multiply.outer(step * np.arange(float(count)), w)))
+
+
+def _transformed(weight: Array, w: Array, r: Array) -> Array:
+    out = np.empty(r.shape)
+    many = max(1, 2**21 // w.size)
+    for start in range(0, r.size, many):
+        part = slice(start, start + many)
+        out[part] = _summed(scipy.special.j0(np.multiply.outer(r[part], w)), weight)
+    return out
+
+
+def _summed(waves: Array, weight: Array) -> Array:
+    # By the core: of sums this short, threads of BLAS wait for each other longer than they take.
+    return product(waves, weight[:, None], 1)[:, 0]
+
+
+@lru_cache(maxsize=4)
+def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
+    """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
+    w, weight = _rule(halo, far)
+    step = _BAND / float(w.max())
+    rule = steps(_BAND, error)
+    beyond = rule.filter.size - 1
+    count = math.ceil(far / step) + rule.taps.size + 1 + beyond
+    if count * w.size <= _KEPT:
+        found = _summed(_waves(*_panels(halo, far), step, count), weight)
+    else:
+        found = _transformed(weight, w, step * np.arange(float(count)))
+    mirrored = np.concatenate([found[beyond:0:-1], found])
+    filtered = np.convolve(mirrored, np.concatenate([rule.filter[:0:-1], rule.filter]), "valid")
+    return filtered, step, rule.error
+
+
+def between(known: Array, step: float, error: float, r: Array) -> Array:
+    """Return the kernel at radii within a :func:`table`."""
+    taps = steps(_BAND, error).taps
+    half = taps.size // 2
+    mirrored = np.concatenate([known[half:0:-1], known])
+    cell = np.minimum((r / step).astype(np.int64), known.size - half - 1)
+    found = np.zeros(r.shape)
+    weights = taps.at((r / step - cell).ravel()).reshape(*r.shape, taps.size)
+    for k in range(taps.size):
+        found += weights[..., k] * mirrored[cell + k + 1]
+    return found
+
+
+@lru_cache(maxsize=16)
+def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
+    """Return the integral of the modulus of the transform of a gate, and the largest of it from `far` on."""
+    x, weight = gauss_legendre(400)
+    w, weight = gate.end * x, gate.end * weight
+    r: Array = np.linspace(0.0, 60.0, 4001)
+    g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
+    # It falls faster than exponentially; what is beyond 60 is below what is before.
+    return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())

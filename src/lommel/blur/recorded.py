@@ -11,10 +11,9 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, Seeing, require_unit
-from lommel.blur.convolution import Readout, Short, Spread, ends, readout, spread
+from lommel.blur.convolution import Gate, Halo, Readout, Short, Spread, ends, readout, spread
 from lommel.blur.transfer_integral import FURTHER, Fading, TransferIntegral
-from lommel.blur.turbulence import Gate, Halo
-from lommel.core.answers import Declined, Images, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, DType, Images, ToleranceError, Wanted, not_met
 from lommel.core.engine import product
 from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.method import Method, normalized_error, stored, storing, with_model_error
@@ -586,7 +585,7 @@ def recorded(
     pupil: BasePupil,
     grid: Grid,
     several: tuple[Blur, ...],
-    settings: tuple[Method | None, float, str, np.dtype[np.floating[Any]], int],
+    settings: tuple[Method | None, float, str, DType, int],
     out: Values | None = None,
 ) -> dict[str, Any]:
     """Return the attributes of the PSF of `pupil` on `grid`, for :class:`lommel.Plan`."""

@@ -395,7 +395,7 @@ class Outputs:
 
     def __init__(self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding) -> None:
         height, width = pairs.shape
-        self._files, self._between, self._pairs, self._coding = files, between, pairs, coding
+        self._files, self._between, self._pairs = files, between, pairs
         self._blocks = height // BLOCK, width // BLOCK
         coloured = files.output is not None or files.show
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None

@@ -168,7 +168,7 @@ def save_stdpsf(
     for name, count in (("rows", rows), ("columns", columns)):
         validation.integer(name, count, least=2, most=99)
     values, x, y = _grid(field, rows, columns, sensor, shape, pixel, _OF_FILES, options)
-    header: dict[str, Any] = {"NXPSFS": columns, "NYPSFS": rows}
+    header: dict[str, int] = {"NXPSFS": columns, "NYPSFS": rows}
     header |= {f"IPSFX{k:02d}": round(place) + 1 for k, place in enumerate(x, 1)}
     header |= {f"JPSFY{k:02d}": round(place) + 1 for k, place in enumerate(y, 1)}
     data = values.reshape(-1, *values.shape[2:])

@@ -8,7 +8,7 @@ import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
+from typing import TYPE_CHECKING, NamedTuple, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -251,7 +251,7 @@ class DepthBlur(LinearBlur):
             )
             yield without_copies(taken, rows, columns, self.shape)
 
-    def _require(self, plane: Any, points: Any) -> None:
+    def _require(self, plane: object, points: object) -> None:
         """Raise TypeError unless a plane has the shape and dtype of the operator."""
         validation.instance("points", points, Points)
         if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
@@ -308,7 +308,7 @@ def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
     return bank.windows, bank.halves, bank.energies
 
 
-def require_lens(lens: Any, order: str) -> None:
+def require_lens(lens: object, order: str) -> None:
     """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
     if not isinstance(lens, Lens):
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")

@@ -11,7 +11,7 @@ import signal
 import tarfile
 import threading
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
@@ -107,13 +107,13 @@ class LensRanges:
         """Return a lens and a pixel pitch in metres drawn by `random`, which always gives five numbers."""
         # Five numbers even for constant parameters: those of the other parameters then stay the same.
         length, stops, dioptres, pitch, spherical = random.random(5)
-        nearest, farthest = _ends(self.focus_distance)
+        (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
         # Uniform in 1 / distance, as blur is linear in it.
         inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
             focal_length=_between(self.focal_length, length),
             # Uniform in the logarithm: as many lenses between f/2 and f/2.8 as between f/4 and f/5.6.
-            f_number=math.exp(_between(tuple(math.log(n) for n in _ends(self.f_number)), stops)),
+            f_number=math.exp(_between((math.log(least), math.log(most)), stops)),
             focus_distance=1.0 / inverse if inverse > 0.0 else math.inf,
             wavelength=self.wavelength,
             aberrations=Wavefront(spherical=_between(self.spherical, spherical)),
@@ -121,16 +121,12 @@ class LensRanges:
         return lens, _between(self.pixel, pitch)
 
 
-def _range(name: str, value: Any) -> Range:
-    ends = value if isinstance(value, tuple | list) else (value,)
-    if len(ends) not in (1, 2):
+def _range(name: str, value: object) -> Range:
+    given = value if isinstance(value, tuple | list) else (value,)
+    if len(given) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
-    if name == "focus_distance":
-        ends = tuple(validation.real(name, each, above=0.0, infinite=True) for each in ends)
-    elif name == "spherical":
-        ends = tuple(validation.real(name, each) for each in ends)
-    else:
-        ends = tuple(validation.real(name, each, above=0.0) for each in ends)
+    above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
+    ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in given)
     if ends[0] > ends[-1]:
         raise ValueError(f"{name} must rise, got {validation.shown(value)}")
     return ends[0] if len(ends) == 1 else (ends[0], ends[1])
@@ -140,7 +136,7 @@ def _ends(value: Range) -> tuple[float, float]:
     return value if isinstance(value, tuple) else (value, value)
 
 
-def _between(value: Any, share: float) -> float:
+def _between(value: Range, share: float) -> float:
     first, last = _ends(value)
     return float(first + (last - first) * share)
 
@@ -380,7 +376,7 @@ def render_dataset(
     count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
     _begin(folder, job.record(pairs, shard))
-    return _rendered(folder, job, pairs, shard, count, skip)
+    return _missing(folder, job, pairs, shard, count, skip)
 
 
 def _begin(folder: Path, record: Json) -> None:
@@ -454,74 +450,76 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
         reason = reading.reason(error)
         raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
-
-def _rendered(
-    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
-) -> Iterator[Rendered]:
-    """Yield pictures as they are written."""
     # A lock: two processes in one folder would render the same pictures.
-    with atomic.locked(folder / _RECORD, folder):
-        yield from _missing(folder, job, pairs, shard, workers, skip)
 
 
 def _missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield the missing pictures as they are written."""
-    total = len(pairs) * job.copies
-    where = folder if shard is None else folder / _PARTS
-    where.mkdir(exist_ok=True)
-    # Copies share their photo: each file is read once for its checksum.
-    there, sums = set(), cache(of_file)
-    for number, facts in _complete_pictures(folder, shard, total):
-        for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
-            if sums(file) != known:
-                raise ValueError(
-                    f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, now "
-                    f"{sums(file)}); give another folder"
-                )
-        there.add(number)
-    left = [number for number in range(total) if number not in there]
-    done = total - len(left)
-    if shard is not None:
-        # A run that ended between a picture and its shard left parts to pack.
-        for index in range(-(-total // shard)):
-            _pack(folder, index, shard, total)
-    make = partial(_write, job, where, shard is not None, skip)
-
-    def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
-        nonlocal done
-        for note in said:
-            validation.tell(note)
-        if failure is not None:
-            return Rendered(number, done, total, (), facts, failure)
-        done += 1
-        named = tuple(folder / name for name in files)
+    # A lock: two processes in one folder would render the same pictures.
+    with atomic.locked(folder / _RECORD, folder):
+        total = len(pairs) * job.copies
+        where = folder if shard is None else folder / _PARTS
+        where.mkdir(exist_ok=True)
+        # Copies share their photo: each file is read once for its checksum.
+        there, sums = set(), cache(of_file)
+        for number, facts in _complete_pictures(folder, shard, total):
+            for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
+                if sums(file) != known:
+                    raise ValueError(
+                        f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, "
+                        f"now {sums(file)}); give another folder"
+                    )
+            there.add(number)
+        left = [number for number in range(total) if number not in there]
+        done = total - len(left)
         if shard is not None:
-            named = (_shard(folder, number // shard),)
-            _pack(folder, number // shard, shard, total)
-        return Rendered(number, done, total, named, facts)
+            for index in range(-(-total // shard)):
+                _pack(folder, index, shard, total)
+        make = partial(_write, job, where, shard is not None, skip)
 
-    if workers == 1:
-        for number in left:
-            yield told(number, *make(number, *pairs[number // job.copies]))
-        return
-    # Processes share the processors: together as many threads as there are processors.
-    threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
-    shared = replace(job, settings=replace(job.settings, threads=threads))
-    make = partial(_write, shared, where, shard is not None, skip)
-    yield from (told(*each) for each in _by_processes(make, left, pairs, job.copies, workers))
+        def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
+            nonlocal done
+            for note in said:
+                validation.tell(note)
+            if failure is not None:
+                return Rendered(number, done, total, (), facts, failure)
+            done += 1
+            named = tuple(folder / name for name in files)
+            if shard is not None:
+                named = (_shard(folder, number // shard),)
+                _pack(folder, number // shard, shard, total)
+            return Rendered(number, done, total, named, facts)
+
+        if workers == 1:
+            for number in left:
+                yield told(number, *make(number, *pairs[number // job.copies]))
+            return
+        # Processes share the processors: together as many threads as there are processors.
+        threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
+        shared = replace(job, settings=replace(job.settings, threads=threads))
+        make = partial(_write, shared, where, shard is not None, skip)
+        yield from (told(number, *made) for number, made in _by_processes(make, left, pairs, job.copies, workers))
+
+
+_Written = tuple[list[str], Json, str | None, list[str]]
+# Processes share the processors: together as many threads as there are processors.
 
 
 def _by_processes(
-    make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
-) -> Iterator[tuple[int, list[str], Json, str | None, list[str]]]:
+    make: Callable[[int, Path, Path], _Written],
+    left: list[int],
+    pairs: list[tuple[Path, Path]],
+    copies: int,
+    workers: int,
+) -> Iterator[tuple[int, _Written]]:
     """Yield numbers of pictures and the results of a function for each, computed by other processes."""
     from multiprocessing import get_context
 
     # Spawned: a fork copies locks that other threads hold.
     pool = ProcessPoolExecutor(min(workers, max(len(left), 1)), get_context("spawn"), initializer=_serve)
-    numbers, running = iter(left), dict[Future[Any], int]()
+    numbers, running = iter(left), dict[Future[_Written], int]()
     try:
         while True:
             # Two tasks a worker: none waits for the next, and few results are held in memory.
@@ -531,7 +529,7 @@ def _by_processes(
                 return
             for finished in wait(running, return_when=FIRST_COMPLETED).done:
                 number = running.pop(finished)
-                yield (number, *finished.result())
+                yield number, finished.result()
     finally:
         pool.shutdown(cancel_futures=True)
 
@@ -582,9 +580,7 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
         part.unlink(missing_ok=True)
 
 
-def _write(
-    job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path
-) -> tuple[list[str], Json, str | None, list[str]]:
+def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Written:
     """Render a picture and write its files; return their names, the facts, why it was skipped, and notes on it."""
     said: list[str] = []
     try:

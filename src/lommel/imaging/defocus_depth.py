@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -316,7 +316,7 @@ def depth_from_defocus(
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
 
 
-def _one_of_each(photographs: Any, lenses: Sequence[Lens]) -> list[Any]:
+def _one_of_each(photographs: object, lenses: Sequence[Lens]) -> list[object]:
     """Return the photographs, with their masks; ValueError unless as many as lenses, at least two."""
     if len(lenses) < 2:
         raise ValueError(
@@ -329,7 +329,7 @@ def _one_of_each(photographs: Any, lenses: Sequence[Lens]) -> list[Any]:
     return given
 
 
-def _counts(photographs: list[Any], saturation: float | None) -> list[Counts]:
+def _counts(photographs: list[object], saturation: float | None) -> list[Counts]:
     """Return photographs as counts; ValueError unless they are images of one shape."""
     shape = "(height, width) or (height, width, channels)"
     counts = []
@@ -433,7 +433,7 @@ def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place:
     return out
 
 
-def _separate_photographs(photographs: Any) -> list[Any]:
+def _separate_photographs(photographs: object) -> list[object]:
     """Return the photographs of one array or container, with their masks; none if it has no axis for them."""
     values, hidden = validation.parted("photographs", photographs)
     if values.ndim < 3:

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, partial, reduce
 from itertools import pairwise
-from typing import Any, NamedTuple, Unpack, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,6 +30,10 @@ from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
+
+if TYPE_CHECKING:
+    from scipy.interpolate import BSpline
+    from scipy.sparse import csr_array
 
 
 @shares(FieldKeywords, Settings)
@@ -856,7 +860,7 @@ class Nodes:
         return np.asarray(ends / max(1.0, ends[-1]))
 
     @cached_property
-    def _spline(self) -> Any:
+    def _spline(self) -> BSpline:
         """Cardinal splines: 1 at one node and 0 at all others."""
         from scipy.interpolate import make_interp_spline
 
@@ -891,7 +895,7 @@ class Nodes:
                 found.append((node, column.reshape(places.shape)))
         return found
 
-    def _matrix(self, places: Array) -> Any:
+    def _matrix(self, places: Array) -> csr_array:
         from scipy.interpolate import BSpline
 
         along = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -253,7 +253,7 @@ class Iteration:
         return out
 
 
-def _ahead(light: Any, before: Any, pace: float, out: Any = None) -> Any:
+def _ahead(light: Values, before: Values, pace: float, out: Values | None = None) -> Values:
     """Return light extrapolated beyond that of the step before, by a ratio, so that it stays positive.
 
     The harmonic mean of the ratio and 1 stands for a power of the ratio, which would be slower.

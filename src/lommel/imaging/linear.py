@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -436,7 +436,7 @@ class WindowBlur:
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
     """Return the index of the original row or column of each one that spreads light, copies beyond edges included."""
-    mode: Any = "symmetric" if border == "reflect" else "edge"
+    mode: Literal["symmetric", "edge"] = "symmetric" if border == "reflect" else "edge"
     return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
 
 

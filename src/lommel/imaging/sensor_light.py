@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 
@@ -126,7 +126,7 @@ def _profiles(pupil: Pupil, v: Array) -> Array:
         at = start // _APART + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
         rising, place = np.unique(np.abs(at), return_inverse=True)  # U is even
         field = _QUADRATURE.evaluate(pupil, _APART * v[1] * rising).values[:, place]
-        squares: Any = 0.0
+        squares = np.zeros(())
         for part in (field.real, field.imag):
             each = np.ascontiguousarray(part).reshape(-1, _TAPS)
             left, right = (

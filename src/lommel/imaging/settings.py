@@ -97,7 +97,7 @@ class Settings:
         share = validation.real("energy", self.energy, least=0.5)
         if 0.9999 + 1e-12 <= share != 1.0:
             raise ValueError(f"energy must be <= 0.9999, or 1 for the whole PSF, got {validation.shown(self.energy)}")
-        checked: dict[str, Any] = {
+        checked: dict[str, object] = {
             "wavelengths": None if self.wavelengths is None else spectra("wavelengths", self.wavelengths),
             "missing": validation.choice("missing", self.missing, MISSING),
             "border": validation.choice("border", self.border, BORDERS),
@@ -112,7 +112,7 @@ class Settings:
         vars(self).update(checked)
 
     @classmethod
-    def of(cls, door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> Self:
+    def of(cls, door: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
         """Return the options `given` to `door`, of the TypedDict `keywords`; TypeError for one that it lacks."""
         options.require_known(door, given, keywords)
         return cls(**given)
@@ -140,7 +140,7 @@ class Settings:
         raise ValueError(f"an image of {count} channels needs wavelengths, one for each{hint}")
 
 
-def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], ...]:
+def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...], ...]:
     """Return for each channel pairs of a wavelength (metres) and a weight, summing to 1; TypeError otherwise."""
     if isinstance(channels, Channels):
         return channels.spectra
@@ -149,7 +149,7 @@ def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], 
     return tuple(_spectrum(channel) for channel in channels)
 
 
-def _spectrum(channel: Any) -> tuple[tuple[float, float], ...]:
+def _spectrum(channel: object) -> tuple[tuple[float, float], ...]:
     if not isinstance(channel, Sequence):
         return ((validation.wavelength(channel), 1.0),)
     if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):

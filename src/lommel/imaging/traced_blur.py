@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -26,7 +26,7 @@ from lommel.imaging.traced_windows import (
     chebyshev_nodes,
     defocus_layers,
 )
-from lommel.methods.pixel_rule import cells_alike, octant
+from lommel.methods.pixel_rule import cells_alike, cells_of_quarter
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
@@ -788,11 +788,11 @@ def traced_blur(
     tables: dict[str, Values] = {
         "windows": table,
         "transform": transform,
-        "as given": _at_size(0.0, scales, transform).reshape(-1, 1, 1, 1),
+        "as given": _as_given(scales, transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
         "at": np.arange(half + 1, dtype=np.int32),
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
-        "cell": _cells(half),
+        "cell": cells_of_quarter(half).astype(np.int32).ravel(),
         **_layer_tables(layers, screens),
         **of_zernike,
     }
@@ -955,19 +955,11 @@ def _sizes(exact: _Exact, nodes: Array, known: Array, scales: tuple[float, float
     )
 
 
-def _at_size(size: float, scales: tuple[float, float], transform: Array) -> Array:
-    """Return the weights of the windows at known sizes for one size."""
+def _as_given(scales: tuple[float, float], transform: Array) -> Array:
+    """Return the weights of the windows of known sizes for the lens as given, whose size is 0."""
     low, high = scales
-    x = 0.0 if high == low else (2.0 * size - low - high) / (high - low)
+    x = 0.0 if high == low else -(low + high) / (high - low)
     return np.asarray((chebyshev(np.array([x]), len(transform)) @ transform)[0])
-
-
-def _cells(half: int) -> NDArray[np.int32]:
-    """Return the octant cell of each pixel of a quarter, row by row."""
-    column, row = octant(half)
-    cell = np.empty((half + 1, half + 1), dtype=np.int32)
-    cell[row, column] = cell[column, row] = np.arange(row.size)
-    return cell.ravel()
 
 
 def _found_error(blur: TracedBlur, exact: _Exact, draw: np.random.Generator) -> float:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.methods.pixel_rule import averaging_error
 from lommel.optics.lens import Lens
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -251,12 +252,10 @@ def make(
     largest = [
         abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
     ]
-    b = np.linspace(0.05, 5.0, 200)
     for samples in range(2, _MOST_SAMPLES + 1):
         # Gauss's rule for |U|^2 over a pixel, certificate.md, "Differentiable PSFs": the least over ellipses with
         # semi-axes cosh b and sinh b; |U|^2 is of exponential type 2 in v.
-        exponent = most * step * np.sinh(b) - 2.0 * samples * b - np.log(-np.expm1(-2.0 * b))
-        if 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0)) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
+        if averaging_error(most * step, samples) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
             break
     else:
         raise ValueError(
@@ -307,7 +306,7 @@ def make(
     numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
     extremes = np.array(reach), signs * np.array(list(terms.values()))
 
-    def windows(made: tuple[AberratedWindows, Any]) -> Array:
+    def windows(made: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
         return numpy.to_numpy(made[0](numpy, made[1], *extremes, np.float64(1.0)))
 
     whole = built(1.0)

@@ -159,7 +159,7 @@ def is_fits(data: bytes) -> bool:
 def _unpacked(data: bytes) -> bytes:
     """Return the contents of a file, unpacked as far as its headers say."""
     packed, parts, at = data.startswith(PACKED_STARTS), list[bytes](), 0
-    source: Any = io.BytesIO(data)
+    source: io.BufferedIOBase = io.BytesIO(data)
     if packed:
         source = gzip.GzipFile(fileobj=source) if data.startswith(PACKED_STARTS[0]) else bz2.BZ2File(source)
     try:

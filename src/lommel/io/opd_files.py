@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Values
@@ -123,7 +124,7 @@ def read_datx(data: bytes) -> Measured:
         return Measured(values, _unit(name), spacing or None, wavelength)
 
 
-def _number(attribute: Any) -> float:
+def _number(attribute: ArrayLike) -> float:
     return validation.real("an attribute", float(np.ravel(attribute)[0]))
 
 

@@ -12,10 +12,10 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -23,6 +23,11 @@ from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
 from lommel.base.validation import shown
 from lommel.io.registry import Description
+
+if TYPE_CHECKING:
+    from zarr.abc.store import ByteRequest
+    from zarr.core.buffer import Buffer, BufferPrototype
+
 
 # Of these it is known how much comes out of them; the others do not compress.
 _PACKERS = ("blosc", "gzip", "lz4", "zlib", "zstd")
@@ -60,17 +65,24 @@ def store(root: Path) -> Any:
     from zarr.storage import LocalStore
 
     class Regular(LocalStore):
-        async def get(self, key: str, *args: Any, **options: Any) -> Any:
-            return None if regular(root, key) is None else await super().get(key, *args, **options)
+        async def get(
+            self, key: str, prototype: BufferPrototype | None = None, byte_range: ByteRequest | None = None
+        ) -> Buffer | None:
+            return None if regular(root, key) is None else await super().get(key, prototype, byte_range)
 
-        async def get_partial_values(self, prototype: Any, key_ranges: Any) -> Any:
+        async def get_partial_values(
+            self, prototype: BufferPrototype, key_ranges: Iterable[tuple[str, ByteRequest | None]]
+        ) -> list[Buffer | None]:
             wanted = list(key_ranges)
             for key, _ in wanted:
                 regular(root, key)
             return await super().get_partial_values(prototype, wanted)
 
-        def get_sync(self, key: str, **options: Any) -> Any:
-            return None if regular(root, key) is None else super().get_sync(key, **options)
+        def get_sync(
+            self, key: str, *, prototype: BufferPrototype | None = None, byte_range: ByteRequest | None = None
+        ) -> Buffer | None:
+            found = regular(root, key) is not None
+            return super().get_sync(key, prototype=prototype, byte_range=byte_range) if found else None
 
     return Regular(root, read_only=True)
 

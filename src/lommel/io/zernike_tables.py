@@ -194,9 +194,9 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
         settings["wavelength"] = f"{table.wavelength!r} m"
     if table.obscuration:
         settings["obscuration"] = table.obscuration
-    indices: list[Any] = sorted(table.terms, key=lambda i: (isinstance(i, tuple), i))
-    held: Mapping[Any, float] = table.terms
-    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): held[i] for i in indices}
+    held: list[tuple[Index, float]] = [*table.terms.items()]
+    held.sort(key=lambda term: (isinstance(term[0], tuple), term[0]))
+    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): value for i, value in held}
     shown = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
     atomic.write(validation.path("path", path), find(path).write(settings, terms, shown).encode())
 

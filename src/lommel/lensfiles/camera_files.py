@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, ValidationInfo, model_validator
 
@@ -152,7 +152,7 @@ def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
     return replace(table, wavelength=own).wavefront(wavelength)
 
 
-def _read(value: object) -> Any:
+def _read(value: object) -> object:
     """Return a camera, or raise its error here, so that it is reported with all others."""
     if isinstance(value, ValueError):
         raise value
@@ -169,7 +169,7 @@ class Sensor(Section):
 
     @model_validator(mode="before")
     @classmethod
-    def _of_camera(cls, raw: object, info: ValidationInfo) -> Any:
+    def _of_camera(cls, raw: object, info: ValidationInfo) -> object:
         """Return the section with its camera read; its pixels are those of the camera unless it states others."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw

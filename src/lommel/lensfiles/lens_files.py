@@ -111,11 +111,11 @@ class _CatEye(BuiltSection):
 class _Mask(Section):
     holds: Literal["amplitude", "intensity"] = "amplitude"
     # Becomes the mask, read once `holds` is known.
-    file: Any
+    file: object
 
     @field_validator("file")
     @classmethod
-    def _file(cls, value: object, info: ValidationInfo) -> Any:
+    def _file(cls, value: object, info: ValidationInfo) -> object:
         if "holds" not in info.data:
             return value  # `holds` has an error of its own
         wanted = f"the name of a file, {', '.join(_SUFFIXES)}"

@@ -246,7 +246,7 @@ def _cells(
     return read
 
 
-def _length(cell: Any) -> float:
+def _length(cell: str | float) -> float:
     """Return a length in metres from a number or a text."""
     return (
         _length_from_text(cell)

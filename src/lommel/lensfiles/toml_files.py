@@ -80,7 +80,7 @@ _EXAMPLES |= {
 }
 
 
-def _parsed_length(value: Any, info: ValidationInfo) -> float:
+def _parsed_length(value: str | float, info: ValidationInfo) -> float:
     return parse_length(value, _EXAMPLES.get(info.field_name or "", "5 mm"))
 
 
@@ -91,7 +91,7 @@ Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
 
-def pitch(value: Any) -> float | tuple[float, float]:
+def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]:
     """Return the pixel pitch from a text, or height and width from a list of two."""
     sides = value if isinstance(value, list) else [value]
     lengths = [validation.pixel(finite(_positive(parse_length(side, "3.45 um"))), metric=True) for side in sides]
@@ -251,7 +251,7 @@ def _elsewhere(model: type[Section], keys: list[str]) -> str | None:
     return f"it is in {' or '.join(homes)}" if homes else None
 
 
-def _section(annotation: Any) -> Any:
+def _section(annotation: object) -> Any:
     """Return the model in an annotation, which may be optional or a list."""
     if get_origin(annotation) in (Union, UnionType, Annotated, list):
         parts = (part for part in get_args(annotation) if part is not type(None))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -439,7 +439,7 @@ class RadialTransfer:
         self._parts = pixels, spline
         self._pixels = np.concatenate([self._own(axis), self._own(slanted) ** 2])
 
-    def _own(self, frequency: Any) -> Array:
+    def _own(self, frequency: Values) -> Array:
         """Return the transfer function of pixels along one axis, over that of the B-spline."""
         pixels, spline = self._parts
         found = np.sinc(frequency) if pixels else np.ones(frequency.shape)

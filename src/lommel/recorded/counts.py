@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Index, Values
 from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
@@ -103,7 +103,7 @@ class Counts:
     def of(
         cls,
         name: str,
-        images: Any,
+        images: object,
         *,
         sides: tuple[int, ...],
         shape: str,
@@ -192,7 +192,7 @@ class Counts:
                 where = f"{name}{list(place) or ''}"
                 raise ValueError(f"{where} must show {what}, got the value {image[good][0]:g} everywhere")
 
-    def __getitem__(self, at: Any) -> Counts:
+    def __getitem__(self, at: Index) -> Counts:
         """Return some of the images, by the axes before the last two."""
         return Counts(self.values[at], self.hidden[at], self.full[at], self.saturation, self.assumed)
 

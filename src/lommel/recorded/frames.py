@@ -11,14 +11,14 @@ from __future__ import annotations
 import math
 import re
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
 from types import SimpleNamespace, TracebackType
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -30,7 +30,7 @@ from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
 
 if TYPE_CHECKING:
-    from tifffile import TiffFile, TiffPageSeries
+    from tifffile import FileHandle, TiffFile, TiffPageSeries
 
 _PREFIXES = {
     "yotta": ("Y", 24), "zetta": ("Z", 21), "exa": ("E", 18), "peta": ("P", 15), "tera": ("T", 12), "giga": ("G", 9),
@@ -72,7 +72,7 @@ Found = Json
 """What a file says, by name; values are numbers, Unusable, or absent."""
 
 
-def length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
+def length(value: str | float | None, unit: object, default: str = "") -> float | Unusable | None:
     """Return a length in metres, Unusable with the file's words, or None where it states nothing."""
     if value is None or value == "":
         return None
@@ -91,7 +91,7 @@ def length(value: Any, unit: Any, default: str = "") -> float | Unusable | None:
     return size * scale if scale and math.isfinite(size) and size > 0.0 else Unusable(words)
 
 
-def number(value: Any, *, least: float = 0.0) -> float | Unusable | None:
+def number(value: str | float | None, *, least: float = 0.0) -> float | Unusable | None:
     """Return a number above `least`, Unusable with the file's words, or None where it states nothing."""
     if value is None or value == "":
         return None
@@ -108,13 +108,12 @@ def of_ome(file: TiffFile, place: int) -> Found:
         root = reading.xml(file.ome_metadata or "")
     except ValueError:
         return {}
-    images = [one for one in root.findall("{*}Image") if one.find("{*}Pixels") is not None]
+    images = [(one, pixels) for one in root.findall("{*}Image") if (pixels := one.find("{*}Pixels")) is not None]
     if len(images) != len(file.series):  # tifffile leaves out those without pixels
-        images = [one for one in images if one.get("Name") == file.series[place].name][:1] * (place + 1)
+        images = [one for one in images if one[0].get("Name") == file.series[place].name][:1] * (place + 1)
     if not images:
         return {}
-    image = images[place]
-    pixels = image.find("{*}Pixels")
+    image, pixels = images[place]
 
     def side(letter: str) -> float | Unusable | None:
         name = f"PhysicalSize{letter}"
@@ -167,7 +166,7 @@ def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[
     return found
 
 
-def of_fits(header: Mapping[str, object]) -> Found:
+def of_fits(header: fits_images.Cards) -> Found:
     """Return the statements of a FITS header on the camera: electrons per count, read noise, saturation."""
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
@@ -270,7 +269,7 @@ class Frames:
     path: Path | None = None
     notes: tuple[str, ...] = ()
     left_out: str = ""
-    closed: Any = None
+    closed: Callable[[], None] | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:  # noqa: D102
@@ -387,12 +386,27 @@ class Frames:
         return "the array" if self.path is None else line(self.path)
 
 
+class Held(Protocol):
+    """An array of any package that NumPy can read parts of."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Its sides."""
+
+    @property
+    def dtype(self) -> DTypeLike:
+        """The type of its values."""
+
+    def __getitem__(self, at: Any, /) -> ArrayLike:
+        """Return a part."""
+
+
 class _Held:
     """Images of an array of any package whose parts NumPy can read."""
 
     stored = 2**62  # it is in memory, or mapped
 
-    def __init__(self, values: Any, name: str) -> None:
+    def __init__(self, values: Held, name: str) -> None:
         self._values, self._name = values, name
         self._lead = tuple(values.shape[:-2])
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
@@ -425,7 +439,7 @@ class _Pages:
         found = {str(handle.path) for handle in self._handles()} if self._several else set()
         return found if len(found) > 1 else set()
 
-    def _handles(self) -> set[Any]:
+    def _handles(self) -> set[FileHandle]:
         return {page.parent.filehandle for page in self._pages if page is not None}
 
     def plane(self, number: int) -> Values:
@@ -513,7 +527,8 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     if isinstance(path, Frames):
         return path
     if not isinstance(path, str | PathLike):
-        values = path if hasattr(path, "shape") and hasattr(path, "dtype") else validation.array(name, path)
+        held = hasattr(path, "shape") and hasattr(path, "dtype")
+        values = cast(Held, path) if held else validation.array(name, path)
         validation.refuse_masked(name, values)
         return _of_array(values, name)
     given, part = part_of(path)
@@ -556,7 +571,7 @@ def told_of(path: Path, part: str = "") -> Iterator[None]:
         raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
 
 
-def _of_array(values: Any, name: str) -> Frames:
+def _of_array(values: Held, name: str) -> Frames:
     """Return the images of an array, whose axes are unknown."""
     sides = tuple(int(side) for side in values.shape)
     require_numbers(name, values.dtype)

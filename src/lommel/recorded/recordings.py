@@ -226,7 +226,9 @@ def _recording(frames: Frames) -> Recording:
     count, said, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
     unusable: dict[str, str] = {}
 
-    def checked(key: str, words: str, value: Any, limits: tuple[float, float] | None) -> float | None:
+    def checked(
+        key: str, words: str, value: float | Unusable | None, limits: tuple[float, float] | None
+    ) -> float | None:
         if isinstance(value, float) and limits is not None and not limits[0] < value < limits[1]:
             value = Unusable(f"{value:g} m")
         if not isinstance(value, Unusable):

@@ -6,6 +6,7 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Sequence
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
@@ -179,7 +180,7 @@ def stretched(light: Values, stretch: str) -> NDArray[np.float64]:
     return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
 
 
-def pyplot() -> Any:
+def pyplot() -> ModuleType:
     """Return ``matplotlib.pyplot``; ImportError if it is not installed."""
     return library("matplotlib.pyplot", *USER)
 

@@ -18,7 +18,8 @@ from lommel.show import drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure, FigureBase, SubFigure
+    from matplotlib.image import AxesImage
 
 Colours = NDArray[np.uint8]
 
@@ -148,7 +149,7 @@ def field(
     return figure
 
 
-def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
+def _stars(part: SubFigure, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
     """Draw images, models and residuals of a star in the middle and of those nearest to the corners."""
     seen, model = images
     across, down, used = stars
@@ -170,7 +171,9 @@ def _stars(part: Any, images: tuple[Array, Array], stars: tuple[Array, Array, ND
     part.colorbar(left, ax=panels.ravel().tolist(), label="residual over photon noise", shrink=0.6)
 
 
-def _residual_rows(part: Any, columns: Sequence[tuple[str, Array, Array, Array]], letters: float) -> tuple[Any, Any]:
+def _residual_rows(
+    part: FigureBase, columns: Sequence[tuple[str, Array, Array, Array]], letters: float
+) -> tuple[NDArray[np.object_], AxesImage]:
     """Draw title, image, model and residual of each column; return the panels, and a drawn residual."""
     panels = part.subplots(3, len(columns), squeeze=False)
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm
@@ -285,7 +288,7 @@ def projections(
     return figure
 
 
-def _scale_bar(axes: Any, width: float) -> None:
+def _scale_bar(axes: Axes, width: float) -> None:
     """Draw a bar below axes whose width is in metres, with its length beside it."""
     length = drawing.round_length(0.3 * width)
     color = axes.yaxis.label.get_color()  # which is white in dark styles
@@ -374,8 +377,8 @@ def fit(
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
     figure: Figure = drawing.pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
-    parts: Any = figure.subfigures(1, 2, width_ratios=(1.9 * count + 1.2, bars + 1.0))
-    pictures, graph = parts
+    widths = 1.9 * count + 1.2, bars + 1.0
+    pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=widths)[0]
     short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
     panels, left = _residual_rows(pictures, columns, letters=9)

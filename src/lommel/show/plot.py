@@ -307,10 +307,9 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     rows = -(-count // columns)
     size = (2.0 * max(columns, 3) + 1.6, 2.2 * rows + 5.3)
     figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(figsize=size, layout="constrained")
-    parts: Any = figure.subfigures(2, 1, height_ratios=(2.2 * rows + 0.7, 4.6))
-    pictures, graphs = parts
+    pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(2.2 * rows + 0.7, 4.6))[:, 0]
     peak = float(truth.values.max())
-    scale: Any = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
+    scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
     drawn = []
     for k, name in enumerate([reference, *others]):
         axes = pictures.add_subplot(rows, columns, k + 1)

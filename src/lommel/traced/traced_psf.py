@@ -16,7 +16,7 @@ from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.method import Method
-from lommel.methods.pixel_rule import octant, pixel_rule
+from lommel.methods.pixel_rule import averaging_error, cells_of_quarter, pixel_rule
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
@@ -584,11 +584,10 @@ def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     if grid.integrate:
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
-        column, row = octant(half)
-        cell = np.empty((half + 1, half + 1), dtype=np.int64)
-        cell[row, column] = cell[column, row] = np.arange(row.size)
         # Each cell of the octant once, for windows that are not square.
-        used, index = np.unique(cell[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True)
+        used, index = np.unique(
+            cells_of_quarter(half)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
+        )
         matrix = np.ascontiguousarray(rule.matrix[:, used])
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
         return pixels, step * rule.radii, {"matrix": matrix, "index": _places(index)}
@@ -610,19 +609,12 @@ def of_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
     """Return the pixels of any pupil, the rows and columns in v of its samples, and tables."""
-    # I(v) = U(v) conj(U(conj(v))) is entire in either coordinate, and at most exp(2 |Im v|) times the square of the
-    # amplitude of the pupil. On the ellipse of b round a pixel that is exp(step sinh b), so that p Gauss nodes a side
-    # err by at most 2 (32/15) exp(step sinh b - 2 p b) / (1 - exp(-2 b)).
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:
         return Pixels(grid.height, grid.width, False, 0.0, 0.0, 1), (rows, cols), {}
-    b = np.linspace(0.05, 5.0, 200)
-    # The bound above, for the best b of some.
     for count in range(2, _MOST_SAMPLES + 1):
-        exponent = stretch * step * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))
-        error = 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0))
-        if error <= allowed:
+        if (error := averaging_error(stretch * step, count)) <= allowed:
             break
     else:
         raise ValueError(

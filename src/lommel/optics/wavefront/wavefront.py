@@ -193,7 +193,7 @@ class Wavefront(EqualByContent, display.Shown):
             raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(nonradial)}")
         with np.errstate(over="ignore"):  # refused where twice the defocus is not finite
             # The public coefficient is C_d, that of rho^2 is 2 C_d (paper, Eq. 3).
-            columns: dict[Any, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
+            columns: dict[str, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
         columns["spherical"] = _coefficients("spherical", spherical)
         for i, c in enumerate(higher):
             columns[f"higher[{i}]"] = _coefficients(f"higher[{i}]", c)

@@ -1,28 +1,155 @@
-"""Widgets of napari: the PSF of a microscope, the deconvolution of a stack, both with progress."""
+"""Contributions to napari, as its manifest lists them: sample data, a reader, two widgets with progress."""
 
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from lommel.base.arrays import Values
+from lommel.base.arrays import Json, Values
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.lensfiles.camera_files import load_camera
-from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles.example_files import example_files, of_kind
 from lommel.lensfiles.microscope_files import Microscope, load_microscope
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.restoration import restore
-from lommel.napari_plugin.layers import EMISSION, KEY, layer_of, psf_of, voxel_of
-from lommel.psf import PSF, psf
+from lommel.microscopy.stack_blur import StackBlur
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.psf import PSF
+from lommel.psf import psf as compute
 from lommel.recorded.noise import Noise
+from lommel.recorded.recordings import open_recording
 
 if TYPE_CHECKING:
-    from magicgui.widgets import Container
+    from magicgui.widgets import Container, Widget
+    from napari.layers import Layer
+
+_Made = TypeVar("_Made")
+Work = Callable[[Callable[[float], None]], _Made]
+"""Work that is called with a function that takes the share done."""
+
+LayerData: TypeAlias = tuple[Values, Json, str]
+"""Data, options and type of a layer."""
+
+KEY = "lommel"  # of what a layer's metadata holds for this plugin
+EMISSION = "emission wavelength"  # of a layer's metadata, metres, or None
+_METRES = {"meter": 1.0, "millimeter": 1e-3, "micrometer": 1e-6, "nanometer": 1e-9, "picometer": 1e-12}
+
+
+def layer_of(psf: PSF, name: str) -> LayerData:
+    """Return a PSF as a layer with its voxel size in micrometres."""
+    scale = voxel(psf)
+    options: Json = {"name": name, "metadata": {KEY: psf}, "colormap": "inferno", "gamma": 0.5}
+    if scale is not None:
+        options |= {"scale": scale, "units": ("um",) * len(scale)}
+    return np.asarray(psf.values), options, "image"
+
+
+def voxel(psf: PSF) -> tuple[float, ...] | None:
+    """Return the size of a voxel in micrometres, that of a microscope in the sample; None where it has no metres."""
+    if psf.pupil.unit != "m":
+        return None
+    magnification: float = 1.0
+    steps: tuple[float, ...] = ()
+    if isinstance(psf.pupil, ObjectivePupil):
+        magnification = psf.pupil.magnification
+        z = np.ravel(psf.pupil.z)
+        steps = (1e6 * float(abs(z[1] - z[0])),) if z.size > 1 else ()
+    sides = tuple(1e6 * side / magnification for side in psf.grid.pitch)
+    others = (1.0,) * (np.ndim(psf.values) - len(sides) - len(steps))
+    return (*others, *steps, *sides)
+
+
+def psf_of(metadata: Json) -> PSF | None:
+    """Return the PSF that a layer was made of, by its metadata, or None."""
+    found = metadata.get(KEY)
+    return found if isinstance(found, PSF) else None
+
+
+def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[LayerData]] | None:
+    """Return a function that reads a PSF, or a stack with its voxel size; None for other files."""
+    if not isinstance(path, str):
+        return None
+    found: list[LayerData] | None
+    try:
+        found = [layer_of(PSF.load(path), Path(path).name.partition(".")[0])]
+    except (ValueError, OSError, ImportError, TypeError):
+        found = _channels(path)
+    # Read once: napari calls the function at once with the same path.
+    return None if found is None else lambda _: found
+
+
+def _channels(path: str) -> list[LayerData] | None:
+    """Return a stack that a microscope recorded, a layer for each channel; None where a file has no voxel size."""
+    try:
+        with open_recording(path) as opened:
+            count, planes = opened.shape[:2]
+            if opened.pixel is None or opened.step is None or planes < 2:
+                return None
+            name = Path(path).name.partition(".")[0]
+            scale = tuple(1e6 * side for side in (opened.step, opened.pixel, opened.pixel))
+            shared = {"scale": scale, "units": ("um",) * 3, "blending": "additive"}
+            return [
+                (
+                    np.asarray(opened.stack(k)),
+                    shared
+                    | {
+                        "name": name if count == 1 else f"{name} {opened.names[k]}",
+                        "metadata": {EMISSION: opened.emission[k]},
+                    },
+                    "image",
+                )
+                for k in range(count)
+            ]
+    except (ValueError, OSError, ImportError, TypeError):
+        return None
+
+
+def voxel_of(layer: Layer) -> tuple[float, float] | None:
+    """Return the pixel and the step between planes of a stack, metres; None of a layer that has no scale."""
+    scale = [float(each) for each in layer.scale[-3:]]
+    if all(each == 1.0 for each in scale):
+        return None
+    # Readers that state no unit mean micrometres, as napari's scale bar does.
+    units = [_METRES.get(str(each), 1e-6) for each in layer.units[-3:]]
+    return scale[2] * units[2], scale[0] * units[0]
+
+
+_OBJECTIVE, _CAMERA = "zeiss-63x-1.4-oil", "hamamatsu-orca-flash4-v3"
+_SHAPE = (24, 96, 96)
+_BEADS, _BACKGROUND = 30, 10.0
+_PHOTONS = 4e5  # electrons of the brightest bead in all planes together
+
+
+def psf() -> list[LayerData]:
+    """Return the PSF of an objective, 33 planes of 65 x 65 pixels."""
+    return [layer_of(_psf(33, 65), _OBJECTIVE)]
+
+
+def beads() -> list[LayerData]:
+    """Return a stack of beads with the noise of a camera, in counts, and its PSF."""
+    made, camera = _psf(33, 65), load_camera(_CAMERA)
+    draw = np.random.default_rng(1)
+    truth = np.zeros(_SHAPE, np.float32)
+    where = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
+    truth[where] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
+    # Planes are the last axis of the operator.
+    blurred = np.moveaxis(StackBlur(made, _SHAPE).forward(np.moveaxis(truth, 0, -1)), -1, 0)
+    seen = np.maximum(blurred, 0.0) + _BACKGROUND
+    counts = np.rint(np.clip(camera.noise.record(seen, draw), 0, 65535)).astype(np.uint16)
+    options = {"name": "beads", "scale": voxel(made), "units": ("um",) * 3, "metadata": {KEY: camera}}
+    return [(counts, options, "image"), layer_of(made, "PSF of the beads")]
+
+
+def _psf(planes: int, side: int) -> PSF:
+    """Return the PSF of the example objective with the camera of the samples."""
+    microscope = load_microscope(example_files()[_OBJECTIVE])
+    one = replace(microscope, planes=planes, step=200e-9, pixel=load_camera(_CAMERA).side)
+    return compute(one.pupil(), side, one.pixel)
 
 
 class Cancelled(Exception):  # noqa: N818 (no error)
@@ -30,9 +157,9 @@ class Cancelled(Exception):  # noqa: N818 (no error)
 
 
 def start(
-    work: Callable[[Callable[[float], None]], Any],
+    work: Work[_Made],
     *,
-    done: Callable[[Any], object],
+    done: Callable[[_Made | None], object],
     failed: Callable[[Exception], object],
     progress: Callable[[float], object],
 ) -> Callable[[], None]:
@@ -45,7 +172,7 @@ def start(
 
     stop = False
 
-    def shares() -> Generator[float, None, Any]:
+    def shares() -> Generator[float, None, _Made | None]:
         yield 0.0
 
         def tell(share: float) -> None:
@@ -92,17 +219,17 @@ class ObjectiveFields:
         self.file.changed.connect(fill)
 
 
-class Panel:
+class Panel(Generic[_Made]):
     """Fields of a widget, with a button that works on them in a thread, and one that stops it."""
 
-    def __init__(self, fields: list[Any], label: str, begin: Callable[[], Callable[[Callable[[float], None]], Any]],
-                 done: Callable[[Any], str]) -> None:  # fmt: skip
+    def __init__(self, fields: list[Widget], label: str,
+                 begin: Callable[[], Work[_Made]], done: Callable[[_Made], str]) -> None:  # fmt: skip
         from magicgui.widgets import Container, Label, ProgressBar, PushButton
 
         self.run, self.cancel = PushButton(text=label), PushButton(text="Cancel", enabled=False)
         self.bar, self.status = ProgressBar(min=0, max=100, value=0), Label(value="")
         buttons = Container(widgets=[self.run, self.cancel], layout="horizontal", labels=False)
-        self.widget: Container[Any] = Container(widgets=[*fields, buttons, self.bar, self.status])
+        self.widget: Container[Widget] = Container(widgets=[*fields, buttons, self.bar, self.status])
         self._begin, self._done = begin, done
         self._stop: Callable[[], None] = lambda: None
         self.run.clicked.connect(self.start)
@@ -127,7 +254,7 @@ class Panel:
     def _show(self, share: float) -> None:
         self.bar.value = round(100 * min(max(share, 0.0), 1.0))
 
-    def _finish(self, result: Any) -> None:
+    def _finish(self, result: _Made | None) -> None:
         self._busy(False)
         self.status.value = "cancelled" if result is None else self._done(result)
 
@@ -143,7 +270,7 @@ class Panel:
 _OWN = "of the file"
 
 
-def psf_widget() -> Container[Any]:
+def psf_widget() -> Container[Widget]:
     """Return the widget: an objective of the examples or of a file, a camera, depth, light, planes and window."""
     import napari
     from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
@@ -163,7 +290,7 @@ def psf_widget() -> Container[Any]:
         depth.value, light.value = 1e6 * found.depth, 1e9 * found.wavelength
         planes.value, step.value = found.planes, 1e9 * abs(found.step) or 100.0
 
-    def begin() -> Callable[[Callable[[float], None]], PSF]:
+    def begin() -> Work[PSF]:
         found = objective.chosen()
         kept = found.camera if camera.value == _OWN else load_camera(camera.value)
         asked = replace(
@@ -177,7 +304,7 @@ def psf_widget() -> Container[Any]:
         )
 
         def work(tell: Callable[[float], None]) -> PSF:
-            made = psf(asked.pupil(), side.value, asked.pixel, integrate=asked.integrate)
+            made = compute(asked.pupil(), side.value, asked.pixel, integrate=asked.integrate)
             tell(1.0)
             return made
 
@@ -201,10 +328,10 @@ _BY_DEPTH, _ESTIMATED, _STATED = "by depth, of the objective", "estimated from t
 _WIDTH = 60  # letters of a line of notes
 
 
-Restored = tuple[Any, Values, str, tuple[str, ...]]  # the layer, the values, a line on them, notes
+Restored: TypeAlias = "tuple[Layer, Values, str, tuple[str, ...]]"  # the layer, the values, a line on them, notes
 
 
-def deconvolution_widget() -> Container[Any]:
+def deconvolution_widget() -> Container[Widget]:
     """Return the widget: a stack with its voxels, an objective or a PSF, the camera's noise, and steps."""
     import napari
     from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
@@ -212,10 +339,10 @@ def deconvolution_widget() -> Container[Any]:
     viewer = napari.current_viewer()
     layers = viewer.layers
 
-    def stacks(_: Any) -> list[str]:
+    def stacks(_: object) -> list[str]:
         return [one.name for one in layers if np.ndim(one.data) == 3 and psf_of(one.metadata) is None]
 
-    def psfs(_: Any) -> list[str]:
+    def psfs(_: object) -> list[str]:
         return [_BY_DEPTH, *(one.name for one in layers if psf_of(one.metadata) is not None)]
 
     stack, objective, psf = (
@@ -253,12 +380,12 @@ def deconvolution_widget() -> Container[Any]:
         depth.value = 1e6 * found.depth
         voxels()
 
-    def refresh(_: Any = None) -> None:
+    def refresh(_: object = None) -> None:
         stack.reset_choices()
         psf.reset_choices()
         voxels()
 
-    def begin() -> Callable[[Callable[[float], None]], Restored]:
+    def begin() -> Work[Restored]:
         if stack.value is None:
             raise ValueError("open a stack of planes, rows and columns first")
         source, most = layers[stack.value], steps.value
@@ -269,17 +396,15 @@ def deconvolution_widget() -> Container[Any]:
         elif kernel is not None:
             raise ValueError(f"choose a camera: its noise is estimated for PSFs {_BY_DEPTH} only")
         found = objective.chosen()
-        given: dict[str, Any] = {
-            "depth": 1e-6 * depth.value,
-            "wavelength": 1e-9 * light.value,
-            "step": 1e-9 * step.value,
-        }
-        given |= {"pixel": 1e-9 * pixel.value * found.objective.magnification, "noise": known}
         method = RichardsonLucy(steps=most, target=1.0)
 
         def by_depth(tell: Callable[[float], None]) -> Restored:
             values = np.asarray(source.data)
-            made = restore(values, found, method=method, progress=lambda share, _: tell(share), **given)
+            made = restore(
+                values, found, depth=1e-6 * depth.value, wavelength=1e-9 * light.value, step=1e-9 * step.value,
+                pixel=1e-9 * pixel.value * found.objective.magnification, noise=known, method=method,
+                progress=lambda share, _: tell(share),
+            )  # fmt: skip
             (each,) = made.channels
             words = f"{each.steps} steps, discrepancy {each.discrepancy:.3g}, stopped: {each.stopped}"
             return source, made.values, words, made.notes

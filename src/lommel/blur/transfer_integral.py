@@ -243,10 +243,10 @@ class Part(NamedTuple):
         product = middle * (a - middle)
         with np.errstate(over="ignore", invalid="ignore"):
             _, second, growth = slopes.at((a - low) * sinh)
+            # Half of `allowed` for either coordinate, over the area that the mean is multiplied by.
             along = gauss_nodes(
                 sinh * 2.0 * product * second + 2.0 * growth,
                 np.array(0.5 * allowed / (2 * math.pi * a * a)),
-                # Half of `allowed` for either coordinate, over the area that the mean is multiplied by.
             )
             opening = math.acos(min(low / a, 1.0))
             # theta = tau arccos(f / a): an ellipse in tau is one in theta times half of the opening.

@@ -450,8 +450,6 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
         reason = reading.reason(error)
         raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
-    # A lock: two processes in one folder would render the same pictures.
-
 
 def _missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool

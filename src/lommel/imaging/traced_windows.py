@@ -206,10 +206,9 @@ class AberratedWindows(NamedTuple):
         count, across = phase.shape[0], self.side * self.samples
         shape = (count, self.chords, self.nodes)
         waves = [
-            xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2))
-            for f in (xp.cos, xp.sin)
-            # Phases factor into one along the chords and one across them: two products of matrices.
+            xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2)) for f in (xp.cos, xp.sin)
         ]
+        # Phases factor into one along the chords and one across them: two products of matrices.
         along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
         cos, sin = xp.cos(along), xp.sin(along)
         # Complex products in real numbers: [[cos, sin], [-sin, cos]] acts on real and imaginary parts.

@@ -149,6 +149,7 @@ class Objective:
     """Dipoles that turn freely, below a cover glass under oil, by plane waves (Mortensen 2010, Axelrod 2012).
 
     `thicker` is by how much the glass is thicker than the design has it, metres. Lengths are those in the sample.
+    Dipoles along the axis radiate `axial` of the light of others.
     """
 
     NA: float = 1.4
@@ -157,6 +158,7 @@ class Objective:
     sample: float = 1.33
     wavelength: float = 600e-9
     thicker: float = 0.0
+    axial: float = 1.0
     side: int = 96
 
     @property
@@ -190,8 +192,8 @@ class Objective:
             (1.0, s * sin**2 + p * water * cos**2),
             (2.0, (p * water - s) * sin * cos),
             (1.0, s * cos**2 + p * water * sin**2),
-            (1.0, p * along * cos),
-            (1.0, p * along * sin),
+            (self.axial, p * along * cos),
+            (self.axial, p * along * sin),
         )
         return autocorrelation(
             ((weight, common * one) for weight, one in fields), share, 2 * self.NA / self.wavelength

@@ -257,11 +257,11 @@ def bead_light(waves: Waves, diameter: float, objective: Objective, drift: float
 
 def bead(
     seed: int, waves: Waves, *, terms: int = 17, diameter: float = 100e-9, stated: float = 100e-9,
-    thicker: float = 0.0, drift: float = 0.0, beside: float = 0.0, turned: bool = False,
+    thicker: float = 0.0, drift: float = 0.0, beside: float = 0.0, turned: bool = False, axial: float = 1.0,
     recorder: Camera = SCMOS, noise: lm.Noise | None = None,
 ) -> Trial:  # fmt: skip
     """Fit a bead of 1e4 photons a plane on a background of 10."""
-    mean = 1e4 * bead_light(waves, diameter, Objective(thicker=thicker), drift, beside) + 10.0
+    mean = 1e4 * bead_light(waves, diameter, Objective(thicker=thicker, axial=axial), drift, beside) + 10.0
     stack = recorder.record(stage.backwards(mean) if turned else mean, seed)
     fit, seconds = timed(
         lm.fit_beads, stack, OBJECTIVE, z=PLANES, wavelength=600e-9, pixel=6.5e-6, terms=terms, diameter=stated,
@@ -572,6 +572,8 @@ def _beads() -> list[Scenario]:
     add("26b", "Noll 22 among 18 terms", partial(bead, waves=_with(BENT, _22=0.08), terms=18))
     rivals = ("coverslip", "immersion", "suspect", *OTHER)
     add("27", "cover glass 180 um, 170 stated", partial(bead, waves=SLIGHT, thicker=10e-6), "RT", rivals)
+    run = partial(bead, waves=SLIGHT, axial=0.8)
+    add("27b", "dye that radiates a fifth less along the axis", run, "N", ("untested",))
     stated = excess(white=10 / 300, read=0.2, offset=100.0)
     add("28a", "EMCCD, stated", partial(bead, waves=SLIGHT, recorder=register, noise=stated))
     plain = lm.Noise(white=10 / 300, read=0.2, offset=100.0)

@@ -122,9 +122,10 @@ def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
     if not solved:
         return ()
     last = max(n for n, _ in solved) + _ORDERS
-    fine = ((n, m) for n in range(last + 1, last + 1 + _RIPPLE_ORDERS) for m in range(-n, n + 1, 2))
-    zones = ((n, 0) for n in range(2, _ZONES + 1, 2) if n > last + _ORDERS)
-    return tuple(dict.fromkeys(term for term in (*fine, *zones) if term[1] or term[0] > last + _ORDERS))
+    finest = last + _RIPPLE_ORDERS
+    fine = ((n, m) for n in range(last + 1, finest + 1) for m in range(-n, n + 1, 2) if m)
+    zones = ((n, 0) for n in range(2, max(finest, _ZONES) + 1, 2) if n > last + _ORDERS)
+    return (*fine, *zones)
 
 
 def label(name: Name) -> str:

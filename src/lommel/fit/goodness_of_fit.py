@@ -174,9 +174,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
     # Backgrounds that slope are no stripes: a plane is taken from each window.
-    plane = np.stack(
-        [np.ones((height, width)), *(np.mgrid[:height, :width] - np.array([[[height]], [[width]]]) / 2.0)]
-    )
+    plane = np.stack([np.ones((height, width)), *np.mgrid[:height, :width]])
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
     pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
     residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)

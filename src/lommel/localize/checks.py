@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import chain
@@ -118,10 +119,10 @@ class Checks:
         score = scored(spots, found, self._table, self._noise, self._changes.images)
         if score is None:
             return 0.0
-        self._changes.add(score)
+        sizes = self._changes.add(score)
         if fitted:
             return 0.0
-        score = score.beside(self._changes.sizes)
+        score = score.beside(sizes)
         if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
             residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
@@ -354,6 +355,12 @@ class ChangeImages:
         whole = (_PARTS**2 * ndimage.uniform_filter(each, (0, _PARTS, _PARTS)) for each in changes)
         self._splines = [ndimage.spline_filter(each) for each in whole]
 
+    def together(self, sizes: Array) -> ChangeImages:
+        """Return the one change that changes of these sizes make together."""
+        made = copy(self)
+        made._splines = [np.tensordot(sizes, self._splines, 1)]
+        return made
+
     def __call__(self, row: Array, column: Array, z: Array) -> Array:
         """Return the changes of molecules at places in their boxes, as of the table, (n, changes, height, width)."""
         height, width = self._table.shape
@@ -380,11 +387,9 @@ class Score(NamedTuple):
     read: Array
 
     def beside(self, sizes: Array) -> Score:
-        """Return the score of the ramps alone, with terms of these sizes."""
-        if not sizes.any():
-            return self
-        # To first order terms of size s change the slopes by the mixed information times s.
-        return self._replace(slope=self.slope - self.information[:, :, 2 : 2 + len(sizes)] @ sizes)
+        """Return the score of the ramps alone, with changes of these sizes."""
+        # To first order changes of size s change the slopes by the mixed information times s.
+        return self._replace(slope=self.slope - self.information[:, :, 2:] @ sizes)
 
     def tilt(self, shape: tuple[int, int]) -> tuple[float, float, float]:
         """Return how far slopes that flat fits leave out are beyond 0, and the largest and its standard error.
@@ -406,6 +411,16 @@ class Score(NamedTuple):
         chance, size, error = min(tests)
         # As standard deviations of a normal deviate, two-sided.
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
+
+
+def _eliminated(information: Array, slope: Array, count: int) -> tuple[Array, Array, Array]:
+    """Return information and slope of columns with the first `count` eliminated, of each molecule, and their shares.
+
+    Schur's complement; the shares (n, count, columns) are what the first take up of the others.
+    """
+    shares = np.asarray(np.linalg.solve(information[:, :count, :count], information[:, :count, count:]), float)
+    left = information[:, count:, count:] - information[:, count:, :count] @ shares
+    return left, slope[:, count:] - np.einsum("nki,nk->ni", shares, slope[:, :count]), shares
 
 
 def scored(
@@ -437,10 +452,7 @@ def scored(
     score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
     flat = columns.reshape(len(kept), columns.shape[1], -1)
     information = (flat * weight.reshape(len(kept), 1, -1)) @ flat.swapaxes(1, 2)
-    # Schur's complement: information on the tested columns, given that the five unknowns are fitted.
-    taken = np.linalg.solve(information[:, :5, :5], information[:, :5, 5:])
-    left = information[:, 5:, 5:] - information[:, 5:, :5] @ taken
-    slope = score[:, 5:] - np.einsum("nki,nk->ni", taken, score[:, :5])
+    left, slope, taken = _eliminated(information, score, 5)
     errors = [getattr(found.errors, name)[kept] for name in _BIASES]
     errors[2], errors[3] = errors[2] / _MICRON, errors[3] / camera.excess
     bias = taken[:, :4, 2:] / np.stack(errors, axis=1)[:, :, None]
@@ -457,6 +469,8 @@ class TableTest:
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, self._threads = table, threads
         self._square, self._pull, self._bias = np.zeros((0, 0)), np.zeros(0), np.zeros((0, len(_BIASES), 0))
+        self._sizes: Array = np.zeros(0)
+        self._together: ChangeImages | None = None
 
     @property
     def done(self) -> bool:
@@ -473,24 +487,26 @@ class TableTest:
 
     @property
     def images(self) -> ChangeImages | None:
-        """Images of the changes; None where nothing was seen of them, and no more is looked for."""
-        return None if self.done and not self.sizes.any() else self._images
+        """Images of the changes; those that were seen in one, or None, once enough molecules were tested."""
+        return self._together if self.done else self._images
 
-    def add(self, score: Score) -> None:
-        """Add the molecules of a block."""
+    def add(self, score: Score) -> Array:
+        """Add the molecules of a block; return the sizes of the changes that its score has columns of."""
         if self.done:
-            return
-        ramps, mixed = score.information[:, :2, :2], score.information[:, :2, 2:]
-        # Schur's complement again, now with the ramps eliminated.
-        taken = np.linalg.solve(ramps, mixed)
-        square = (score.information[:, 2:, 2:] - mixed.swapaxes(1, 2) @ taken).sum(axis=0)
-        pull = score.slope[:, 2:].sum(axis=0) - np.einsum("nik,ni->k", taken, score.slope[:, :2])
+            return np.ones(score.bias.shape[-1])
+        left, slope, _ = _eliminated(score.information, score.slope, 2)  # of ramps, too
+        square, pull = left.sum(axis=0), slope.sum(axis=0)
         if len(self._bias):
             square, pull = square + self._square, pull + self._pull
             self._bias = np.concatenate([self._bias, score.bias])
         else:
             self._bias = score.bias
         self._square, self._pull = square, pull
+        self._sizes = self._seen_sizes()
+        # Blocks that follow need the sum of what was seen.
+        if len(self._bias) >= _LOOKED and self._sizes.any():
+            self._together = self._images.together(self._sizes)
+        return self._sizes
 
     def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
         """Tests of all changes, each by itself, `beside` some of them."""
@@ -500,9 +516,8 @@ class TableTest:
         each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in beside]
         return score_tests(self._square, self._pull, beside, each)
 
-    @property
-    def sizes(self) -> Array:
-        """Sizes of the changes that are seen, each beside those that are clearer; 0 of the others."""
+    def _seen_sizes(self) -> Array:
+        """Return the sizes of changes that are seen, each beside those that are clearer; 0 of the others."""
         sizes, chosen = np.zeros(len(self._pull)), list[int]()
         while likely := seen(self.tests(chosen)):
             chosen.append(self._images.names.index(likely[0].name))
@@ -515,7 +530,7 @@ class TableTest:
     @property
     def gain(self) -> float:
         """By how much a molecule is likelier with these changes, at first order."""
-        return 0.5 * float(self.sizes @ self._pull) / max(len(self._bias), 1)
+        return 0.5 * float(self._sizes @ self._pull) / max(len(self._bias), 1)
 
     @property
     def findings(self) -> list[Finding]:
@@ -523,7 +538,7 @@ class TableTest:
         likely = seen(self.tests())
         if not likely:
             return []
-        first, sizes = self._images.names.index(likely[0].name), self.sizes
+        first, sizes = self._images.names.index(likely[0].name), self._sizes
         off = np.abs(sizes[first]) * np.sqrt(np.square(self._bias[:, :, first]).mean(axis=0))
         together = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
         words = [

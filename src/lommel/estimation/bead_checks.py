@@ -71,6 +71,30 @@ def possible(setup: Setup, name: str, value: float) -> bool:
     return False
 
 
+def _held_constants(joint: BeadModel, setup: Setup) -> list[str]:
+    """Return the constants that the fit holds and its stacks may test."""
+    unheld = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors})
+    # Beyond a wavelength from the glass no light of larger NA than the sample's index arrives: NA leaves no trace.
+    if min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA:
+        unheld.add("NA")
+    return [name for name in available_constants(setup) if name not in unheld]
+
+
+def _prior_candidates(joint: BeadModel, found: Evaluated, names: Sequence[object]) -> list[Candidate]:
+    """Return candidates for priors that are too narrow, at the columns of the `names` of all parameters."""
+    setup, candidates = found.state.setup, []
+    for name, (value, known) in joint.priors.items():
+        if math.isfinite(known):
+            candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
+    if "depth" in joint.own:
+        at = joint.own.index("depth")
+        columns = tuple(joint.columns(j, len(names))[at] for j in range(len(joint.stacks)))
+        off = [place.depth - prior.value for place, prior in zip(found.state.places, joint.depths, strict=True)]
+        known = joint.depths[0].error
+        candidates.append(Candidate("depth", columns, _WIDER * known, known, np.array(off)))
+    return candidates
+
+
 def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
     """Return score tests of what the model may lack: further terms, other constants, drift, background, gain.
 
@@ -81,27 +105,14 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
     wide = replace(joint, images=images.with_terms(more_terms))
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
-    # Beyond a wavelength from the glass no light of larger NA than the sample's index arrives: NA leaves no trace.
-    blind = min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    without = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors}) | (
-        {"NA"} if blind else set()
-    )
-    constants = [name for name in available_constants(setup) if name not in without]
+    constants = _held_constants(joint, setup)
     drift = () if joint.drifts else DRIFT
     more = [*constants, *drift, *GRADIENT, NONLINEAR]
     _, information, slope = wide.normal(replace(found.state, waves=waves), found.values, more)
     names = [*wide.names, *more]
     unknowns = [*map(names.index, joint.names), *range(len(names), len(slope))]
     candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in more_terms]
-    for name, (value, known) in joint.priors.items():
-        if math.isfinite(known):
-            candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
-    if "depth" in joint.own:
-        at = joint.own.index("depth")
-        columns = tuple(joint.columns(j, len(names))[at] for j in range(len(joint.stacks)))
-        off = [place.depth - prior.value for place, prior in zip(found.state.places, joint.depths, strict=True)]
-        known = joint.depths[0].error
-        candidates.append(Candidate("depth", columns, _WIDER * known, known, np.array(off)))
+    candidates += _prior_candidates(joint, found, names)
     held = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
     candidates += held
     # Sizes in pixels over half the stack, in electrons over the window, and in the share that is lost at 10^4.

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import ast
-import cProfile
 import io
-import pstats
+import itertools
 import sys
 import time
 import tokenize
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
+from types import FrameType
+from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "src" / "lommel"
@@ -65,23 +66,27 @@ def imports() -> dict[str, set[str]]:
     return importers
 
 
-def path_of(call: Callable[[], object]) -> tuple[int, int]:
-    """Return how many Python functions of the package one call runs, and in how many files."""
+def path_of(call: Callable[[], object]) -> tuple[int, int, int]:
+    """Return the Python functions of the package that one call runs, their files and changes of file."""
     call()
-    profile = cProfile.Profile()
-    profile.runcall(call)
-    found = [
-        (key, value[1])
-        for key, value in pstats.Stats(profile).stats.items()
-        if str(PACKAGE) in key[0]  # type: ignore[attr-defined]
-    ]
-    return sum(count for _, count in found), len({key[0] for key, _ in found})
+    files: list[str] = []
+
+    def note(frame: FrameType, event: str, _: object) -> None:
+        if event == "call" and str(PACKAGE) in frame.f_code.co_filename:
+            files.append(frame.f_code.co_filename)
+
+    sys.setprofile(note)
+    try:
+        call()
+    finally:
+        sys.setprofile(None)
+    return len(files), len(set(files)), sum(one != other for one, other in itertools.pairwise(files))
 
 
-def cpu_of(call: Callable[[], object], count: int = 2000) -> float:
-    """Return the CPU time of a call in microseconds, the least of ten."""
+def cpu_of(call: Callable[[], object], count: int, rounds: int) -> float:
+    """Return the CPU time of a call in microseconds, the least of some rounds."""
     best = float("inf")
-    for _ in range(10):
+    for _ in range(rounds):
         start = time.process_time()
         for _ in range(count):
             call()
@@ -115,7 +120,7 @@ def main() -> None:
 
 
 def print_calls() -> None:
-    """Print the Python calls, the files and the CPU time of a radial plan, a Zernike plan and a phase retrieval."""
+    """Print the Python calls, files, changes of file and CPU time of some whole computations."""
     import numpy as np
 
     import lommel as lm
@@ -123,21 +128,65 @@ def print_calls() -> None:
     plan, radial_plan = lm.Plan(33, 0.5), lm.Plan(33, 0.5)
     coma, defocused = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.Pupil(lm.Wavefront(defocus=3.0))
     truth = lm.Wavefront(nonradial={(2, 2): 0.4, (3, 1): 0.3, (3, -1): -0.2})
-    defocus, noise = (-3.0, 0.0, 3.0), lm.Noise(read=1.0)
+    defocus, noise = (-3.0, 0.0, 3.0), lm.Noise(read=1.6)
     stars = [lm.psf(lm.Pupil(truth + lm.Wavefront(defocus=at)), 33, 0.5).values for at in defocus]
     counts = np.array([noise.record(1e5 * image.astype(np.float64), seed) for seed, image in enumerate(stars)])
 
-    def retrieve() -> object:
-        return lm.retrieve(counts, lm.Pupil(), pixel=0.5, noise=noise, terms=15, defocus=defocus)
+    lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    photo, depth = np.random.default_rng(0).random((64, 64)), np.tile(np.linspace(1.5, 4.0, 64), (64, 1))
 
+    objective, z = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33), np.linspace(-8e-7, 8e-7, 9)
+    light = objective.pupil(
+        depth=50e-9, z=z, wavelength=600e-9, aberrations=lm.Wavefront.zernike({5: 0.4, 7: -0.3}, order="noll")
+    )
+    bead = noise.record(2e4 * lm.microscopy.bead(light, 100e-9, 17, 6.5e-6).values + 10, seed=1)
+    camera: dict[str, Any] = {"wavelength": 600e-9, "pixel": 6.5e-6, "noise": noise}
+
+    rng, pupil = np.random.default_rng(5), lm.Pupil(lm.Wavefront(defocus=6.0))
+    places = rng.uniform(20, 480, (8, 2))
+    centers = 12.0 + places - np.round(places)
+    windows = np.array(
+        [
+            noise.record(5e4 * lm.psf(pupil, 25, 1.0, center=tuple(at)).values + 5, seed)
+            for seed, at in enumerate(centers)
+        ]
+    )
+
+    def fit_field() -> object:
+        return lm.fit_field(
+            windows, np.round(places), lm.Pupil(), sensor=(500, 500), pixel=1.0, noise=noise, degree=1, defocus=6.0
+        )
+
+    steps = lm.imaging.RichardsonLucy(steps=5)
     calls: list[tuple[str, Callable[[], object], int]] = [
         ("a radial pupil by a plan", lambda: radial_plan(defocused), 2000),
         ("a Zernike pupil by a plan", lambda: plan(coma), 2000),
-        ("a retrieval of three 33^2 images, 15 terms", retrieve, 1),
+        (
+            "a retrieval of three 33^2 images, 15 terms",
+            lambda: lm.retrieve(counts, lm.Pupil(), pixel=0.5, noise=noise, terms=15, defocus=defocus),
+            1,
+        ),
+        ("depth of field, 64^2", lambda: lm.imaging.depth_of_field(photo, depth, lens, 8e-6, encoding="linear"), 1),
+        (
+            "a fit of a bead, 9 planes of 17^2, 5 terms",
+            lambda: lm.fit_beads(bead, objective, z=z, diameter=100e-9, terms=5, **camera),
+            1,
+        ),
+        (
+            "a deconvolution of 9 planes of 17^2, 5 steps",
+            lambda: lm.microscopy.restore(
+                bead, objective, depth=1e-6, step=200e-9, direction="up", method=steps, diagnosis=False, **camera
+            ),
+            1,
+        ),
+        ("a fit of a field, 8 stars of 25^2", fit_field, 1),
     ]
     for name, call, count in calls:
-        number, where = path_of(call)
-        print(f"{name}: {number} calls in {where} files, {cpu_of(call, count):.1f} us of CPU")
+        number, files, changes = path_of(call)
+        print(
+            f"{name}: {number} calls in {files} files, {changes} changes of file,"
+            f" {cpu_of(call, count, 10 if count > 1 else 2):.1f} us of CPU"
+        )
 
 
 if __name__ == "__main__":

@@ -41,6 +41,8 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").g
 # Packages that the pages speak of and the environment of the tests has not.
 ELSEWHERE = ("torch", "optiland", "pylops", "pyxu", "deepinv", "photutils", "napari", "galsim")
 
+_TEXT = (".py", ".pyi", ".md", ".ipynb", ".toml", ".js", ".html")
+
 # What takes seconds as the pages have it is run with less: a smaller blur, fewer layers, turbulence of one strength.
 LESS = {
     "apertures": [("1.7, 2.5)", "1.99, 2.02)")],
@@ -379,6 +381,18 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
         elif words[0] != "lommel":
             assert words[0] == ".venv/bin/python", (name, words)
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)
+
+
+def test_nothing_tells_readers_to_install_a_name_that_is_in_no_registry_yet():
+    # Whoever registers the name first would run code on their machines; a built clone, or its address, is safe.
+    sources = [
+        path for folder in ("src", "examples") for path in (ROOT / folder).rglob("*.*") if path.suffix in _TEXT
+    ]
+    for path in [*PAGES, *sources]:
+        text = " ".join(re.sub(r"^#", " ", path.read_text(encoding="utf-8"), flags=re.MULTILINE).split())
+        for command in re.findall(r"pip install [^`\n]{0,80}", text):
+            named = re.search(r"(?<![\w./])lommel\b(?:\[[\w,]*\])?+(?! @ git)", command.partition("#")[0])
+            assert not named or "(the extra" in command, (path, command)
 
 
 def test_the_telescope_of_the_page_about_field_maps_runs_as_it_is_and_with_vanes(folder, call_lommel):

@@ -9,7 +9,7 @@
 
 # %% [markdown]
 # Six exercises on image formation, from the Airy pattern to the depth of focus, for about three hours. Needed: `pip
-# install "lommel[plot]"` and the optics of a first course (pupil, wavefront, interference).
+# install ".[plot]"` in a clone of lommel, and the optics of a first course (pupil, wavefront, interference).
 #
 # Wavefronts are given by Seidel's coefficients in waves at the edge of the pupil: $W = W_{020}\rho^2 +
 # W_{040}\rho^4$, defocus and spherical aberration, $0 \le \rho \le 1$. Lengths on the sensor are in units of

@@ -3,7 +3,7 @@
 #
 # The focus distance of a lens and a filter that sharpens its photographs are learned together, by gradients through
 # the PSF. Objects are between 1.7 m and 2.4 m away; the lens starts focused at 1.75 m. Also needed: `pip install
-# "lommel[jax]"`.
+# ".[jax]"` in a clone of lommel.
 
 # %%
 import jax

@@ -22,6 +22,7 @@ from astropy.io import fits
 from click.testing import CliRunner
 from PIL import Image
 from scipy.signal import fftconvolve
+from scipy.special import j0
 
 import api
 import drawn
@@ -422,6 +423,30 @@ def error_table() -> dict[str, list[str]]:
     text = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (-?\d+, \d+) \| (.*) \|$", text, flags=re.MULTILINE)
     return {name: cells.split(" | ") for name, cells in rows}
+
+
+def test_the_bound_in_one_case_adds_up_to_that_of_the_psf_and_holds():
+    text = (ROOT / "docs" / "bound.md").read_text(encoding="utf-8")
+    names: dict[str, Any] = {}
+    for code, where in blocks(ROOT / "docs" / "bound.md", "python"):
+        exec(compile(code, where, "exec"), names)
+    pupil, sampled = names["pupil"], {"integrate": False}
+    assert names["bound"] == pytest.approx(names["psf"].error_bound, rel=1e-5)
+    # Gauss's rule in place of all that the page speaks of; 4 pi is the integral of |U|^2 over the plane of v.
+    t, weights = np.polynomial.legendre.leggauss(400)
+    step = np.pi * 0.5e-6 / pupil.scale
+    radii, places = np.unique(step * np.hypot(*(np.indices((101, 101)) - 50.0)), return_inverse=True)
+    phases = 0.5 * weights * np.exp(1j * pupil.wavefront.defocus * (t + 1.0))
+    exact = np.abs(j0(np.outer(radii, np.sqrt(0.5 * (t + 1.0)))) @ phases)[places].reshape(101, 101) ** 2
+    exact *= step**2 / (4.0 * np.pi)
+    single = lm.psf(pupil, 101, 0.5e-6, **sampled)
+    errors = [np.abs(psf.values - exact).max() / exact.max() for psf in (names["psf"], single)]
+    tight = lm.psf(pupil, 101, 0.5e-6, tol=1e-9, dtype="float64", **sampled)
+    numbers = names["series"], names["pieces"], single.error_bound, lm.psf(pupil, 101, 0.5e-6).error_bound
+    shown = [f"{numbers[0]:.4e}", f"{numbers[1]:.3e}", *(f"**{number:.2e}**" for number in numbers[2:])]
+    for number in (*shown, *(f"{error:.1e}" for error in (*errors, names["nodes"], tight.error_bound))):
+        assert number in text, number
+    assert errors[0] < names["psf"].error_bound
 
 
 def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():

@@ -544,3 +544,22 @@ def test_the_speeds_of_the_readme_are_those_of_the_results():
             spreads = [value["median"] for value in row.values() if isinstance(value, dict)]
             measured = spreads[1] if "complex64" in against or key == "microscopes" else spreads[0]
             assert float(cell) == pytest.approx(measured, abs=0.05, rel=0.005), words
+
+
+@pytest.mark.parametrize("name", ["paper.md", "CHANGELOG.md"])
+def test_the_speeds_of_the_paper_and_the_changelog_are_those_of_the_results(name):
+    text = (ROOT / name).read_text(encoding="utf-8")
+    for results in ("results", "second"):
+        tables = json.loads((ROOT / "benchmarks" / f"{results}.json").read_text("utf-8"))["tables"]
+        rows = next(table["rows"] for table in tables if table["key"] == "targets")
+        for _, words in (SPEEDS[0], SPEEDS[2]):
+            row = next(row for row in rows if next(iter(row.values())).startswith(words))
+            ratio = next(value["median"] for value in row.values() if isinstance(value, dict))
+            assert f"1/{ratio:.3g} " in " ".join(text.split()), (results, words)
+
+
+def test_the_numbers_of_instruments_that_are_told_are_those_of_the_files():
+    objectives, cameras = (len(list((ROOT / "examples" / name).glob("*.toml"))) for name in ("objectives", "cameras"))
+    guide, changes = ((ROOT / name).read_text(encoding="utf-8") for name in ("docs/guide.md", "CHANGELOG.md"))
+    assert f"{objectives} objectives and {cameras} cameras" in guide
+    assert f"{objectives} objectives and {cameras} camera sensors" in changes

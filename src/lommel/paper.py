@@ -11,6 +11,8 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
@@ -773,9 +775,10 @@ def markdown(table: list[Facts]) -> str:
         cells += [closest_text(row["closest"][variant]) for variant in VARIANTS]
         lines.append("| " + " | ".join(cells) + " |")
     lines.append("")
-    for row in table:
-        note = f"- **{row['quantity']}.** Settings: {row['settings']}. Searched: {row['searched']}. {row['remark']}"
-        lines += textwrap.wrap(note, 118, subsequent_indent="  ")
+    # Numbers that were searched together share a remark.
+    for (searched, remark), rows in groupby(table, key=itemgetter("searched", "remark")):
+        settings = " ".join(f"**{row['quantity']}.** Settings: {row['settings']}." for row in rows)
+        lines += textwrap.wrap(f"- {settings} Searched: {searched}. {remark}", 118, subsequent_indent="  ")
     return "\n".join(lines) + "\n"
 
 

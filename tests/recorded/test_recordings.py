@@ -91,7 +91,7 @@ def test_time_points_are_asked_for(tmp_path):
 def test_axes_that_a_file_does_not_state_may_be_given(tmp_path):
     path = tmp_path / "q.tif"
     tifffile.imwrite(path, STACK[0], photometric="minisblack")
-    with pytest.raises(RecordingError, match=r'what its axis of 5 images is, .* axes="ZYX"'):
+    with pytest.raises(RecordingError, match=r'does not say what its axis of 5 images is; .* axes="ZYX"'):
         open_recording(path)
     with open_recording(path, axes="ZYX") as found:
         assert found.pixel is None

@@ -1,12 +1,12 @@
 r"""Deblurring in one pass: the Wiener filter of each depth, for the texture and the noise of the photograph.
 
-With the transfer function h of optics and pixel at a depth, the pixel's own P, white noise of variance nu and a
-texture of power ``S(f) = c f^-s``, the pixel-averaged scene is estimated by ``P S h / (S h^2 + nu)``: polynomials of
-one small filter (:mod:`lommel.imaging.focal_tables`), mixed by depth for each pixel.
+With the transfer function h of optics and pixel at a depth, the pixel's own P, white noise of nu times the stated
+variance and a texture of power ``S(f) = c f^-s``, the pixel-averaged scene is estimated by ``P S h / (S h^2 + nu)``:
+polynomials of one small filter (:mod:`lommel.imaging.focal_tables`), mixed by depth for each pixel.
 
 Power, slope and noise are the most likely ones for the photograph's power in rings of frequency,
-``c f^-s <h^2> + nu`` with the mean of h^2 over all depths (Whittle 1953, doi:10.1007/BF02590998). Only where no depth
-transmits texture can more noise than stated be distinguished from it, so only there may nu exceed 1.
+``c f^-s <h^2> + nu`` with the mean of h^2 over all depths (Whittle 1953, doi:10.1007/BF02590998). More
+noise than stated can be told from texture only at frequencies that no depth transmits; without such nu is at most 1.
 """
 
 from __future__ import annotations
@@ -42,18 +42,18 @@ _SLOPES = (2.0, 1.0, 3.0, 0.0)  # slopes of the power spectrum, the usual one fi
 _MORE_LIKELY = 5.0  # gain in log-likelihood for which another slope is taken
 _DARK, _MOST_NOISE = 1e-2, 8.0  # transmitted power below which noise may exceed the stated one, and by what factor
 _EDGES = 4.0  # power of texture at depth edges over that elsewhere
-_UNLIKE = 1.5  # difference in tables from which depths are unlike
-_NEAR = 3.0  # rms width in pixels of local averages of residuals
+_UNLIKE = 1.5  # difference of `places`, in tables, above which a filter mixes in light of another blur
+_LOCAL = 3.0  # rms width in pixels of local averages of residuals
 _AWAY = (2, 6, 16)  # distances in pixels over which a filter collects light of other depths
 _LEAST_SIDE, _WHOLE = 160, 16  # least side in pixels of a filtered image, and the multiple that sides must be
 
 
 class Texture(NamedTuple):
-    """Power of the texture at one cycle a pixel over the variance that the noise should have, slope, and noise."""
+    """Power spectrum ``power f^-slope`` of the texture, and variance of the noise; both over the stated variance."""
 
-    power: float
+    power: float  # at one cycle per pixel
     slope: float
-    noise: float
+    noise: float  # 1 if as stated
 
     def over_noise(self, f: Array) -> Array:
         """Return the power over that of the noise, at frequencies in cycles per pixel."""
@@ -62,7 +62,7 @@ class Texture(NamedTuple):
 
 @dataclass(frozen=True)
 class _Light(FocalLight):
-    """Light of variance 1 a pixel, with the texture relative to the noise."""
+    """Light whose noise has the variance 1 in each pixel; the power of the texture is in units of it."""
 
     texture: Texture
 
@@ -120,9 +120,9 @@ class OnePass:
         # Light is not negative; the linear filter does not know that.
         done = np.maximum(light, 0.0).reshape(observed.counts.shape)
         # Filters are made for one depth: near depth edges they mix in light of another blur.
-        near = _near_edges(scene.places)
-        if near.any():
-            done = _believed(observed, done, near, [texture.noise for texture in textures])
+        at_edges = _near_edges(scene.places)
+        if at_edges.any():
+            done = _mixed_at_edges(observed, done, at_edges, [texture.noise for texture in textures])
         tell(1, math.nan, 0.0)
         same = replace(self, textures=textures)
         return Solution(done, 1, ONE_PASS, lambda other: same.solve(other, silent).light)
@@ -163,7 +163,7 @@ class _Scene:
             float(np.mean(plane) + np.mean(added[..., c])) / observed.white
             for c, plane in enumerate(self.planes)
         ]
-        self._beside = _beside(self.places, len(self.vergence))
+        self._neighbour_shares = _neighbour_shares(self.places, len(self.vergence))
         curves = {
             spectrum: transfer_curve(blur.lens, self.vergence, spectrum, blur.pixel) for spectrum in set(blur.spectra)
         }
@@ -181,11 +181,11 @@ class _Scene:
         blur, curve = self._blur, self._curves[channel]
         given = [blur.lens], self.vergence, blur.spectra[channel], blur.pixel, _Light(1.0, 0.0, (1.0,), 0.0, texture)
         model = FocalModel.of(*given, transfer=lambda *_: curve)
-        strange = _strange(model.transfer[:, 0], model.texture, self._beside)[:, None]
-        return replace(model, noise=model.noise + strange)
+        stray = _stray_power(model.transfer[:, 0], model.texture, self._neighbour_shares)[:, None]
+        return replace(model, noise=model.noise + stray)
 
     def target(self, channel: int) -> float:
-        """Return the discrepancy of Wiener's filter: the share of a channel's power that it leaves as noise."""
+        """Return the discrepancy that the filter leaves: the residual power of a channel over the stated noise."""
         texture, passed = self.texture(channel), self._passed(channel)
         seen = texture.power * passed.seen(texture.slope)
         return float((texture.noise**2 / (texture.noise + seen)) @ passed.band.share)
@@ -213,20 +213,20 @@ def lens_blur(blur: LinearBlur) -> DepthBlur | None:
 
 
 def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
-    """Return the 1 / distance of tables, and the position of each pixel between them."""
+    """Return 1 / distance of each table, and the position of each pixel between tables."""
     # C_d is linear in 1 / distance (paper, Eq. 3): two distances determine the line.
-    near, far = (float(each) for each in blur.lens.defocus([0.5, 1.0]))
-    slope = near - far  # C_d per unit of vergence
+    at_half_metre, at_metre = (float(defocus) for defocus in blur.lens.defocus([0.5, 1.0]))
+    slope = at_half_metre - at_metre  # C_d per unit of vergence
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
     count = min(max(2, math.ceil((high - low) / _STEP) + 1), _MOST_TABLES)
     defocus = np.linspace(low, max(high, low + 1e-3), count)
     # Rounding must not lead beyond infinity, to a negative vergence.
-    vergence = np.maximum(1.0 + (defocus - far) / slope, 0.0)
+    vergence = np.maximum(1.0 + (defocus - at_metre) / slope, 0.0)
     return vergence, np.asarray((blur.defocus - low) / (defocus[1] - low), dtype=np.float32)
 
 
-def _beside(places: NDArray[np.float32], count: int) -> Array:
-    """Return, for pixels at each table, the shares of neighbours some pixels away at all tables."""
+def _neighbour_shares(places: NDArray[np.float32], count: int) -> Array:
+    """Return the matrix [table of a pixel, table of a neighbour that filters reach], as shares of each row."""
     at = np.rint(places).astype(np.int64)
     pairs = np.zeros((count, count))
     for away in _AWAY:
@@ -239,10 +239,10 @@ def _beside(places: NDArray[np.float32], count: int) -> Array:
     return np.asarray(pairs / pairs.sum(axis=1, keepdims=True))
 
 
-def _strange(transfer: Array, power: Array, beside: Array) -> Array:
+def _stray_power(transfer: Array, power: Array, shares: Array) -> Array:
     """Return the power of light from other depths in the filters, over that of the noise, (c, frequencies)."""
     # Mean of (h_other - h)^2 over the neighbours, expanded.
-    unlike = beside @ transfer**2 - 2.0 * transfer * (beside @ transfer) + transfer**2
+    unlike = shares @ transfer**2 - 2.0 * transfer * (shares @ transfer) + transfer**2
     return np.asarray(_EDGES * power * np.maximum(unlike, 0.0))
 
 
@@ -254,7 +254,9 @@ def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
     return np.asarray(maximum_filter(places, side) - minimum_filter(places, side) > _UNLIKE)
 
 
-def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_], noise: list[float]) -> Values:
+def _mixed_at_edges(
+    observed: PhotographCounts, light: Values, at_edges: NDArray[np.bool_], noise: list[float]
+) -> Values:
     """Return light mixed with the photograph near depth edges, where that explains the counts better.
 
     Only the part of the residual beyond the noise of each channel is corrected.
@@ -272,12 +274,12 @@ def _believed(observed: PhotographCounts, light: Values, near: NDArray[np.bool_]
     change = (observed.model(photo) - model) * scale
 
     def local(values: Values) -> Values:
-        return np.asarray(gaussian_filter(values.reshape(shape), (_NEAR, _NEAR, 0.0)))
+        return np.asarray(gaussian_filter(values.reshape(shape), (_LOCAL, _LOCAL, 0.0)))
 
     # Least-squares share of the photograph, locally: projection of the residual on the change.
     own, along, across = local(off**2), local(off * change), local(change**2)
     share = np.clip(along / np.maximum(across, 1e-30), 0.0, 1.0)
-    share *= near[..., None] * np.maximum(1.0 - np.asarray(noise) / np.maximum(own, 1e-30), 0.0)
+    share *= at_edges[..., None] * np.maximum(1.0 - np.asarray(noise) / np.maximum(own, 1e-30), 0.0)
     share = share.reshape(light.shape)
     return np.asarray(light + share * (photo - light), dtype=light.dtype)
 
@@ -342,32 +344,32 @@ def _falling(f: Array, slope: float) -> Array:
 
 
 def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
-    """Return texture and noise of a plane with the expected `variance` of pixels; no texture without frequencies."""
+    """Return texture and noise of a plane of the stated `variance`; power 0 if too few rings hold frequencies."""
     f, power = _spectrum(plane)
     edges = np.append(np.geomspace(_LOWEST / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
-    of, ring = np.digitize(f, edges), np.digitize(passed.f[0], edges)
-    rings = [k for k in range(1, len(edges)) if (of == k).sum() > 8 and (ring == k).any()]
-    count = np.array([float((of == k).sum()) for k in rings])
-    seen = np.array([power[of == k].mean() for k in rings]) / max(variance, 1e-300)
+    ring_of_f, ring_of_band = np.digitize(f, edges), np.digitize(passed.f[0], edges)
+    rings = [k for k in range(1, len(edges)) if (ring_of_f == k).sum() > 8 and (ring_of_band == k).any()]
+    count = np.array([float((ring_of_f == k).sum()) for k in rings])
+    seen = np.array([power[ring_of_f == k].mean() for k in rings]) / max(variance, 1e-300)
     if len(rings) < 3 or not seen.max() > 0.0:
         return Texture(0.0, _SLOPES[0], 1.0)
     share = passed.band.share
 
-    def ringed(values: Array) -> Array:
-        return np.array([(values * share)[ring == k].sum() / share[ring == k].sum() for k in rings])
+    def ring_means(values: Array) -> Array:
+        return np.array([(values * share)[ring_of_band == k].sum() / share[ring_of_band == k].sum() for k in rings])
 
     # Whittle's likelihood in rings: sum of n (log S + P / S), S the model and P the measured power.
     least = min(1.0, float(seen.min()))
-    most = _MOST_NOISE if ringed(passed.power[0]).min() < _DARK else 1.0
+    most = _MOST_NOISE if ring_means(passed.power[0]).min() < _DARK else 1.0
     noise = np.geomspace(least, max(most, least * 1.0001), 40)[:, None, None]
     best, found = math.inf, Texture(0.0, _SLOPES[0], 1.0)
     for slope in _SLOPES:
-        shape = ringed(passed.seen(slope))
+        shape = ring_means(passed.seen(slope))
         factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
         whole = factors * shape + noise
         unlike = (count * (np.log(whole) + seen / whole)).sum(axis=2)
         a, b = np.unravel_index(np.argmin(unlike), unlike.shape)
-        # Slopes are tried in the order of their frequency: another must be clearly more likely.
+        # The commonest slope is tried first: another must be clearly more likely.
         if unlike[a, b] < best - _MORE_LIKELY:
             best, found = float(unlike[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
     return found

@@ -69,7 +69,7 @@ def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
     return checked
 
 
-# What errors suggest of a length by the name of its entry; elsewhere "5 mm".
+# Example of a length in error messages, by key; "5 mm" for other keys.
 _EXAMPLES = {"wavelength": "550 nm", "focal_length": "50 mm", "focus_distance": "2 m", "distance": "2 m"}
 _EXAMPLES |= {
     "sensor_distance": "51 mm",
@@ -99,7 +99,10 @@ def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]
 
 
 def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
-    """Return the contents of a file that a lens file names; ValueError if it cannot or must not be read."""
+    """Return the contents of a file that a lens file names; ValueError if it cannot or must not be read.
+
+    `what` the entry must be is said where it is no text: "the name of a mask".
+    """
     if not isinstance(name, str):
         raise ValueError(f"must be {what}, got {shown(name)}")
     given = context or {}
@@ -119,7 +122,7 @@ class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (of those that override it)
+    def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (used by overriding methods)
         """Return what is wrong with the set of keys, whatever their values."""
         return None
 
@@ -147,7 +150,7 @@ class Section(BaseModel):
 
 
 class BuiltSection(Section):
-    """A section that describes an object, which is made when it is read: errors name the section."""
+    """A section whose object is built while the file is validated, so that its errors name the section."""
 
     @model_validator(mode="after")
     def _makes(self) -> Self:
@@ -164,7 +167,7 @@ class LensFileError(ValueError):
 
 
 class PartsError(ValueError):
-    """Errors of what a file describes: of each its keys, what it is called, and what is wrong."""
+    """Errors of what a file describes, each with its keys, its name and its message."""
 
     def __init__(self, faults: Sequence[tuple[tuple[str, ...], str, str]]) -> None:
         super().__init__("; ".join(f"{name}: {message}" for _, name, message in faults))
@@ -203,7 +206,7 @@ def built(
         file = model.model_validate(raw, context=context)
         # Overflows in the numbers of a file are errors, not warnings.
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            made = make(file)  # also with errors before, for its own
+            made = make(file)  # even if `found` has errors, to report those of make() too
         if not errors:
             return made
     except ValidationError as error:
@@ -239,7 +242,7 @@ def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         message += f", got {shown(fault['input'])}"
     if not keys:  # of the file as a whole
         return str(message)
-    # Each table of an array has its own lines.
+    # First by the place with its index, which tells tables of an array apart, then by the keys alone.
     line = text_files.line_of(text, place) or text_files.line_of(text, keys)
     return f"{'.'.join(map(validation.key, keys))}{f' (line {line})' if line else ''}: {message}"
 

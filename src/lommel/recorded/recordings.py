@@ -22,6 +22,7 @@ from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Unusable, op
 _JSON = 2**24  # largest size of a parsed description, bytes
 _CHUNK = (32, 256, 256)  # chunks of written OME-Zarr: planes, rows, columns
 _SHARE = 1e-4  # relative difference of lengths that count as equal
+# Lengths that files state, and their words in errors; "down" is the height of a pixel.
 _LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
 _SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
 _WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
@@ -55,8 +56,8 @@ class Recording:
     notes : tuple of str
         What was taken from the file, and what it lacks, in sentences.
     unusable : dict
-        Lengths that the file states but that cannot be used, such as 0, in its words; by "pixel", "step", or
-        "emission" and "excitation" with the number of the channel, such as "emission 0".
+        What the file says of lengths that cannot be used, such as 0, in its own words; the keys are "pixel", "step",
+        or "emission" and "excitation" with the number of the channel, such as "emission 0".
     """
 
     frames: Frames
@@ -119,7 +120,7 @@ class Recording:
         return self.frames.one_of("C", number)
 
     def only(self, name: str) -> Frames:
-        """Return its only channel as a stack; ValueError, about an argument of this `name`, if it has several."""
+        """Return its only channel as a stack; ValueError about the argument `name` if it has several."""
         if self.shape[0] > 1:
             raise ValueError(
                 f"{name} must be one channel, got a recording of {self.shape[0]}: {', '.join(self.names)}; "
@@ -184,17 +185,17 @@ def open_recording(
 
 def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
     """Return images along C and Z, at a single time."""
-    name, lead = frames.name, frames.numbers.shape
+    name, leading = frames.name, frames.numbers.shape  # of all axes but rows and columns
     if axes is None and frames.path is None and not frames.by:
-        if len(lead) not in (1, 2):
+        if len(leading) not in (1, 2):
             raise ValueError(
                 "stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
                 f"{frames.shape}"
             )
         axes = "CZYX"[-frames.ndim :]
     if axes is not None:
-        long = tuple(side for side in lead if side != 1)
-        kept = lead if len(lead) == len(axes) - 2 else long
+        longer = tuple(side for side in leading if side != 1)
+        kept = leading if len(leading) == len(axes) - 2 else longer
         if len(kept) != len(axes) - 2:
             raise RecordingError(f"{name}: axes={axes!r} does not fit its shape {frames.shape}")
         frames = replace(frames, numbers=frames.numbers.reshape(kept), axes=axes)
@@ -202,7 +203,7 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
     if UNKNOWN in order:
         count = frames.numbers.shape[frames.axes.index(UNKNOWN)]
         raise RecordingError(
-            f"{name}: what its axis of {count} images is, the file does not say; state it, such as "
+            f"{name}: the file does not say what its axis of {count} images is; state it, such as "
             'axes="ZYX" for planes along z'
         )
     if "T" in frames.axes:
@@ -279,10 +280,10 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
 
 
 def kind_of(path: Path, recording: str | Path | None = None) -> str:
-    """Return the format of a stack that can be written, unless that would replace the recording it was made from.
+    """Return "zarr" or "tiff", by the ending of a path.
 
-    ValueError for these, and for other formats; FileExistsError for a folder of something else; ImportError without
-    the library.
+    ValueError for other endings, and if the path is that of the `recording` of which the stack was made;
+    FileExistsError for a folder of something else; ImportError without the library.
     """
     if recording is not None and path.resolve() == Path(recording).resolve():
         raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
@@ -298,7 +299,7 @@ def kind_of(path: Path, recording: str | Path | None = None) -> str:
 
 
 def require_own(path: Path) -> None:
-    """Raise FileExistsError unless a path is free or holds a stack written here, which may be replaced."""
+    """Raise FileExistsError unless a path is free or holds a stack written by this package, which may be replaced."""
     own = not (path.exists() or path.is_symlink())
     if not own:
         with suppress(OSError, ValueError):

@@ -16,7 +16,7 @@ from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
 _BLOCK = 2**20  # values of J held at once: 8 MiB
-_SMALL = 1.0  # u below which the U series is used in the light too, where the V series cancels
+_SMALL = 1.0  # u = 4 |C_d| below which U_n serves within the geometric image (u > v) too, where V_n cancel
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class LommelSeries(FieldMethod[Pupil]):
     References
     ----------
     E. Lommel, Abh. Bayer. Akad. 15, 233 (1885). M. Born and E. Wolf, *Principles of Optics*, 7th ed.,
-    section 8.8.1 (whose C - iS is the conjugate of U for positive defocus).
+    section 8.8.1 (whose C - iS is the conjugate of the field U for positive defocus).
     """
 
     def unsupported(self, pupil: Pupil) -> str | None:

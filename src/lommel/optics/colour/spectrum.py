@@ -26,7 +26,8 @@ class Component(NamedTuple):
     share : float
         Fraction of the light.
     stretch : float
-        Reference wavelength divided by its own, the scale of its field on the sensor.
+        Reference wavelength divided by that of this field: the factor from v of the reference to v of this field, so
+        that the image of a shorter wavelength is smaller.
     pupil : Pupil
     """
 
@@ -91,9 +92,10 @@ def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     return tuple(validation.wavelength(w) for w in given)
 
 
-# The intensity at a point of the sensor is a sum over pairs of points of the pupil, whose optical paths to it differ
-# by L: of ``exp(2 pi i L / lambda) / lambda^2``, times what depends on no wavelength. So a sum over wavelengths in
-# place of the integral over a spectrum q is off, over the peak without aberration, by no more than the largest of
+# The intensity at a point of the sensor is a sum of ``exp(2 pi i L / lambda) / lambda^2`` over pairs of points of the
+# pupil, times factors without the wavelength; L is the difference of the optical paths from the pair to the point. So
+# a sum over wavelengths in place of the integral over a spectrum q is in error, relative to the unaberrated peak, by
+# no more than the largest of
 #
 # ``E(L) = | sum_k u_k exp(2 pi i L s_k) - int q(s) exp(2 pi i L s) ds |``,  s = 1 / lambda,
 #
@@ -102,7 +104,7 @@ def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
 
 _MOST = 256  # wavelengths
 _AT_ONCE = 2**20  # waves
-_SLACK = 0.1  # of the tolerance: what |E| may be more between the paths that it is looked at
+_SLACK = 0.1  # of the tolerance: how much |E| may rise between the paths at which it is computed
 
 
 def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
@@ -110,18 +112,20 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
 
     `paths` is the largest optical path difference in the pupil, metres. ValueError beyond 256 wavelengths.
     """
-    # Curves are linear between their wavelengths, and so end at the dark ones beside.
+    # Curves are linear between their wavelengths, so light reaches to the first dark wavelength on either side.
     lit = np.flatnonzero(curves.any(axis=0))
     first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
     low, high = 1.0 / wavelengths[last], 1.0 / wavelengths[first]
-    phase = math.pi * (high - low) * paths  # half of what it differs by over the spectrum
+    phase = math.pi * (high - low) * paths  # half the range of 2 pi L / lambda over the spectrum
     count = max(1, int(0.5 * phase / math.pi))
     if 0.5 * count > _MOST:
         raise _too_many(paths, tol)
     at, light = _dense(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
-    # E(L) is band-limited: between the paths that are looked at it exceeds its values there by this at most.
-    slack = (0.5 * phase / (path.size - 1)) ** 2
+    # E is a mean of waves whose phases change by up to phase / (path.size - 1) = Bh between two paths at which it is
+    # computed, and at most 2 (plus its error at L = 0, which is below tol): linear interpolation between them errs by
+    # (Bh)^2 / 8 times that (Bernstein's inequality for the second derivative).
+    slack = (1.0 + tol) * (0.5 * phase / (path.size - 1)) ** 2
     middle = 0.5 * (low + high)
     bright = light / at**2
     bright /= bright.sum(axis=1, keepdims=True)
@@ -148,7 +152,7 @@ def _too_many(paths: float, tol: float) -> ValueError:
 
 
 def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
-    """Return nodes of a quadrature over the curves, and the light at each times its weight, to about 1e-10."""
+    """Return the nodes of a quadrature over the curves, to about 1e-10, and light times weight at each node."""
     nodes, weights = gauss_legendre(4, 0.0, 1.0)
     ends = [wavelengths[:1]]
     for a, b in pairwise(wavelengths):
@@ -166,14 +170,14 @@ def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
     return np.asarray(np.exp(2j * math.pi * np.outer(path, 1.0 / wavelengths - middle)))
 
 
-def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
+def _fitted(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
     """Return the nonnegative least-squares weights of the nodes, of sum 1, for E over the paths."""
     from scipy.optimize import nnls
 
-    # Least squares need some rows for each unknown; the bound above is taken over all paths.
+    # Least squares need some rows for each unknown; `few` computes the bound at all paths.
     thin = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     goal = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
-    scale = mean / nodes**2
+    scale = mean_square / nodes**2  # u_k over the weight of a node; mean_square: of the wavelength
     rows = np.concatenate([thin.real * scale, thin.imag * scale, math.sqrt(len(thin)) * np.ones((1, nodes.size))])
     try:
         found = np.asarray(nnls(rows, np.concatenate([goal.real, goal.imag, [math.sqrt(len(thin))]]))[0])
@@ -218,8 +222,8 @@ class Channels:
     light : tuple of float
         Total response of each channel relative to the largest.
     error : float
-        Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak,
-        else 0; see :meth:`from_curves`.
+        Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak;
+        0 if not made by :meth:`from_curves`.
     paths : float or None
         Largest optical path difference in the pupil for which `error` holds, metres; else None.
 
@@ -387,7 +391,7 @@ class Channels:
 
     @property
     def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
-        """Pairs of wavelength and nonzero weight for each channel, as `wavelengths` of photographs."""
+        """Pairs of wavelength and nonzero weight for each channel, as the argument `wavelengths` of photographs."""
         return tuple(
             tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
             for row in self.weights

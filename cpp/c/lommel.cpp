@@ -29,8 +29,8 @@ struct lommel_plan {
     int threads = 1;
 
     double open() const { return 1.0 - obscuration * obscuration; }
-    // What the intensity |U|^2 is multiplied by, U = (1/pi) int P: its integral over the plane is 4 pi times the open part of
-    // the disk. 0 divides by the largest value.
+    // Factor of the intensity |U|^2, U = (1/pi) int P, whose integral over the plane is 4 pi times the open part of the disk;
+    // 0: divide by the largest value.
     double scale() const {
         if (normalize == LOMMEL_PEAK) {
             return 0.0;

@@ -97,7 +97,8 @@ void a_call_stops_where_it_is_told_to() {
     check(done == 100 && lommel::helpers.at_work() == 0, "the call after it", done);
 }
 
-// Tiles wait for their neighbours before them and never write beside one; those that wait for one that fails leave.
+// A tile waits for its earlier neighbours, and no two neighbours are written at once; a tile that waits for one that failed gives
+// up.
 void tiles_keep_their_order(std::size_t rows, std::size_t columns, int threads) {
     std::vector<std::atomic<int>> state(rows * columns);  // 1 at work, 2 done
     const auto parity = [](std::size_t row, std::size_t column) { return 2 * (row % 2) + column % 2; };
@@ -140,7 +141,7 @@ void tiles_keep_their_order(std::size_t rows, std::size_t columns, int threads) 
     check(failed == 1, "a tile that fails", failed);
 }
 
-// The thread sanitizer has a thread of its own, with which a fork is not to be had.
+// The thread sanitizer runs a thread of its own, and does not support fork() beside threads.
 #if defined(__unix__) && !defined(__SANITIZE_THREAD__)
 // The largest value of an image of some defocus.
 double image_of(std::size_t side, double defocus) {

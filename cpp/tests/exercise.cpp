@@ -303,7 +303,8 @@ void pixels_around_any_axis(std::mt19937& random) {
     }
 }
 
-// Samples by polynomials of the distance, the window as it is or folded: each within its bound of |U|^2 there.
+// Samples interpolated by polynomials of the distance, with and without folding the window: each must be within its bound of |U|^2
+// at its pixel.
 template <class T>
 void samples_around_any_axis(std::mt19937& random) {
     std::uniform_real_distribution<double> share(0.0, 1.0);

@@ -167,7 +167,8 @@ void windows(const Light& light, const Window& w, int threads) {
     }
 }
 
-// Lagrange's polynomials of eight even places in 2 t - 1, t from 0 to 1 between those in the middle: [highest power first][tap].
+// Lagrange's polynomials of eight equally spaced nodes as powers of 2 t - 1, [highest power first][tap]; t runs from 0 to 1
+// between the two middle nodes.
 Values taps() {
     constexpr std::size_t count = 8, most = lommel::RingTaps::most;
     Values made(count * most);

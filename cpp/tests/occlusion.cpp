@@ -15,7 +15,7 @@
 
 namespace {
 
-// A white scene with occlusion, whose light and coverage are alike, and again with what pixels see known.
+// Composites a white scene with occlusion, in which light must equal coverage; then again, the visibility of each pixel given.
 template <class T>
 void compositing(std::mt19937& random, std::size_t height, std::size_t width, std::size_t widest, int threads, std::size_t pad,
                  bool dark) {

@@ -19,7 +19,8 @@
 
 namespace live {
 
-// Paths of light are the same for all: phases and places on the sensor grow by `stretch`, the reference wavelength over its own.
+// A spectral line. Optical paths do not depend on the wavelength, so phases and v are those of the reference times `stretch`, the
+// reference wavelength divided by that of the line.
 struct Line {
     double stretch, share;
     double weight() const { return share * stretch * stretch; }

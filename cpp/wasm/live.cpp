@@ -69,7 +69,7 @@ struct Block {
 
 extern "C" {
 
-// At least so many bytes; what was in the block is gone where it grows.
+// Returns memory block `block`, of `bytes` at least. A block that grows loses its contents.
 EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
     Block& here = memory[block];
     if (here.bytes < bytes) {

@@ -1,4 +1,4 @@
-// Thread pool: all callers together never use more threads than there are processors.
+// Thread pool: the helpers of all callers together are fewer than the processors.
 #pragma once
 
 #include <algorithm>
@@ -57,13 +57,14 @@ inline std::size_t workers(int threads) {
 // begins with none.
 class Helpers final : ForkAware {
    public:
-    // Work that a caller shares: run(worker), with workers from 1 on; it must not throw.
+    // Work that a caller, worker 0, shares: helpers call run(worker) with worker = 1, 2, ...; it must not throw.
     struct Offer {
         Reference<void(std::size_t)> run;
         Watch* watch;
-        int open = 0, taken = 0;
+        int open = 0;   // helpers that are still wanted
+        int taken = 0;  // helpers that have come
         std::atomic<int> at_work{0};
-        std::condition_variable left{};
+        std::condition_variable left{};  // notified when the last helper has left
     };
 
     // Requests up to `wanted` helpers. `one` must exist until withdraw() has returned.
@@ -80,8 +81,8 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Returns once no helper works on an offer, and none will. Only the caller can be interrupted: it keeps checking, and calls
-    // fail() from a catch clause.
+    // Returns once no helper works on an offer, and none will. While it waits it checks for interruption,
+    // and then calls fail() from a catch clause.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };
@@ -203,7 +204,7 @@ void share_out(std::size_t tasks, int threads, const Work& work);
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
     // Tasks are divided into `stretches` consecutive stretches. In each, a worker begins with a range of its own and then helps
     // others: data that neighbouring tasks share, and that the next call uses again, stays in the caches of one processor. The
-    // caller takes tasks in order, so that tasks may wait for earlier ones.
+    // caller, worker 0, takes ranges and the tasks in them in ascending order, so that tasks may wait for earlier ones.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;
@@ -252,7 +253,7 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
 #endif
 
 // Runs work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: as many as
-// there are processors). `worker` is at most the number of processors. The first exception is rethrown after all threads
+// there are processors). `worker` is below the number of processors. The first exception is rethrown after all threads
 // have stopped. Between tasks all check for interruption.
 template <class Work>
 void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& work) {

@@ -32,7 +32,7 @@ inline double interpolation_by_slope(double half, std::size_t points) {
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R half in r^2.
+// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R `half` in r^2.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -85,7 +85,8 @@ inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of the difference of averages along two sides of a square, from odd orders at `angles` angles (section 15).
+// Error of the difference between the averages over two opposite sides of a square, interpolated from `angles` angles by odd
+// orders (section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

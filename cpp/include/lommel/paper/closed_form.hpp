@@ -94,7 +94,7 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // Loops from the piece of the nearest lane to that of the farthest.
+            // Pieces differ between lanes: step back to the first that any lane needs; the next loop runs to the last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }

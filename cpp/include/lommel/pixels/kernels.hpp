@@ -18,9 +18,10 @@ constexpr std::size_t block_outputs = 16;  // values that share a block of weigh
 // Number of positions is padded to a multiple of this.
 constexpr std::size_t position_step = 2 * row_lanes;
 
-// Computes row[0 .. count): weights of the nodes in sum_i share[i] f(z[i]), f interpolated at the nodes, from Lagrange's
-// polynomials as products from both ends, which do not cancel. `scale` holds 1 / their values at their own nodes. z and share
-// are padded, with a share of 0; scratch holds 3 count vectors. Bound by the latency of products, of which four chains overlap.
+// Computes row[k], the weight of node k: sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for the polynomial f through the nodes.
+// Lagrange's polynomials are products of the factors before and after node k, without cancellation; scale[k] is 1 / the product of
+// nodes[k] - nodes[j] over j != k. z and share are padded, with a share of 0; scratch has room for 3 count vectors. Four chains of
+// products overlap, as the latency of a product limits the speed.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {

@@ -36,7 +36,8 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
     double magnification() const { return of_grid * of_nodes; }
     // Largest distance from the axis of any point of a pixel, in v.
     double outermost() const { return step * (farthest + (integrate ? 0.70710678118654752 : 0.0)); }
-    // Factor from the error of values of I to that of values of v I', the change of an image when it grows (section 15).
+    // Factor from the error of values of I to that of values of v I', the derivative of an image by the logarithm of its scale
+    // (section 15).
     double growth() const { return 2.0 * (outermost() + static_cast<double>(std::max({count, degree, gauss, 4 * harmonics}))); }
     std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
     bool is(double pitch, bool averages, double pixels, int digits) const {

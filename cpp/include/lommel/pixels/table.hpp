@@ -231,7 +231,7 @@ struct PixelTable : PixelRings {
         harmonics = 0;
     }
 
-    // Makes rings of width 2 half from `least` on, each with contiguous values, and their nodes.
+    // Makes rings of half width `half` from `least` on, each with contiguous values, and their nodes.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
         Glance glance;

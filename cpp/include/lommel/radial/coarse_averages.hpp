@@ -115,7 +115,7 @@ class EnergyWithin {
     static constexpr double width = 2.0;  // of a panel, in v
     double rounding = 0.0;                // of any value of E
 
-    // Computes E up to `reach` from I at `points` Chebyshev points per panel, for U to the error `asked`. `swing` is half of
+    // Computes E up to `reach` from I at `points` Chebyshev points per panel, requesting U to the error `asked`. `swing` is half of
     // the largest value that I may have.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
               double swing, int threads);

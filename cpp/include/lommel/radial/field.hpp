@@ -176,8 +176,9 @@ class Field {
     Disk outer_, inner_;
     double obscuration_ = 0.0, weight_ = 0.0;
     std::shared_ptr<const PieceTable> table_;
-    // Number of pieces up to the reach; of leading ones that are used even for one radius; end of those that may have tables.
-    std::size_t all_ = 1, leading_ = 0, end_ = 0;
+    std::size_t all_ = 1;      // pieces up to the reach
+    std::size_t leading_ = 0;  // first pieces, whose tables serve even a single radius
+    std::size_t end_ = 0;      // one past the last piece that may have a table
     bool few_ = false;  // whether the series is summed at some radii
     SeriesScratch scratch_;
     SmallerDisk smaller_;

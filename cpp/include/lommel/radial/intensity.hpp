@@ -54,7 +54,8 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
 }
 #endif
 
-// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: further right-hand sides on the same table.
+// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: sums of the Bessel table that U is summed from, with other
+// coefficients.
 struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // bound on the error of T, largest |T|^2, largest |dI/dc_k|

@@ -214,10 +214,10 @@ struct RimTable {
 
    private:
     void make_waves(RimWaves& rim) const;
-    // Degree in psi of the channels, which are products of two waves.
+    // Highest order in the polar angle psi of the channels of v^3 I (rim/light.hpp), each a product of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
-    // Bound on the sum of all channels over the smooth one.
+    // Bound on the sum of the moduli of all channels, divided by that of the smooth channel (rim/light.hpp).
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
     RadiusRule chosen_rule() const;
     void choose_angles();
@@ -297,7 +297,8 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated square of waves in the ellipse: about R, more for the large phases that need a large box.
+            // Estimated square of the waves in the ellipse: about the inner radius `nearest`, more for the large phases that
+            // need a large box.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;

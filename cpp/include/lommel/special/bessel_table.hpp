@@ -29,13 +29,14 @@ inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16
 struct PieceTable {
     double width = 0.0;
     std::size_t terms = 0;  // rows of each piece, unless it needs fewer
-    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2). As sum |beta_n|^2 / (2n+1) <= 1, it bounds the sum of the
-    // magnitudes of all that is added up for one value of U, hence the rounding.
+    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. As U = sum_n beta_n row_n with
+    // sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A), it bounds the
+    // sum of the magnitudes of all that is added up for one value of U, hence the rounding.
     double magnitude = 0.0;
     // Like magnitude, for all azimuthal orders together: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
     double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;  // [piece]; null if never requested
-    std::size_t leading = 0;                           // number of leading pieces that exist
+    std::size_t leading = 0;  // number of leading pieces that exist
 
     bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
 };

@@ -191,8 +191,7 @@ struct TapPolynomials {
         double units = 0.0;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             at[i / taps][i % taps] = static_cast<Real>(exact[i]);
-            // Coefficient c of x^k: one rounding of its own, k of x, which is rounded once and at most 1, and k + 1 products
-            // and sums.
+            // Roundings of c x^k, |x| <= 1: 1 of c, k of x, k + 1 products and k + 1 sums.
             const double k = static_cast<double>(Terms - 1 - i / taps);
             units += (3.0 * k + 3.0) * std::abs(exact[i]);
         }

@@ -95,8 +95,8 @@ class LeastSquares {
 };
 
 // Finds x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in
-// which A is below about 1e-14 of its largest: each unknown is regularised by that part of the largest column, times the root
-// of their number.
+// which A is below about 1e-14 of its largest: each unknown is regularised by 1e-14 times the norm of the largest column times
+// the root of the number of columns.
 void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
                    double* found);
 

@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Window of pixels; `step` circles per pixel. centers[axis][row, column]: the axis of each plane, or one for all.
+// Window of pixels of a pitch of `step` circles. centers[axis][row, column]: the axis of each plane, or one for all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;
@@ -56,7 +56,7 @@ class RingImages {
 
    private:
     using Blocks = std::vector<std::unique_ptr<const Rings>>;
-    // Planes from .. to - 1 that share one axis, counted from the first plane of these blocks.
+    // Planes [from, to) with a common axis; 0 is the first plane of the blocks.
     struct Group {
         std::size_t from, to;
     };

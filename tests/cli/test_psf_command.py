@@ -114,7 +114,8 @@ def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, 
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--at", "15mm", "-10mm", "--colour"], "--at is for one PSF"),
+        (["--at", "15mm", "-10mm", "--field", "2x2"], "--at is for one place"),
+        (["--f-number", "4", "--wavelength", "450nm"], "--f-number, --wavelength cannot change what the section"),
         (["--at", "15mm", "-10"], "is a length without a unit"),
         (["--at", "30mm", "0mm"], "lies outside of the map"),
     ],
@@ -234,6 +235,71 @@ def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lomme
         assert row["half_nyquist"][1] == pytest.approx(float(expected), abs=2e-6)
     shown = call_lommel("psf", file, "--mtf", "--field", "2x3", "--shape", "5", folder=tmp_path).stdout
     assert sum(" mm, " in line for line in shown[shown.index("MTF, pixel") :].splitlines()) == 6
+
+
+def overlap(height, frequency, tangential):
+    """Return the MTF without pixels, as the overlap of two shifted pupils of the file's coefficients on a grid."""
+    side = np.linspace(-1.0, 1.0, 1601)
+    x, y = np.meshgrid(side, side)
+    r = height / math.hypot(12e-3, 18e-3)
+
+    def pupil(x, y):  # x along the radius
+        square = x * x + y * y
+        waves = 0.4 * square**2 - 0.4 * square + 2.0 * r * square * x + 1.6 * r**2 * x * x - 0.9 * r**2 * square
+        return np.where(square <= 1.0, np.exp(2j * math.pi * waves), 0.0)
+
+    shift = frequency  # over the cutoff: half the distance of the pupils, in radii
+    a, b = (shift, 0.0) if tangential else (0.0, shift)
+    return abs((pupil(x + a, y + b) * pupil(x - a, y - b).conj()).sum()) / (x * x + y * y <= 1.0).sum()
+
+
+def test_sagittal_and_tangential_mtf_are_those_of_radial_lines_and_of_lines_across_them(told, lenses):
+    found = told(lenses["camera-field"], "--at", "9mm", "-12mm", "--pixel", "4um", "--shape", "5")
+    (row,) = found["rows"]
+    pupil = lm.load_instrument(lenses["camera-field"]).pupil()
+    for name, across in (("sagittal", (0.8, 0.6)), ("tangential", (0.6, 0.8))):
+        for value, share in zip(row[name], (1.0, 0.5), strict=True):
+            pixel = math.prod(np.sinc(0.5 * share * part) for part in across)
+            expected = pixel * overlap(15e-3, share * 125e3 / pupil.cutoff, name == "tangential")
+            assert value == pytest.approx(expected, abs=3e-3), name
+    assert row["sagittal"][0] > 1.05 * row["tangential"][0]
+
+
+def test_frequencies_above_the_cutoff_are_told(call_lommel, lenses, tmp_path):
+    shown = call_lommel("psf", lenses["camera-field"], "--mtf", "--field", "1x2", folder=tmp_path).stdout
+    assert "0: the lens passes nothing above its cutoff, 909.1 cycles/mm at 550 nm" in shown
+    assert "0.0000" not in shown
+
+
+def test_options_restate_focus_f_number_wavelength_and_focal_length(call_lommel, lenses, tmp_path):
+    path, more = lenses["nifty-fifty"], ("--shape", "33", "-o", "a.npz")
+    stated = lm.load_instrument(path)
+    known = {name: getattr(stated.lens, name) for name in ("f_number", "wavelength", "focal_length")}
+    options = {
+        "f_number": ("--f-number", "5.6", 5.6),
+        "wavelength": ("--wavelength", "450nm", 450e-9),
+        "focal_length": ("--focal-length", "35mm", 35e-3),
+    }
+    for name, (flag, text, value) in options.items():
+        result = call_lommel("psf", path, flag, text, "--focus", "2.5m", *more, folder=tmp_path)
+        assert result.returncode == 0, result.stderr
+        lens = lm.Lens(**known | {name: value}, focus_distance=2.5)
+        expected = lm.psf(lens.pupil(stated.object_distance), 33, stated.pixel, **stated.sensor_options).values
+        found = lm.PSF.load(tmp_path / "a.npz").values
+        np.testing.assert_allclose(found, expected, atol=2e-6 * expected.max(), err_msg=name)
+    # An object in focus stays in focus; one that is stated elsewhere stays where it is.
+    for file, seen in ((path, stated.object_distance), (lenses["camera-field"], 2.5)):
+        facts = json.loads(call_lommel("info", file, "--focus", "2.5m", "--json", folder=tmp_path).stdout)
+        assert facts["object_distance"] == pytest.approx(seen)
+        assert facts["focus_distance"] == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize("option", [("--f-number", "4"), ("--focus", "2m"), ("--focal-length", "50mm")])
+def test_options_of_lenses_are_refused_for_microscopes(call_lommel, tmp_path, option):
+    objectives = Path(__file__).resolve().parents[2] / "examples" / "objectives"
+    result = call_lommel("psf", objectives / "zeiss-63x-1.4-oil.toml", *option, folder=tmp_path)
+    assert result.returncode == 2
+    assert f"{option[0]} is for lenses" in result.stderr
 
 
 ARCSEC = math.pi / 648000.0

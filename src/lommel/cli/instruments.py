@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -96,10 +97,18 @@ DEPTH = option(length="um", heading="Microscopes",
 
 
 class Seen(Group):
-    """The object and the sensor of a lens, which override the file."""
+    """The lens, its object and its sensor, which override the file."""
 
     # fmt: off
     object_distance: float | None = OBJECT_DISTANCE
+    focus_distance: float | None = option("--focus", length="m",
+        help="Focus distance, such as 1.5m or inf; overrides the file. An object that was in focus stays in focus.")
+    f_number: float | None = option(type=float,
+        help="F-number to which the lens is stopped, sensor and aberrations staying; overrides the file.")
+    wavelength: float | None = option(length="nm",
+        help="Wavelength, such as 450nm, at which path differences are those of the file; overrides the file.")
+    focal_length: float | None = option(length="mm",
+        help="Focal length, such as 35mm, of the same f-number, focus distance and aberrations; overrides the file.")
     camera: Camera | None = CAMERA
     pixel: float | tuple[float, ...] | None = option(type=SIDES,
         help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.")
@@ -129,7 +138,37 @@ def instrument_of(lens: Path, **given: object) -> Instrument:
         for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
-    return dataclasses.replace(load_instrument(lens), **changes)
+    stated = {name: changes.pop(name) for name in _OF_LENS if name in changes}
+    found = load_instrument(lens)
+    return dataclasses.replace(_restated(found, stated, lens) if stated else found, **changes)
+
+
+_OF_LENS = "focal_length", "f_number", "wavelength", "focus_distance"
+
+
+def _restated(found: Instrument, stated: Facts, path: Path) -> Instrument:
+    """Return an instrument whose lens has the focal length, f-number, wavelength and focus that options state."""
+    if found.aberrations_of_field is not None and (fixed := stated.keys() - {"focus_distance"}):
+        flags = ", ".join(flag_of(name) for name in _OF_LENS if name in fixed)
+        raise ValueError(
+            f"{flags} cannot change what the section [field] of {path} states in waves over its aperture: edit a copy"
+        )
+    lens, focus = found.lens, found.lens.focus_distance
+    in_focus = math.isclose(found.object_distance, focus, rel_tol=1e-9)
+    if "focal_length" in stated:
+        length = validation.real("focal_length", stated["focal_length"], above=0.0, unit="metres")
+        changed: Facts = {"focal_length": length, "aperture_diameter": length / lens.f_number}
+        changed |= {"focus_distance": focus, "sensor_distance": None}
+        lens = dataclasses.replace(lens, **changed)
+    if "f_number" in stated:
+        lens = lens.stopped(stated["f_number"])
+    if "wavelength" in stated:
+        lens = lens.in_light(stated["wavelength"])
+    if "focus_distance" in stated:
+        lens = lens.focused(stated["focus_distance"])
+    return dataclasses.replace(
+        found, lens=lens, object_distance=lens.focus_distance if in_focus else found.object_distance
+    )
 
 
 def radial_instrument(lens: Path, what: str = "this command", **given: object) -> Instrument:
@@ -150,6 +189,9 @@ def _changes(given: Facts) -> Facts:
 
 _OF_LENSES = {
     "object_distance": "--depth sets the position of the emitter",
+    "focus_distance": "--depth sets the position of the emitter",
+    "f_number": "its aperture is the NA of the file",
+    "focal_length": "its magnification is that of the file",
     "field": "its PSF is the on-axis one",
     "mtf": "use PSF.mtf in Python for that of a stack",
     "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
@@ -172,9 +214,7 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
         return None
     for name, instead in _OF_LENSES.items():
         if name in changes:
-            raise ValueError(
-                f"--{name.replace('_', '-')} is for lenses, and {lens} describes a microscope: {instead}"
-            )
+            raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope: {instead}")
     found = load_microscope(lens)
     if isinstance(changes.get("pixel"), tuple):
         changes["pixel"] = changes["camera"].side  # an error of the camera

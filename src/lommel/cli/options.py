@@ -409,8 +409,8 @@ def _hint(error: OSError) -> str:
 
 
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
-# "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
-_NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+# "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or what stands in quotes.
+_NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
 _METHOD = re.compile(r"--method (\w+)\(.*?\)")
 _METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
 _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]

@@ -187,7 +187,8 @@ def psf(
     colour: bool = option(is_flag=True,
         help="PSFs in the colour channels of the lens file, or in red, green and blue."),
     mtf: bool = option(is_flag=True,
-        help="Print the MTF at the Nyquist frequency and at half of it, pixel included, along x and y."),
+        help="Print the MTF at the Nyquist frequency and at half of it, pixel included: sagittal and tangential with "
+        "--at or --field, else along x and y."),
     planes: Planes = Planes(),
     air: Air = Air(),
     computation: Computation = Computation(),
@@ -207,6 +208,8 @@ def psf(
       lommel psf camera-field.toml --field 5x7 --plot field.png -o field.tif
       lommel psf camera-field.toml --field 5x7 --colour --mtf
       lommel psf camera-field.toml --at 15mm -10mm --jitter 2 -o corner.tif
+      lommel psf camera-field.toml --at 15mm -10mm --colour --mtf --pixel 4um
+      lommel psf nifty-fifty.toml --focus 1.2m --f-number 4 --wavelength 450nm
       lommel psf phone.toml --colour -o phone.png -o phone.npz
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
@@ -225,16 +228,29 @@ def psf(
         wide = 3.0 * _ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
         side = min(2 * math.ceil(wide / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
-    if place is not None and (field is not None or colour or mtf):
-        raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
+    if place is not None and field is not None:
+        raise ValueError("--at is for one place: leave out --field")
     channels = (instrument.channels or Channels.rgb()) if colour else None
-    transfer = (instrument, channels) if mtf else None
+    transfer = partial(_describe_mtf, instrument, place, channels) if mtf else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
-    if channels is not None:
-        return _write(_in_colour(instrument, channels, options), *files, mtf=transfer)
     pupil, where = _at(instrument, place)
-    return _write(_of_lens(instrument, pupil, options, [*where, *air.words()]), *files, mtf=transfer)
+    said = [*where, *air.words()]
+    if channels is not None:
+        return _write(_in_colour(instrument, pupil, channels, options, said), *files, mtf=transfer)
+    return _write(_of_lens(instrument, pupil, options, said), *files, mtf=transfer)
+
+
+def _describe_mtf(
+    instrument: Instrument, place: tuple[float, float] | None, channels: Channels | None, made: object
+) -> Report:
+    """Return the report of the MTF where PSFs were `made`: at each place of a grid, at one place, or on the axis."""
+    if isinstance(made, PSFGrid):
+        field_map = instrument.field()
+        places = [(x, y, field_map.pupil(x, y)) for y in made.y.tolist() for x in made.x.tolist()]
+    else:
+        places = [(*(place or (None, None)), _at(instrument, place)[0]())]
+    return reports.describe_mtf(instrument, places, channels)
 
 
 def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
@@ -257,9 +273,9 @@ def _write(
     outputs: tuple[Path, ...],
     figure: Path | None,
     stretch: str,
-    mtf: tuple[Instrument, Channels | None] | None = None,
+    mtf: Callable[[Made], Report] | None = None,
 ) -> Report:
-    """Compute a product, write its files, and return its report, with the `mtf` of a lens in channels."""
+    """Compute a product, write its files, and return its report, with that which `mtf` makes of the product."""
     # All is checked before anything is computed.
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
     for path in (*outputs, *files):
@@ -275,7 +291,7 @@ def _write(
         made = product.make()
         report = product.report(made, time.perf_counter() - start)
         if mtf is not None:
-            report += reports.describe_mtf(mtf[0], made if isinstance(made, PSFGrid) else None, mtf[1])
+            report += mtf(made)
         for path in outputs:
             if path not in drawn:
                 made.save(path)
@@ -346,13 +362,17 @@ def _of_field(
     )
 
 
-def _in_colour(instrument: Instrument, channels: Channels, options: Facts) -> _Product[ColourPSF]:
-    """Return the PSFs of a lens in colour channels."""
+def _in_colour(
+    instrument: Instrument, pupil: Callable[[], Pupil], channels: Channels, options: Facts, said: list[str]
+) -> _Product[ColourPSF]:
+    """Return the PSFs of a lens at one place in colour channels, with what is said of that place."""
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
-        make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=lambda made, seconds: reports.describe_colour(instrument, made, seconds),
+        make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
+        report=lambda made, seconds: (
+            reports.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
+        ),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
 

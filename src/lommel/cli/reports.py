@@ -17,15 +17,19 @@ from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.image_quality import IN_FOCUS, ImageQuality, microscope_quality, sensor_mtf
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import RenderableType
     from rich.table import Table
+
+    from lommel.lensfiles.image_quality import Place
 
 # An image whose circle of 80 % of the light is so many times its FWHM has a bright centre within a wide blur.
 _SPIKE = 4.0
@@ -377,23 +381,35 @@ def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
     return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
 
 
-def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None) -> Report:
-    """Return the report of the MTF, pixel included, at the Nyquist frequency and at half of it, along x and y.
+def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Report:
+    """Return the report of the MTF, pixel included, at the Nyquist frequency and at half of it.
 
-    One row for each place of a `grid` and each of the `channels`, or for the axis and the wavelength of the file.
+    One row for each of the `places` and each of the `channels`, or for the wavelength of the file: sagittal and
+    tangential, or on the axis alone along x and y.
     """
-    facts = sensor_mtf(instrument, grid, channels)
-    heads = [name for name, of in (("position x, y", grid), ("channel", channels)) if of is not None]
-    cells = []
+    facts = sensor_mtf(instrument, places, channels)
+    over_field = places[0][0] is not None
+    heads = [name for name, there in (("position x, y", over_field), ("channel", channels is not None)) if there]
+    cells, frequencies = [], facts["frequency"]
     for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
         first = [place if head != "channel" else row["channel"] for head in heads]
-        cells.append([*first, *(f"{value:.4f}" for value in (*row["nyquist"], *row["half_nyquist"]))])
-    names = (*heads, "x, Nyquist", "y, Nyquist", "x, half", "y, half")
+        pairs = [row["nyquist"], row["half_nyquist"]]  # of a place on the axis, whose directions have no names
+        if "sagittal" in row:
+            pairs = list(zip(row["sagittal"], row["tangential"], strict=True))
+        # The MTF is exactly 0 from the cutoff of the lens on.
+        cells.append([*first, *(f"{value:.4f}" if value else "0" for pair in pairs for value in pair)])
+    one, other = ("S", "T") if over_field else ("x", "y")
+    names = (*heads, f"{one}, Nyquist", f"{other}, Nyquist", f"{one}, half", f"{other}, half")
     table = table_of(names, cells, left=0 if heads else -1, title="MTF, pixel included")
-    across, down = map(per_mm, facts["frequency"])
+    across, down = map(per_mm, frequencies)
     along = across if across == down else f"{across} along x and {down} along y"
-    return Report({"mtf": facts}, ["", table, Text(f"Nyquist frequency: {along}; x: vertical lines", "dim")])
+    lines = "S sagittal: radial lines; T: tangential ones" if over_field else "x: vertical lines"
+    said = [f"Nyquist frequency: {along}; {lines}"]
+    if max(frequencies) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
+        light = format_length(instrument.lens.wavelength)
+        said.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}")
+    return Report({"mtf": facts}, ["", table, *(Text(line, "dim") for line in said)])
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:

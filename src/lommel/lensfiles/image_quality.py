@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
@@ -28,10 +28,13 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
-    from lommel.measures.psf_like import PSFGridLike
     from lommel.optics.colour.spectrum import Channels
     from lommel.optics.lens import Lens
     from lommel.optics.pupil import Pupil
+
+    Place = tuple[
+        float | None, float | None, Pupil
+    ]  # x and y on the sensor, metres, None on the axis; the pupil there
 
 Value = TypeVar("Value")
 
@@ -459,31 +462,40 @@ def other_model(instrument: Instrument) -> Json:
     return found | {"geometric_radius": float(blur), "peak_error": difference}
 
 
-def sensor_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None) -> Json:
-    """Return the MTF, pixel included, along x and y at the Nyquist frequency and at half of it as plain data.
+def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Json:
+    """Return the MTF, pixel included, at the Nyquist frequency and at half of it as plain data.
 
-    "frequency" has the Nyquist frequencies along x and y, cycles per metre; "rows" one row for each place of a `grid`
-    and each of the `channels`, or for the axis and the wavelength of the file.
+    "frequency" has the Nyquist frequencies along x and y, cycles per metre; "rows" one row for each of the `places`
+    and of the `channels`, or for the wavelength of the file, along x and y. Rows of places off the axis also have
+    "sagittal" (of radial lines, whose frequency is across the radius) and "tangential", at the smaller Nyquist
+    frequency.
     """
     nyquist = [0.5 / side for side in instrument.pitch[::-1]]
-    fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
-    places: list[tuple[float | None, float | None, Pupil]] = [(None, None, instrument.pupil())]
-    if grid is not None:
-        field = instrument.field()
-        places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
     lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
     if channels is not None:
         lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
     sensor: Any = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
-    rows = [
-        {"x": x, "y": y, "channel": name}
-        | {
-            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()
-            for part, share in (("nyquist", 1.0), ("half_nyquist", 0.5))
-        }
-        for x, y, pupil in places
-        for name, light in lights
-    ]
+    rows = []
+    for x, y, pupil in places:
+        directions = {"nyquist": np.diag(nyquist)}  # frequency along x, along y
+        if x or y:
+            radial = np.array([x or 0.0, y or 0.0]) / math.hypot(x or 0.0, y or 0.0)
+            directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
+        for name, light in lights:
+            found = {
+                key: [transfer.mtf(pupil, *(share * f.T), spectrum=light, **sensor).tolist() for share in (1.0, 0.5)]
+                for key, f in directions.items()
+            }
+            row = {
+                "x": x,
+                "y": y,
+                "channel": name,
+                "nyquist": found["nyquist"][0],
+                "half_nyquist": found["nyquist"][1],
+            }
+            if "radial" in found:
+                row["sagittal"], row["tangential"] = map(list, zip(*found["radial"], strict=True))
+            rows.append(row)
     return {"frequency": nyquist, "rows": rows}
 
 

@@ -12,8 +12,8 @@ using namespace bindings;
 
 namespace {
 
-// Arrays: rho (q,), parts (m, q); rates (3, q) with the phase and its change by depth and by focus; planes (3, n) with depth, focus and power; forms (k, m, m); turns (k, 3) with
-// the azimuthal order of each form and the factors of its cosine and sine.
+// Arrays: rho (q,), parts (m, q); rates (3, q) with the phase and its change by depth and by focus; planes (3, n) with depth,
+// focus and power; forms (k, m, m); turns (k, 3) with the azimuthal order of each form and the factors of its cosine and sine.
 lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, const In<complex, 2>& rates, double error,
                          const In<double, 2>& planes, const In<complex, 3>& forms, const In<double, 2>& turns) {
     const std::size_t angles = rho.shape(0), count = parts.shape(0), orders = forms.shape(0), n = planes.shape(1);

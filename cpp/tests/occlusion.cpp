@@ -1,5 +1,5 @@
-// Occlusion without Python: what points hide, and light that is composited by layers; some callers at once. Returns 1 and says where
-// if something is off.
+// Occlusion without Python: what points hide, and light that is composited by layers; some callers at once. Returns 1 and says
+// where if something is off.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

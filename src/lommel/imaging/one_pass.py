@@ -242,8 +242,8 @@ def _neighbour_shares(places: NDArray[np.float32], count: int) -> Array:
 def _stray_power(transfer: Array, power: Array, shares: Array) -> Array:
     """Return the power of light from other depths in the filters, over that of the noise, (c, frequencies)."""
     # Mean of (h_other - h)^2 over the neighbours, expanded.
-    unlike = shares @ transfer**2 - 2.0 * transfer * (shares @ transfer) + transfer**2
-    return np.asarray(_EDGES * power * np.maximum(unlike, 0.0))
+    difference = shares @ transfer**2 - 2.0 * transfer * (shares @ transfer) + transfer**2
+    return np.asarray(_EDGES * power * np.maximum(difference, 0.0))
 
 
 def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
@@ -314,7 +314,7 @@ def _spectrum(plane: Array) -> tuple[Array, Array]:
 
 
 class _Passed(NamedTuple):
-    """Mean power transmitted by the lens over all pixels, in the band and its aliases, (9, frequencies)."""
+    """Power that the lens transmits, averaged over all pixels, in the band and its aliases, (9, frequencies)."""
 
     band: Band
     f: Array
@@ -367,11 +367,11 @@ def _measured(plane: Array, passed: _Passed, variance: float) -> Texture:
         shape = ring_means(passed.seen(slope))
         factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
         whole = factors * shape + noise
-        unlike = (count * (np.log(whole) + seen / whole)).sum(axis=2)
-        a, b = np.unravel_index(np.argmin(unlike), unlike.shape)
+        cost = (count * (np.log(whole) + seen / whole)).sum(axis=2)
+        a, b = np.unravel_index(np.argmin(cost), cost.shape)
         # The commonest slope is tried first: another must be clearly more likely.
-        if unlike[a, b] < best - _MORE_LIKELY:
-            best, found = float(unlike[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
+        if cost[a, b] < best - _MORE_LIKELY:
+            best, found = float(cost[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
     return found
 
 

@@ -101,7 +101,7 @@ def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]
 def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
     """Return the contents of a file that a lens file names; ValueError if it cannot or must not be read.
 
-    `what` the entry must be is said where it is no text: "the name of a mask".
+    `what` is what the entry must be, for the error where it is no text, such as "the name of a mask".
     """
     if not isinstance(name, str):
         raise ValueError(f"must be {what}, got {shown(name)}")

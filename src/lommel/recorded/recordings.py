@@ -56,8 +56,9 @@ class Recording:
     notes : tuple of str
         What was taken from the file, and what it lacks, in sentences.
     unusable : dict
-        What the file says of lengths that cannot be used, such as 0, in its own words; the keys are "pixel", "step",
-        or "emission" and "excitation" with the number of the channel, such as "emission 0".
+        What the file says of numbers that cannot be used, such as 0, in its own words; the keys are "pixel", "step",
+        "NA", "magnification", "immersion", or "emission" and "excitation" with the number of the channel, such as
+        "emission 0".
     """
 
     frames: Frames

@@ -3,10 +3,10 @@
 // Pixels of pitch a, with their middles at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
 // nodes x_k within the window such that
 //     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j)
-// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi. A filter
-// that is the same for all pixels needs more than twice as many samples, as it reaches beyond the window. Nodes are zeros of a prolate spheroidal
-// function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this
-// choice. Weights are found by least squares.
+// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi. A filter that is the
+// same for all pixels needs more than twice as many samples, as it reaches beyond the window. Nodes are zeros of a prolate
+// spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound
+// depends on this choice. Weights are found by least squares.
 #pragma once
 
 #include <algorithm>

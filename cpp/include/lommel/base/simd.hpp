@@ -289,8 +289,8 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
     constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
-    // In assembly for the reason given in splat(), with doubles permuted as pairs of floats: no instruction permutes four doubles by
-    // a register.
+    // In assembly for the reason given in splat(), with doubles permuted as pairs of floats: no instruction permutes four
+    // doubles by a register.
     if constexpr (sizeof(V) > 16) {
         constexpr std::int64_t pair = std::int64_t{1} << 32;
         alignas(64) static constexpr Lane sequence[] = {

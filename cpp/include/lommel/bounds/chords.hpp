@@ -40,7 +40,7 @@ struct VBox {
 };
 
 // Bound by one curve of the certificate's section 8: a sum of size n errs in U by e^{exponent - 2 n b}, b the curve's height; sums
-// over chords by the factor in bound() more, which is close to 1.
+// over chords by that times 1 / (1 - e^{-2 (n + 1) b}), see bound().
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;

@@ -159,9 +159,9 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`:
-// lanes are pairs of chords of one pupil, else of pupils. `Own`: weights are complex, TermTable::own. Sines and cosines take most
-// of the time.
+// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`: lanes are
+// pairs of chords of one pupil; otherwise lanes are pupils. `Own`: weights are complex, TermTable::own. Sines and cosines take
+// most of the time.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -220,6 +220,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             } else {
                 w = weight(table.weights.data() + node);
             }
+            // e, f: even in y at +x, -x; o, q: odd in y there.
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);

@@ -362,7 +362,7 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // The next methods round less than powers of the distance do.
+                // Not met, as powers of the distance round: the methods below round less.
             }
         }
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {

@@ -72,7 +72,7 @@ class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
     double shares[most_taps] = {};
-    // Sine and cosine of t / 2 and of (order + 1/2) t, t the angle from the first tap.
+    // Sine and cosine of t / 2 and of (most + 1/2) t, t the angle from the first tap.
     struct Turn {
         double sine, cosine, fast_sine, fast_cosine;
     };

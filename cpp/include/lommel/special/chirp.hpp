@@ -92,7 +92,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
-        // int x^m e^{i (p x^2 + q x)} dx by the powers p^0 to p^7, |p| <= nearly_linear; for m = 1 divided by i, as waves[] are.
+        // int x^m e^{i (p x^2 + q x)} dx by the powers p^0 to p^7, |p| <= nearly_linear; for m = 1 divided by i, as waves[] of
+        // odd index are.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);

@@ -111,6 +111,7 @@ class RingImages {
         using V = typename I::pack;
         constexpr std::size_t packs = ring_planes / I::lanes;
         const std::size_t height = std::min(side, window_.height - top), width = std::min(side, window_.width - left);
+        // Angles per turn and per radian.
         const double finer = static_cast<double>(steps_.finer()), turn = finer / 6.283185307179586477;
         const double* const center = window_.centers + (window_.axes > 1 ? 2 * (first + group.from) : 0);
         Weights weights[side * side];

@@ -31,8 +31,8 @@ struct ZernikeBudget {
     // interpolation across pieces.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of what remains of the error of U in a piece: orders omitted in this piece, and interpolation across rings; of the
-    // former share the part within which all sines may be omitted. The rest allows for single precision.
+    // Shares of what remains of the error of U in a piece: orders omitted in this piece (own_orders; `sines` is the part of it
+    // within which all sines may be omitted), and interpolation across rings. The rest allows for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum share of the common error of all pieces for interpolation across rings.

@@ -23,8 +23,9 @@
 namespace lommel {
 
 // Table for one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) along xi and
-// sin(a + ib) cos(tau) along xi' (a, b, tau, xi and xi': bounds/disk.hpp); the weights of the hat functions around the samples in the mean; and directions of xi. A
-// sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of directions suffices.
+// sin(a + ib) cos(tau) along xi' (a, b, tau, xi and xi': bounds/disk.hpp); the weights of the hat functions around the samples
+// in the mean; and directions of xi. A sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of
+// directions suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
     std::size_t curve, side, samples, directions;

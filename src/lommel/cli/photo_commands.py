@@ -296,6 +296,8 @@ def blur(
         help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or one "
         f"animation or stack: {suffixes('frames')}."),
     focus_distance: float | None = FOCUS,
+    supersample: int = option(type=click.IntRange(1, 16), default=1,
+        help="Points of PHOTO and DEPTH along each side of a pixel of the output, which averages them."),
     pull: FocusPull = FocusPull(),
     field: FieldOfView = FieldOfView(),
     data: DataSet = DataSet(),
@@ -322,6 +324,13 @@ def blur(
       lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
       lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
+    for flag, there in (
+        ("--over-field", field.over),
+        ("--batch", data.batch),
+        ("--pixel-from-exif", options.seen.pixel_from_exif),
+    ):
+        if supersample > 1 and there:
+            raise ValueError(f"--supersample cannot be combined with {flag}, got {supersample}")
     if field.over:
         return _through_field(photo, depth, output, options)
     if data.batch:
@@ -329,7 +338,7 @@ def blur(
     for one in DataSet.options():
         if one.name != "batch" and getattr(data, one.name or "") != one.default:
             raise ValueError(f"--{one.name} is for data sets, with --batch")
-    opened = partial(Job, photo, depth, lens, output, options)
+    opened = partial(Job, photo, depth, lens, output, options, supersample=supersample)
     if pull.last is not None:
         return _pull_focus(opened, output, (focus_distance, pull.last), pull)
     if pull.frames is not None or pull.fps is not None:
@@ -613,6 +622,7 @@ class Job:
     output: Path
     options: PhotoOptions
     one_file: bool = False
+    supersample: int = 1
 
     def __post_init__(self) -> None:
         options, seen = self.options, self.options.seen
@@ -686,9 +696,8 @@ class Job:
     def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
         """Return the blurred light; `progress` is called with the fraction of the work done."""
         settings = self.settings
-        plan = FocusPlan(
-            self.picture.light(), self.distance, lens, self.pitch, encoding="linear", keep=1, **vars(settings)
-        )
+        more: Facts = {"keep": 1, "supersample": self.supersample} | vars(settings)
+        plan = FocusPlan(self.picture.light(), self.distance, lens, self.pitch, encoding="linear", **more)
         if progress is not None:
             blur = plan.blur()
             # Where the whole PSF is kept, occlusion blurs white images too: twice for each spectrum.
@@ -715,8 +724,9 @@ class Job:
     ) -> Report:
         """Return the report of the job: the facts and lines of a command, within those that all have."""
         read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
+        height, width = height // self.supersample, width // self.supersample
         common = {
-            "shape": list(self.picture.values.shape),
+            "shape": [height, width, *self.picture.values.shape[2:]],
             "encoding": {"photo": self.picture.encoding, "output": self.stored_as},
             "read": read,
             "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),

@@ -378,7 +378,7 @@ def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
     bound = "none proven"
     if facts["error_bound"] is not None:
         bound = f"each value within {facts['error_bound']:.2g} of the peak{channel}"
-    return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
+    return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms, the first call")]
 
 
 def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Report:

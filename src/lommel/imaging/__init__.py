@@ -16,6 +16,7 @@ from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
 from lommel.io.depth_maps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
+from lommel.measures.slanted_edge import slanted_edge
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "render_dataset",
     "restore",
     "restore_with",
+    "slanted_edge",
     "traced_blur",
     "traced_demosaic",
     "traced_mosaic",

@@ -170,6 +170,8 @@ class FocusPlan:
         Number of lens settings whose windows and occlusion are kept, 1 to 1000. A setting takes a few MiB, 8 bytes
         per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with ``energy=1``
         up to five times as much.
+    supersample : int, default 1
+        As of :func:`lommel.imaging.depth_of_field`.
     {options}
 
     Raises
@@ -195,6 +197,7 @@ class FocusPlan:
         *,
         encoding: str,
         keep: int = 4,
+        supersample: int = 1,
         **options: Unpack[Keywords],
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
@@ -203,12 +206,18 @@ class FocusPlan:
         # A copy: the caller may change the map between frames.
         distances = np.array(fill_missing(depth, self.settings.missing))
         require_scene("image", given.shape, distances.shape)
-        self.lens, self.shape, self.dtype = lens, given.shape, given.dtype
+        self._finer = validation.integer("supersample", supersample, least=1, most=16)
+        height, width = (side // self._finer for side in given.shape[:2])
+        if (height * self._finer, width * self._finer) != given.shape[:2]:
+            raise ValueError(
+                f"supersample must divide the height and the width of the image, {given.shape[:2]}, got {supersample}"
+            )
+        self.lens, self.shape, self.dtype = lens, (height, width, *given.shape[2:]), given.dtype
         self._encoding = encoding
         self._light = scene_light("image", given, encoding, self.settings.dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
-        self._pixel = pixel
+        self._pixel = validation.pixel(pixel, metric=True) / self._finer
         self._channels = self.settings.channels(self.shape, lens.wavelength)
         self._known: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
         self.blur()
@@ -267,6 +276,9 @@ class FocusPlan:
             output(out, "image", self.shape, self.dtype)
         occlusion = self._occlusion_at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
+        if self._finer > 1:
+            height, width, *channels = self.shape
+            seen = seen.reshape(height, self._finer, width, self._finer, *channels).mean(axis=(1, 3))
         values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
         made = _photograph(values, occlusion.blur, clipped)
         if out is None:
@@ -286,6 +298,7 @@ class ChunkKeywords(Keywords, total=False):
 class SceneKeywords(ChunkKeywords, total=False):
     """Options of depth-of-field rendering at once."""
 
+    supersample: int
     out: Pixels | None
     progress: Callable[[int, int], object] | None
 
@@ -310,6 +323,7 @@ def depth_of_field(
     pixel: float,
     *,
     encoding: str,
+    supersample: int = 1,
     tile: int | None = None,
     depths: tuple[float, float] | None = None,
     out: Pixels | None = None,
@@ -334,9 +348,14 @@ def depth_of_field(
     lens : Lens
         With radially symmetric aberrations.
     pixel : float
-        Pixel pitch, metres.
+        Pixel pitch of the result, metres.
     encoding : {"srgb", "linear"}
         Of the values of `image`, and of the result.
+    supersample : int, default 1
+        Points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the scene is given at points
+        ``pixel / supersample`` apart, and the result averages their light over its pixels. `largest` and the `window`
+        of the result count points. Not with `tile` or `depths`, nor for dask arrays; memory maps are
+        rendered at once.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
         about a hundred bytes per pixel of a tile, and with `occlusion` several hundred per channel. For dask arrays
@@ -344,7 +363,7 @@ def depth_of_field(
     depths : (float, float), optional
         Nearest and farthest distance in the scene, metres, where they are known: `depth` is then not read for them.
     out : ndarray, optional
-        Array or memory map of the shape and type of `image` that the values are written to. Not for dask arrays.
+        Array or memory map of the shape and type of the result that the values are written to. Not for dask arrays.
     progress : callable, optional
         Called as ``progress(done, tiles)`` after each tile. Not for dask arrays.
     {options}
@@ -367,6 +386,9 @@ def depth_of_field(
     if tile is not None:
         validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
     validation.function("progress", progress, required=False)
+    lazy = any(not isinstance(part, np.ndarray) and hasattr(part, "chunks") for part in (image, depth))
+    if supersample != 1 and (tile is not None or depths is not None or lazy):
+        raise ValueError(f"supersample must be 1 with tile or depths and for dask arrays, got {supersample}")
     da = sys.modules.get("dask.array")  # without which there are no such arrays
     if da is not None and isinstance(image, da.Array) | isinstance(depth, da.Array):
         if out is not None or progress is not None:
@@ -382,12 +404,14 @@ def depth_of_field(
         # dask runs chunks in parallel: a thread each by default.
         given: Keywords = {"threads": 1, **options}
         return _lazy(image, depth, lens, pixel, encoding, tile, depths, Settings(**given))
-    if tile is None and any(isinstance(part, np.memmap) for part in (image, depth, out)):
+    if tile is None and supersample == 1 and any(isinstance(part, np.memmap) for part in (image, depth, out)):
         tile = TILE
     values = validation.array("image", cast("ArrayLike", image))
     distances = validation.array("depth", cast("ArrayLike", depth))
     if tile is None and depths is None:
-        made = FocusPlan(values, distances, lens, pixel, encoding=encoding, **options)(out=out)
+        made = FocusPlan(values, distances, lens, pixel, encoding=encoding, supersample=supersample, **options)(
+            out=out
+        )
         if progress is not None:
             progress(1, 1)
         return made

@@ -1,0 +1,126 @@
+"""The response of slanted edges: against integrals of Gaussian blur, and the MTF of lenses that rendered them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.special import erf
+
+import lommel as lm
+
+PIXEL = 4e-6
+
+
+def picture(degrees, sigma=0.5, shape=(80, 120), fine=16):
+    """Return an edge blurred by a Gaussian (pixels rms); each pixel is the mean of many points of the integral."""
+    y, x = ((np.arange(side * fine) + 0.5) / fine - 0.5 * side for side in shape)
+    turn = np.radians(degrees)
+    points = 0.5 + 0.4 * erf((x + np.tan(turn) * y[:, None]) * np.cos(turn) / sigma / np.sqrt(2.0))
+    return points.reshape(shape[0], fine, shape[1], fine).mean(axis=(1, 3))
+
+
+def gaussian(frequencies, angle, sigma=0.5):
+    """Return the response of this blur and of the pixel, at cycles per pixel."""
+    pixel = np.sinc(frequencies * np.cos(angle)) * np.sinc(frequencies * np.sin(angle))
+    return np.exp(-2.0 * (np.pi * sigma * frequencies) ** 2) * pixel
+
+
+@pytest.mark.parametrize("degrees", [2.5, 5.0, 12.0, 15.0, 20.0, 35.0])  # 15, 20 and 35: near 4/15, 4/11 and 7/10
+def test_the_response_is_that_of_blur_and_pixel(degrees):
+    found = lm.sfr(picture(degrees), PIXEL)
+    assert np.degrees(found.angle) == pytest.approx(degrees, abs=0.01)
+    assert found.contrast == pytest.approx(0.8, abs=1e-4)
+    assert found.frequencies[-1] == pytest.approx(0.5 / PIXEL)
+    np.testing.assert_allclose(found.values, gaussian(found.frequencies * PIXEL, found.angle), atol=1e-3)
+    assert found.errors.max() < 1e-4
+
+
+def test_edges_of_all_orientations_and_signs_have_one_response():
+    image = picture(7.0, shape=(90, 90))
+    expected = lm.sfr(image, PIXEL)
+    for other in (image[::-1], image[:, ::-1], 1.0 - image, image.T, image.T[::-1], 300.0 * image):
+        found = lm.sfr(other, PIXEL)
+        np.testing.assert_allclose(found.values, expected.values, atol=2e-4)
+        normal = np.abs([np.cos(found.angle), np.sin(found.angle)])
+        level = other is not image and np.ptp(other.mean(axis=1)) > np.ptp(other.mean(axis=0))
+        assert normal[int(level)] == pytest.approx(np.cos(np.radians(7.0)), abs=1e-3)
+
+
+def test_the_angle_is_that_of_the_normal_with_its_sign():
+    # A blur along (1, -tan(7)) alone: seen by the edge whose normal it is.
+    for image in (picture(7.0), picture(7.0)[::-1]):
+        angle = lm.sfr(image, PIXEL).angle
+        rows, columns = np.indices(image.shape) - np.reshape([39.5, 59.5], (2, 1, 1))
+        along = columns * np.cos(angle) + rows * np.sin(angle)
+        assert image[along > 3.0].min() > 0.89 > 0.11 > image[along < -3.0].max()
+
+
+def test_noise_moves_values_by_their_standard_errors():
+    rng, image = np.random.default_rng(1), picture(5.0)
+    found = [lm.sfr(image + rng.normal(0.0, 0.01, image.shape), PIXEL) for _ in range(60)]
+    pulls = np.array(
+        [(one.values - gaussian(one.frequencies * PIXEL, one.angle))[5:] / one.errors[5:] for one in found]
+    )
+    assert 0.8 < np.sqrt(np.mean(pulls**2)) < 1.25
+    assert abs(pulls.mean()) < 0.3
+
+
+@pytest.mark.parametrize(("distance", "f_number"), [(2.0, 4.0), (1.95, 2.8)])
+def test_an_edge_that_a_lens_renders_has_the_mtf_of_the_lens(distance, f_number):
+    lens = lm.Lens(focal_length=50e-3, f_number=f_number, focus_distance=2.0, wavelength=550e-9)
+    edge = lm.imaging.slanted_edge((96, 160), angle=5.0, supersample=8)
+    photo = lm.imaging.depth_of_field(
+        edge, np.full(edge.shape, distance), lens, PIXEL, encoding="linear", supersample=8, energy=1, tol=1e-2
+    )
+    found = lm.sfr(photo.values, PIXEL)
+    across = found.frequencies * np.cos(found.angle), found.frequencies * np.sin(found.angle)
+    expected = lm.mtf(lens.pupil(distance), *across, pixel=PIXEL) * np.sinc(found.frequencies * PIXEL / 8)
+    np.testing.assert_allclose(found.values, expected, atol=3e-3)
+    assert found(31250.0) == pytest.approx(np.interp(31250.0, found.frequencies, found.values))
+
+
+EDGE = picture(5.0)
+
+
+@pytest.mark.parametrize(
+    ("image", "message"),
+    [
+        (np.full((40, 40), 0.5), "must show an edge"),
+        (np.random.default_rng(0).random((40, 40)), "must show an edge"),
+        (picture(0.5), "2 to 40 degrees"),
+        (picture(44.0), "2 to 40 degrees|must hold the whole edge"),
+        (picture(np.degrees(np.arctan(1.0 / 3.0))), "no fraction such as 1/3"),
+        (picture(30.0, shape=(60, 40)), "must hold the whole edge"),
+        (EDGE[:10], "20 pixels or more"),
+        (EDGE[..., None], "20 pixels or more"),
+        (np.where(EDGE > 0.89, np.nan, EDGE), "image"),
+    ],
+)
+def test_pictures_without_a_slanted_edge_are_refused(image, message):
+    with pytest.raises(ValueError, match=message):
+        lm.sfr(image, PIXEL)
+
+
+def test_frequencies_beyond_nyquist_are_refused():
+    with pytest.raises(ValueError, match="frequency must be at most that of Nyquist, 125 cycles/mm"):
+        lm.sfr(EDGE, PIXEL)(130e3)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"angle": 1.0}, "angle"),
+        ({"supersample": 0}, "supersample"),
+        ({"dark": 0.9, "bright": 0.1}, "bright must exceed"),
+    ],
+)
+def test_targets_out_of_range_are_refused(given, message):
+    with pytest.raises(ValueError, match=message):
+        lm.imaging.slanted_edge((40, 40), **given)
+
+
+def test_a_target_is_covered_by_the_share_of_the_light_side():
+    edge = lm.imaging.slanted_edge((10, 30), angle=10.0, supersample=4, dark=0.2, bright=0.6)
+    assert edge.shape == (40, 120)
+    assert (edge.min(), edge.max()) == pytest.approx((0.2, 0.6))
+    assert edge.mean() == pytest.approx(0.4, abs=1e-6)

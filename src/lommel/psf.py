@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import measures
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Numbers, Values, largest
+from lommel.base.units import pitch_in_words
 from lommel.core.answers import Declined, ToleranceError
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
@@ -540,6 +541,7 @@ class PSF(Measured, PSFLike, display.Shown):
 
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
+        pixel = pitch_in_words(self.grid.pixel) if self.unit == "m" else f"{self.grid.named} {self.unit}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
         how += "".join(f", {type(blur).__name__}" for blur in self.blur)
         # Samples farther apart than lambda*N do not sum to the light.
@@ -548,7 +550,7 @@ class PSF(Measured, PSFLike, display.Shown):
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
         return (
             f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, "
-            f"pixel {self.grid.named} {self.unit}, {how}, {type(self.method).__name__}, "
+            f"pixel {pixel}, {how}, {type(self.method).__name__}, "
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property, changed
+from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.base_pupil import BasePupil, Geometry, OfEach, not_a_pupil
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
@@ -27,7 +28,7 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
     from lommel.optics.colour.dispersion import PupilColour
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Pupil(BasePupil):
     """Pupil of a lens: an aperture, circular or annular unless obstructed further, with a wavefront and an amplitude.
 
@@ -129,6 +130,17 @@ class Pupil(BasePupil):
     def shape(self) -> tuple[int, ...]:
         """Shape of the stack; ``()`` for a single pupil."""
         return self.wavefront.shape
+
+    def __repr__(self) -> str:
+        parts = [f"{'x'.join(map(str, self.shape))} pupils"] if self.shape else []
+        if self.wavelength is not None and self.f_number is not None:
+            parts += [f"f/{self.f_number:.4g}", format_length(self.wavelength)]
+        parts.append(self.wavefront.in_words())
+        parts += [f"obscuration {self.obscuration:.4g}"] if self.obscuration else []
+        parts += [] if self.illumination.uniform else [repr(self.illumination)]
+        shapes = ("spider", "vignetting", "mask", "stop", "colour")
+        parts += [name for name in shapes if getattr(self, name) is not None]
+        return f"<{type(self).__name__} {', '.join(parts)}>"
 
     # Cached properties may depend on the aperture only: `carrying` copies them to pupils with other wavefronts.
 

@@ -756,6 +756,17 @@ class Wavefront(EqualByContent, display.Shown):
             shown.append(f"error={self.error:.3g}")
         return f"Wavefront({', '.join(shown)})"
 
+    def in_words(self) -> str:
+        """Return the largest terms, radians at the edge of the pupil, and how many more there are."""
+        sizes = self.amplitudes()
+        if sizes.keys() <= {(2, 0)}:
+            ends = dict.fromkeys(f"{c:.4g}" for c in (self.defocus.min(), self.defocus.max()))
+            return f"C_d {' to '.join(ends)} rad" if sizes else "no aberration"
+        first = sorted(sizes, key=lambda term: -sizes[term])[:3]
+        listed = ", ".join(f"({n}, {'+-' * bool(m)}{m}) {sizes[n, m]:.3g}" for n, m in first)
+        more = f" and {len(sizes) - 3} more" if len(sizes) > 3 else ""
+        return f"Zernike terms {listed}{more}, rad at the edge"
+
     def to_dict(self) -> Json:
         """Return the coefficients as plain lists and numbers; :meth:`from_dict` is the inverse."""
         if self._powers is None:

@@ -82,12 +82,6 @@ class Region {
     }
 
     const std::vector<Part>& parts() const { return parts_; }
-    bool contains(Point at) const {
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            inside_[i] = parts_[i].outside(at) < 0.0;
-        }
-        return clear();
-    }
     // Return whether points are clear that lie in the parts with inside[part] != 0.
     bool clear(const std::vector<char>& inside) const {
         inside_ = inside;

@@ -47,7 +47,6 @@ struct MoleculeTable {
 };
 
 // Image of a molecule, and its derivatives with respect to row, column and z.
-enum class Molecule : std::size_t { value, row, column, z };
 constexpr std::size_t molecule_images = 4;
 
 // Interpolates the image of a molecule and its derivatives, reusing its memory.

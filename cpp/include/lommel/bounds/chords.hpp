@@ -39,7 +39,8 @@ struct VBox {
     }
 };
 
-// Error bound on one curve: e^exponent / e^{2 n b} bounds the error of U by a sum of size n, up to a factor close to 1.
+// Bound by one curve of the certificate's section 8: a sum of size n errs in U by e^{exponent - 2 n b}, b the curve's height; sums
+// over chords by that times 1 / (1 - e^{-2 (n + 1) b}), see bound().
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
@@ -119,8 +120,8 @@ class ChordBound {
     // Error bound from a logarithm of the integrand's size on a curve.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Line on the curve that needs least for an error if phase and window had `share` of their size. Found by descent, as the
-    // size needed is convex in b and has one minimum.
+    // Bound by the curve for which the fewest chords or nodes meet `error`, the logarithm of the integrand's size being scaled by
+    // `share`. Found by descent: the number needed is convex in b.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];

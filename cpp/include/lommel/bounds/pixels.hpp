@@ -1,6 +1,6 @@
 // Error bounds of averages over pixels (certificate, section 9), for a function f on the plane that depends on the distance
-// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I over half its largest value,
-// or a derivative of I over its own bound.
+// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I divided by half its largest
+// value, or a derivative of I divided by its own bound.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative |f^(n)| <= 2^n.
+// Error of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative |f^(n)| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R half in r^2.
+// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R `half` in r^2.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -42,7 +42,7 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative or from the size of f
+// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative or from the size of f
 // on the ellipse of least bound. For an even function on [-half, half] half of the points are mirror images.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
@@ -85,7 +85,8 @@ inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of the difference of averages along two sides of a square, from odd orders at `angles` angles (section 15).
+// Error of the difference between the averages over two opposite sides of a square, interpolated from `angles` angles by odd
+// orders (section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

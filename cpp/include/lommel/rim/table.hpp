@@ -72,7 +72,7 @@ class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
     double shares[most_taps] = {};
-    // Sine and cosine of t / 2 and of (order + 1/2) t, t the angle from the first tap.
+    // Sine and cosine of t / 2 and of (most + 1/2) t, t the angle from the first tap.
     struct Turn {
         double sine, cosine, fast_sine, fast_cosine;
     };
@@ -139,7 +139,7 @@ class AngleWeights {
 // excludes 0; also for x outside of the interval, within the ellipse.
 class RadiusRule {
    public:
-    std::vector<double> places, shares;  // points; weights for the x that was last asked for
+    std::vector<double> places, shares;  // places: points; shares: weights for the x last requested
     std::vector<double> barycentric;  // barycentric weights of the points
     double low;
 
@@ -176,15 +176,18 @@ struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
     RadiusRule rule;  // interpolation in x = R / v
-    std::size_t around = 0, taps = 0, margin = 0;  // number of angles; angles per point; copies of a ring at either end
+    // around: number of angles of a ring; taps: angles per point; margin: angles that are repeated at either end of a ring.
+    std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // [radius], see RimPixels
-    double off_angles = 0.0;  // error of averages over the rms of the smooth channel around the axis: angles
+    // Error of averages by interpolation between angles, relative to the rms of the smooth channel around the axis.
+    double off_angles = 0.0;
     double gain = 0.0;  // sum of moduli of weights of an average, all channels
-    std::array<double, 2> off_radii{};  // error of averages over the squared size of waves in an ellipse: radii
+    // Error of averages by interpolation between radii, relative to the squared size of waves in an ellipse.
+    std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages by Gauss's rule
-    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, over the mean of |Q_K|^2 on the disk
-    double dropped = 0.0;  // error of averages over the largest of the smooth channel: rings left out
+    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, relative to the mean of |Q_K|^2 over the disk
+    double dropped = 0.0;  // error of averages by rings left out, relative to the largest value of the smooth channel
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }
@@ -214,10 +217,10 @@ struct RimTable {
 
    private:
     void make_waves(RimWaves& rim) const;
-    // Degree in psi of the channels, which are products of two waves.
+    // Highest order in the polar angle psi of the channels of v^3 I (rim/light.hpp), each a product of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
-    // Bound on the sum of all channels over the smooth one.
+    // Bound on the sum of the moduli of all channels, divided by that of the smooth channel (rim/light.hpp).
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
     RadiusRule chosen_rule() const;
     void choose_angles();
@@ -297,7 +300,8 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated square of waves in the ellipse: about R, more for the large phases that need a large box.
+            // Estimated square of the waves in the ellipse: about the inner radius `nearest`, more for the large phases that
+            // need a large box.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;

@@ -3,10 +3,10 @@
 // Pixels of pitch a, with their middles at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
 // nodes x_k within the window such that
 //     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j)
-// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi: less than half of the
-// samples of a filter, which is the same for all pixels and reaches beyond the window. Nodes are zeros of a prolate spheroidal
-// function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this
-// choice. Weights are found by least squares.
+// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi. A filter that is the
+// same for all pixels needs more than twice as many samples, as it reaches beyond the window. Nodes are zeros of a prolate
+// spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound
+// depends on this choice. Weights are found by least squares.
 #pragma once
 
 #include <algorithm>
@@ -44,9 +44,9 @@ class WindowNodes {
    public:
     std::vector<double> places;  // nodes, v from the middle of the window, ascending
     std::vector<double> weights;  // [pixel][node]
-    double error;  // bound on the mean error of the response under the transfer function of the disk, E (1 + epsilon / 2)
+    double error;  // bound on the mean of |r_j| under the transfer function of the disk, E (1 + epsilon / 2) of section 10
     double gain;  // G: largest sum over nodes of the moduli of a pixel's weights
-    double spread;  // beta: largest modulus of a weight at a node over the sum of all pixels' weights there
+    double spread;  // beta: maximum over nodes k of max_j |c_jk| / sum_j c_jk
 
     // `count`: number of nodes, even.
     WindowNodes(double step, std::size_t pixels, std::size_t count);
@@ -132,7 +132,8 @@ class EvenSeries {
 
    private:
     struct Step {
-        double term, once, twice;  // coefficient; P_k+1 = once x P_k - .. and, one order later, the factor of P_k
+        // P_{k+1} = once x P_k - ..., `twice` being the factor of P_k in P_{k+2}; term: coefficient of P_k in the sum
+        double term, once, twice;
     };
     std::vector<Step> steps_;
 };
@@ -304,6 +305,7 @@ LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double err
     if (bandwidth > largest) {
         return;
     }
+    // Number of eigenvalues above about `error`: the Shannon number and the width of the transition beyond it (D. Slepian).
     const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
     const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
     for (std::size_t more = 0; more < tried; ++more) {

@@ -15,7 +15,9 @@
 
 namespace lommel {
 
-// `More`: policy for what follows the images: NoDerivatives or ChordalGradient.
+// Images of pupils as sums over chords, by the tables that the kernels of batch.hpp read; a caller bounds their error
+// (certificate, "By the core"). `More`: what is computed from the fields of a batch after its images: NoDerivatives or
+// ChordalGradient.
 template <class More = NoDerivatives>
 class ChordalSums {
    public:

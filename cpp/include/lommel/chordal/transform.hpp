@@ -98,8 +98,8 @@ struct Waves {
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
 };
 
-// Single precision. Two vectors of phases are summed in double precision as integer multiples of 2^-32 turns. These are the
-// low 32 bits of the mantissa, where whole turns drop out; they are packed into the lanes of one vector.
+// Single precision. Two vectors of phases are summed in double precision as integer multiples of 2^-32 turns, which are
+// the low bits of the mantissa. Its low 32 bits, which are packed into the lanes of one vector, are the phase without whole turns.
 template <class I>
 struct Waves<I, float> {
     using V = typename I::floats;
@@ -159,8 +159,9 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`: of a
-// vector of such pairs of one pupil. Limited by the sines and cosines.
+// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`: lanes are
+// pairs of chords of one pupil; otherwise lanes are pupils. `Own`: weights are complex, TermTable::own. Sines and cosines take
+// most of the time.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -193,7 +194,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
         }
         for (std::size_t r = 0; r < R; ++r) {
             const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
-            const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; the same at -x
+            // Even and odd part in y of the phase: a and b at +x, c and d at -x.
+            const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;
             V re[4], im[4];
             Wave::wave(a + b, im[0], re[0]);
             Wave::wave(a - b, im[1], re[1]);
@@ -218,6 +220,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             } else {
                 w = weight(table.weights.data() + node);
             }
+            // e, f: even in y at +x, -x; o, q: odd in y there.
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
@@ -340,9 +343,8 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
-// Transform along y for pupil functions of one parity, at distances from the axis only. From nodes[node][re, im] of a pair of
-// chords, even or odd in y, to chords[distance of a row][chord][re, im]. If odd, with sines instead of cosines and without
-// the factor -i.
+// Transforms the pupil functions nodes[node][re, im] of a pair of chords, all even or all odd in y, along y to
+// chords[distance of a row from the axis][chord][re, im]: by cosines, or if odd by sines, without the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
                                   Real* chords) {

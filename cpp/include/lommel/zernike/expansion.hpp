@@ -31,8 +31,8 @@ struct ZernikeBudget {
     // interpolation across pieces.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of what remains of the error of U in a piece: its own omitted orders, all sines among them if these take only a
-    // part of that, and interpolation across rings. The rest allows for single precision.
+    // Shares of what remains of the error of U in a piece: orders omitted in this piece (own_orders; `sines` is the part of it
+    // within which all sines may be omitted), and interpolation across rings. The rest allows for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum share of the common error of all pieces for interpolation across rings.
@@ -97,8 +97,8 @@ struct DiskExpansion {
         return {plan.degrees, plan.orders, exact, samples};
     }
 
-    // Rounding of exp(i Phi) at the nodes reaches U at most undiminished. Roundings of the sums and recurrences are relative
-    // to each coefficient; by Cauchy over all of them their factor is sqrt(degrees^2 / 2).
+    // Rounding of exp(i Phi) at the nodes reaches U at most undiminished. Each rounding of sums and recurrences is relative to
+    // its coefficient; by Cauchy's inequality over degrees^2 / 2 coefficients they add at most degrees / sqrt(2) times one.
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;

@@ -430,7 +430,8 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // Light of a ring that crosses the edges of a pixel, and what the slope of its factor leaves within it.
+            // Light of a product of two waves on a pixel: what crosses the edges, and what the slope of its amplitude leaves
+            // inside.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;

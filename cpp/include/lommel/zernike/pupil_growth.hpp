@@ -23,8 +23,9 @@
 namespace lommel {
 
 // Table for one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) along xi and
-// sin(a + ib) cos(tau) along xi'; the weights of the hat functions around the samples in the mean; and directions of xi. A
-// sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of directions suffices.
+// sin(a + ib) cos(tau) along xi' (a, b, tau, xi and xi': bounds/disk.hpp); the weights of the hat functions around the samples
+// in the mean; and directions of xi. A sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of
+// directions suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
     std::size_t curve, side, samples, directions;
@@ -56,7 +57,7 @@ struct GrowthTable {
     static constexpr std::size_t most_bytes = std::size_t{8} << 20;
 
    private:
-    // Eight directions per half turn for every order, as sixteen for every two.
+    // Eight directions per half turn for each azimuthal order, rounded up to a multiple of sixteen.
     static std::size_t directions_for(const TermPairs& list) {
         std::size_t highest = 1;
         for (const TermPairs::Pair& pair : list.pairs) {

@@ -19,7 +19,8 @@
 
 namespace live {
 
-// Paths of light are the same for all: phases and places on the sensor grow by `stretch`, the reference wavelength over its own.
+// A spectral line. Optical paths do not depend on the wavelength, so phases and v are those of the reference times `stretch`, the
+// reference wavelength divided by that of the line.
 struct Line {
     double stretch, share;
     double weight() const { return share * stretch * stretch; }
@@ -171,8 +172,8 @@ struct Averages {
         return {1e300, 0.0};
     }
 
-    // Pixels next to the axis take samples, as many as there is time for. Those farther out hold no more than what is missing of all
-    // light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
+    // Pixels next to the axis take samples, as many as there is time for. Those farther out hold no more than what is missing
+    // of all light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
     Proof mean_of_edges(double tol, double storing, std::size_t fit) {
         const std::size_t whole = side;
         const std::size_t half = fit > 2 ? (fit - 1) / 2 : 0;
@@ -222,8 +223,8 @@ struct Averages {
         const double ceiling = light.area() * light.area(), aim = tol - (1.0 + tol) * storing, lowest = least_average(step);
         // As if the largest average were a few times the least it can be, and the peak not faint.
         double finer = 0.5 * aim * std::min(4.0 * lowest, 1.0), response = 2e-3 * aim * lowest;
-        // Of large aberrations samples are less bright: how much so is seen in single precision. Below `rounded` of their peak there
-        // are roundings only, which take long to be found out.
+        // Of large aberrations samples are less bright: how much so is seen in single precision. Below `rounded` of their peak
+        // there are roundings only, which take long to be found out.
         const bool dim = blurred();
         if (dim) {
             finer = std::max(finer, 1.5 * single);

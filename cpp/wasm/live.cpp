@@ -25,8 +25,9 @@
 #define EXPORT(name) __attribute__((export_name(#name)))
 
 // There are no exceptions in this library of C++. What is thrown goes to the host as a sentence; it leaves by an exception of
-// its own and makes a new instance, for nothing here is unwound. All that the core throws begins with a std::exception.
-// The host writes numbers, too: the one format of the core is "%.3g", and all that printf takes would be a fiftieth of the download.
+// its own and makes a new instance, for nothing here is unwound. All that the core throws begins with a std::exception. The
+// host writes numbers, too: the one format of the core is "%.3g", and all that printf takes would be a fiftieth of the
+// download.
 extern "C" {
 __attribute__((import_module("lommel"), import_name("fail"))) void lommel_fail(const char* text, std::size_t length);
 __attribute__((import_module("lommel"), import_name("shorten"))) int lommel_shorten(double number, char* text,
@@ -69,7 +70,7 @@ struct Block {
 
 extern "C" {
 
-// At least so many bytes; what was in the block is gone where it grows.
+// Returns memory block `block`, of `bytes` at least. A block that grows loses its contents.
 EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
     Block& here = memory[block];
     if (here.bytes < bytes) {
@@ -158,8 +159,8 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 // Bound on the error of means on circles, over the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
-// At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of all light
-// within. Returns the clear area. `keep`: what near_contrast() takes.
+// At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of
+// all light within. Returns the clear area. `keep`: what near_contrast() takes.
 EXPORT(on_cut_circles)
 double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, double* means, double* shares) {
     if (keep) {
@@ -168,7 +169,8 @@ double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, d
     return live::cut_circles(light, lit, v, count, means, shares, keep ? &sums : nullptr);
 }
 
-// The OTF as contrast() has it, from the light within the last circles that were kept. Returns the share of the light that is missing.
+// The OTF as contrast() has it, from the light within the last circles that were kept. Returns the share of the light that is
+// missing.
 EXPORT(near_contrast)
 double near_contrast(const double* f, std::size_t count, std::complex<double>* x, std::complex<double>* y, double* limit) {
     return live::near_contrast(light, sums, f, count, x, y, limit);

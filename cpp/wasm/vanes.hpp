@@ -613,8 +613,8 @@ inline double cut_reach(const Light& light, double reach) {
 // Sums of the light of each line along columns and along rows, over all of it.
 using CutSums = std::vector<std::array<std::vector<double>, 2>>;
 
-// On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak without
-// aberration, and the share of all light within. Returns the clear area over that of the disk.
+// On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak
+// without aberration, and the share of all light within. Returns the clear area over that of the disk.
 inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
                           CutSums* sums) {
     std::fill_n(means, count, 0.0);

@@ -250,7 +250,7 @@ void contrast(const double* f, std::size_t count, std::size_t more, std::complex
     }
 }
 
-// Convolves the planes of a picture with `spread`, the light per pixel of a point, of odd side.
+// Convolves the planes of a picture with `spread`, the image of a point in pixels, of odd side, divided by its sum.
 EXPORT(blur)
 void blur(const float* spread, std::size_t side, const float* planes, std::size_t count, std::size_t height, std::size_t width,
           float* out) {
